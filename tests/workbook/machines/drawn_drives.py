@@ -43,7 +43,9 @@ def description(dice, number):
     kinds = list(MECHANISMS)
     count = dice.randint(2, 4) if number % 5 == 4 else 1
     entered = drawn_laws(dice)
-    axes = [axis(dice, kinds[(number + k * 5) % len(kinds)], f"A{k + 1}", number % 3 == 2, entered) for k in range(count)]
+    axes = [
+        axis(dice, kinds[(number + k * 5) % len(kinds)], f"A{k + 1}", number % 3 == 2, entered) for k in range(count)
+    ]
     sizes = {"cycle": 36, "law": 4, "phases": 8, "rotors": 2, "positions": TABLE}
     return {"template": "machine", "title": "Drawn", "master": {"rate": dice.choice((dice.uniform(5, 40), dice.uniform(40, 240)))},
             "sizes": sizes, "laws": entered, "axes": axes, "power": {"efficiency": dice.uniform(0.8, 1)}}  # fmt: skip
@@ -84,7 +86,16 @@ def axis(dice, kind, name, passing, entered):
     if dice.random() < 0.5:
         motor["brake"] = {"torque": 1e4, "closing": dice.uniform(0, 60), "opening": dice.uniform(0, 60)}
     shaft = dice.choice(("motor", "mechanism"))
-    parts = [{"name": "P", "count": 2.0, "inertia": dice.uniform(0, 10), "shaft": shaft, "teeth_driver": 40.0, "teeth_driven": 30.0}]
+    parts = [
+        {
+            "name": "P",
+            "count": 2.0,
+            "inertia": dice.uniform(0, 10),
+            "shaft": shaft,
+            "teeth_driver": 40.0,
+            "teeth_driven": 30.0,
+        }
+    ]
     reducer = {"ratio": dice.choice((1.0, dice.uniform(1, 12))), "efficiency": dice.choice((1.0, dice.uniform(0.7, 1))),
                "inertia": dice.uniform(0, 2), "no_load_torque": some(0, 0.3)}  # fmt: skip
     return {"name": name, "group": kind, "unit": unit, "smoothness": "velocity", "phases": phases, "mechanism": mechanism,
@@ -101,7 +112,11 @@ def window(dice, size):
 
 def mechanism_of(dice, kind, unit, passing):
     """A mechanism, and the lowest and the highest position of a motion for it: one that passes keeps off the ends."""
-    made = {"kind": kind, "efficiency": dice.choice((1.0, dice.uniform(0.5, 1.0))), "method": dice.choice(("physical",) * 4 + ("document",))}
+    made = {
+        "kind": kind,
+        "efficiency": dice.choice((1.0, dice.uniform(0.5, 1.0))),
+        "method": dice.choice(("physical",) * 4 + ("document",)),
+    }
     if kind == "lead screw" or dice.random() < 0.2:
         made["back_efficiency"] = dice.choice((None, dice.uniform(-0.3, made["efficiency"])))
     if kind in ("conveyor", "belt"):
@@ -111,12 +126,20 @@ def mechanism_of(dice, kind, unit, passing):
     match kind:
         case "crank-slider" | "press crank":
             crank = dice.uniform(15, 120)
-            made |= {"crank_radius": crank, "rod_length": crank * dice.uniform(1.6, 6), "offset": dice.choice((0.0, dice.uniform(-0.5, 0.5) * crank))}
+            made |= {
+                "crank_radius": crank,
+                "rod_length": crank * dice.uniform(1.6, 6),
+                "offset": dice.choice((0.0, dice.uniform(-0.5, 0.5) * crank)),
+            }
             if kind == "press crank":
                 return made | {"start_angle": dice.uniform(-180, 180)}, 0.0, dice.uniform(40, 300)
             rod, e = made["rod_length"], made["offset"]
             stroke = sqrt((rod + crank) ** 2 - e**2) - sqrt((rod - crank) ** 2 - e**2)
-            made |= {"start": near * stroke, "zero": dice.choice(("inner", "outer")), "branch": dice.choice(("ahead", "behind"))}
+            made |= {
+                "start": near * stroke,
+                "zero": dice.choice(("inner", "outer")),
+                "branch": dice.choice(("ahead", "behind")),
+            }
             return made, 0.0, (far - near) * stroke
         case "rocker":
             size = dice.uniform(30, 150)
@@ -134,7 +157,11 @@ def mechanism_of(dice, kind, unit, passing):
 
 def points(dice):
     """Points of a table that rise evenly or as a crank does, and the ends of their positions."""
-    count, turn, height = dice.choice((6, 12, TABLE, dice.randint(6, TABLE))), dice.uniform(60, 160), dice.uniform(20, 200)
+    count, turn, height = (
+        dice.choice((6, 12, TABLE, dice.randint(6, TABLE))),
+        dice.uniform(60, 160),
+        dice.uniform(20, 200),
+    )
     begin, part = dice.uniform(15, 60), dice.uniform(20, 110)
     angles = [turn * (k + dice.uniform(-0.15, 0.15) * (0 < k < count - 1)) / (count - 1) for k in range(count)]
     places = [height * (cos(radians(begin)) - cos(radians(begin + part * one / turn))) for one in angles]
@@ -185,10 +212,23 @@ def handed_over(dice, low, high):
         return [phase(0, up / 2, "PO5"), phase(1, up / 2, "LIN"), phase(2, -up, dice.choice(("PO5", "PO7")))]
     if shape == 1:
         speed = up * 0.001 / radians(places[2] - places[1]) if span else 0.0
-        rates = [{"velocity": dice.uniform(-1.2, 1.2) * speed, "acceleration": dice.choice((None, dice.uniform(-1, 1) * speed))} for _ in range(2)]
+        rates = [
+            {
+                "velocity": dice.uniform(-1.2, 1.2) * speed,
+                "acceleration": dice.choice((None, dice.uniform(-1, 1) * speed)),
+            }
+            for _ in range(2)
+        ]
         law = dice.choice(("PO5", "PO7"))
-        return [phase(0, up, law), phase(1, dice.uniform(-0.3, 0.3) * span, law, **rates[0]), phase(2, -up, law, **rates[1])]
-    found = [phase(0, up, dice.choice(TURNING_BACK)), phase(2, dice.uniform(-0.5, 0.5) * up, dice.choice((*TURNING_BACK, "CIC")))]
+        return [
+            phase(0, up, law),
+            phase(1, dice.uniform(-0.3, 0.3) * span, law, **rates[0]),
+            phase(2, -up, law, **rates[1]),
+        ]
+    found = [
+        phase(0, up, dice.choice(TURNING_BACK)),
+        phase(2, dice.uniform(-0.5, 0.5) * up, dice.choice((*TURNING_BACK, "CIC"))),
+    ]
     back = -sum(one["lift"] for one in found)
     return [*found, phase(4, back, dice.choice((*TURNING_BACK, "MSN")))]
 
@@ -213,9 +253,20 @@ def limited(made, dice):
         def near(value):
             return max(value, 1e-3) * dice.choice((dice.uniform(0.97, 1.03), dice.uniform(0.9, 3.0), 10.0))
 
-        motor = entered["motor"] | {"rated_torque": near(asked["rms"]), "peak_torque": near(asked["peak"]), "max_speed": near(rpm)}
+        motor = entered["motor"] | {
+            "rated_torque": near(asked["rms"]),
+            "peak_torque": near(asked["peak"]),
+            "max_speed": near(rpm),
+        }
         if dice.random() < 0.3:
-            motor |= {"stall_torque": dice.uniform(1, 1.5) * motor["rated_torque"], "rated_speed": dice.uniform(0.4, 1) * motor["max_speed"]}
-        limits = {"peak_torque": near(asked["output peak"]), "mean_torque": near(asked["output mean"]), "max_speed": near(rpm)}
+            motor |= {
+                "stall_torque": dice.uniform(1, 1.5) * motor["rated_torque"],
+                "rated_speed": dice.uniform(0.4, 1) * motor["max_speed"],
+            }
+        limits = {
+            "peak_torque": near(asked["output peak"]),
+            "mean_torque": near(asked["output mean"]),
+            "max_speed": near(rpm),
+        }
         axes.append(entered | {"motor": motor, "reducer": entered["reducer"] | (limits if dice.random() < 0.5 else {})})
     return validated(TEMPLATE, made.model_dump() | {"axes": axes}, str)

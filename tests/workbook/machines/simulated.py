@@ -7,6 +7,7 @@ differentiated twice; of a table from its polynomials of degree 5, by SciPy.
 from functools import cached_property
 from itertools import pairwise
 from math import cos, pi, radians, sin, sqrt, tau
+from typing import NamedTuple
 
 import numpy as np
 from scipy.interpolate import BPoly
@@ -16,6 +17,8 @@ PANELS = 24
 SHARES, WEIGHTS = np.polynomial.legendre.leggauss(6)
 ZOOMS, FINE = 4, 33
 """how often the surroundings of a peak are looked at again, and at how many places"""
+STEPS = 7200
+"""of a cycle, of drives on a bus"""
 STILL = 1e-9
 """share of the largest speed: what is slower stands"""
 RPM, CM2, MM = pi / 30, 1e-4, 1e-3
@@ -47,7 +50,9 @@ def rising(first, second):
 
 def crank_slider(given, y):
     """φ' and φ'' (rad/m, rad/m²) of a crank-slider at positions (m)."""
-    r, rod, e, start = (MM * (getattr(given, name) or 0.0) for name in ("crank_radius", "rod_length", "offset", "start"))
+    r, rod, e, start = (
+        MM * (getattr(given, name) or 0.0) for name in ("crank_radius", "rod_length", "offset", "start")
+    )
     inner, outer = sqrt((rod - r) ** 2 - e**2), sqrt((rod + r) ** 2 - e**2)
     way = -1.0 if given.zero == "outer" else 1.0
     x = (outer if way < 0.0 else inner) + way * (start + y)
@@ -97,7 +102,9 @@ class Simulated:
         self.speed, self.late = tau * self.rate / 60.0, radians(view.given.shift)
         self.unit = MM if view.given.unit == "mm" else radians(1.0)
         self.begin, self.total = float(view.motion.edges[0]), float(view.motion.total)
-        motors, reducers = ({row.name: row for row in rows} for rows in (machine.selection.motors, machine.selection.reducers))
+        motors, reducers = (
+            {row.name: row for row in rows} for rows in (machine.selection.motors, machine.selection.reducers)
+        )
         self.motor = motors.get(view.given.motor.name, view.given.motor)
         self.reducer = reducers.get(view.given.reducer.name, view.given.reducer)
 
@@ -114,7 +121,11 @@ class Simulated:
     @cached_property
     def stretches(self):
         """Places between which the torque has one smooth formula but where power changes its way: begin and end."""
-        cuts = [e + s * p.duration for e, p in zip(self.motion.edges, self.motion.phases, strict=False) for s in (0.0, *p.law.breaks)]
+        cuts = [
+            e + s * p.duration
+            for e, p in zip(self.motion.edges, self.motion.phases, strict=False)
+            for s in (0.0, *p.law.breaks)
+        ]
         edges = [radians(edge) - self.late for one in self.given.load.windows for edge in (one.start, one.stop)]
         cuts += [self.begin + (edge - self.begin) % self.total for edge in edges]
         cuts = np.unique([*cuts, self.begin, self.begin + self.total])
@@ -248,6 +259,13 @@ class Simulated:
         speed, copper = reducer.ratio * first * v, 1e3 * (self.motor.copper_losses or 0.0) / self.motor.rated_torque**2
         return speed, torque, torque * (speed + copper * torque), output
 
+    def power_at(self, x):
+        """Power of the motor (W) at angles of the master shaft (rad)."""
+        place = self.begin + (x - self.late - self.begin) % self.total
+        k = np.clip(np.searchsorted(self.stretches, place, side="right") - 1, 0, len(self.stretches) - 2)
+        still, dwell = self.dwells
+        return self.shaft(place, still[k], dwell[k])[2]
+
     @cached_property
     def values(self):
         """The same at all nodes."""
@@ -293,3 +311,23 @@ class Simulated:
             "output peak": max(self.top(lambda w, t, p, s: s), self.top(lambda w, t, p, s: -s)),
             "output mean": (self.mean(fast * np.abs(output) ** 3) / mean) ** (1.0 / 3.0) if mean else 0.0,
         }
+
+
+class Bus(NamedTuple):
+    """Power of drives on a common DC bus (W): the highest and the mean from the mains, and into the resistor."""
+
+    peak: float
+    mean: float
+    burnt_peak: float
+    burnt: float
+
+
+def bus_of(drives, efficiency):
+    """What drives at one rate take together, at even steps and close beside all begins of their stretches."""
+    edges = np.concatenate([(one.stretches + one.late - one.begin) % one.total + one.begin for one in drives])
+    close = np.concatenate([edges - 1e-8, edges + 1e-8])
+    even = (np.arange(STEPS) + 0.5) * tau / STEPS
+    power = np.array([one.power_at(np.concatenate([even, close])) for one in drives])
+    both = np.where(power > 0.0, power / efficiency, power * efficiency).sum(axis=0)
+    mains, back = np.maximum(both, 0.0), np.maximum(-both, 0.0)
+    return Bus(mains.max(), mains[:STEPS].mean(), back.max(), back[:STEPS].mean())

@@ -1,0 +1,110 @@
+"""Machines as they are built, drawn: sheets against the exact engine, and both against the equation of motion.
+
+``python -m tests.workbook.machines.test_drawn_drives 1000`` prints the worst of each kind as a table.
+"""
+
+import sys
+from collections import defaultdict
+
+import pytest
+
+from tests.tiers import nights, seed
+from tests.workbook.cells import disagreeing
+from tests.workbook.machines.drawn_drives import TEMPLATE, drawn_machine
+from tests.workbook.machines.simulated import Simulated, bus_of
+from workbook.machines.machine.exact import PEAK, drives_of, results_of
+from workbook.machines.machine.power import Mains
+
+SAME = 1e-3
+"""share by which fine quadrature and the exact engine may differ: of the peak, of powers and energies of the largest"""
+
+
+def exact_results(view):
+    """What the exact engine finds of a drive, by the names of :class:`Simulated`."""
+    found = view.driven.results
+    power, energy = found.power, found.energy
+    return {"rms": found.rms_torque, "peak": found.torque.peak, "speed": found.speed.peak,
+            "mean speed": found.mean_speed, "power": power.highest.value, "back power": -power.lowest.value,
+            "driving": energy.driving, "returned": energy.regenerated,
+            "output peak": found.shaft_torque(1).peak, "output mean": found.mean_shaft_torque(1)}  # fmt: skip
+
+
+def sheet_results(view):
+    """What its sheet says, by the same names."""
+    points, energy, behind = view.points, view.energy, view.load.output_torque
+    return {"rms": points.rms_torque, "peak": points.size(points.torque), "speed": view.speed,
+            "mean speed": points.mean_speed, "power": points.top(points.power), "back power": points.top(-points.power),
+            "driving": energy.driving, "returned": energy.regenerated,
+            "output peak": points.size(behind), "output mean": points.cubic_mean(behind)}  # fmt: skip
+
+
+def deviations(some, exact):
+    """By how much results are off: RMS and peaks as shares of the peak, powers and energies of the larger of both."""
+    pairs = (("rms", "peak"), ("peak", "peak"), ("speed", "speed"), ("mean speed", "speed"), ("output peak", "output peak"),
+             ("output mean", "output peak"), ("power", "back power"), ("back power", "power"), ("driving", "returned"),
+             ("returned", "driving"))  # fmt: skip
+    return {name: abs(some[name] - exact[name]) / max(exact[name], exact[other], 1e-9) for name, other in pairs}
+
+
+def wrong_verdicts(view):
+    """Limits that the sheet says are held and the exact engine finds broken beyond the bound of the sheet."""
+    exact, told = exact_results(view), view.reserve
+    reducer, limits = view.reducer_checks, view.driven.motor
+    continuous = float(limits.continuous(exact["mean speed"]))
+    each = (("rms", told.rms_torque.ok, continuous, exact["peak"]), ("peak", told.peak_torque.ok, limits.peak_torque, exact["peak"]),
+            ("speed", told.speed.ok, limits.max_speed, exact["speed"]), ("output peak", reducer[0].ok, reducer[0].limit, exact["output peak"]),
+            ("output mean", reducer[1].ok, reducer[1].limit, exact["output peak"]))  # fmt: skip
+    return [name for name, ok, limit, size in each if ok and exact[name] > limit + PEAK * size]
+
+
+@pytest.fixture
+def machine(request, number):
+    """The machine of a number: by night another each time."""
+    return drawn_machine(number, seed("drawn") if request.node.get_closest_marker("nightly") else "drawn")
+
+
+@pytest.mark.parametrize("number", [*range(100), *nights(900)])
+def test_sheets_engine_and_equation_of_motion_agree_and_no_verdict_is_wrong(machine, number):
+    views, simulated = list(drives_of(machine)), []
+    for view in views:
+        simulated.append(Simulated(view.tables.axis, machine))
+        off = deviations(simulated[-1].results, exact_results(view))
+        assert {name: share for name, share in off.items() if share > SAME} == {}
+        assert list(results_of(view)) == []
+        assert wrong_verdicts(view) == []
+    if len(views) > 1:
+        bus, found = Mains(views, machine.power), bus_of(simulated, machine.power.efficiency)
+        assert found.peak <= bus.cuts.most * (1.0 + PEAK)
+        assert found.burnt_peak <= bus.cuts.most_back * (1.0 + PEAK) + 1e-6 * bus.cuts.most
+        scale = SAME * bus.without.mains
+        assert bus.without.mains - bus.saved_most - scale <= found.mean <= bus.without.mains + scale
+
+
+@pytest.mark.parametrize("number", [0, 32, 59, *nights(20)])
+def test_every_cell_of_drawn_machines_agrees_with_the_engine(machine, number):
+    wrong, count = disagreeing(TEMPLATE, machine)
+    assert wrong == []
+    assert count > 2000
+
+
+def main(count):
+    """Print the worst deviation of each result of so many machines, of the sheets and of the equation of motion."""
+    worst = defaultdict(lambda: (0.0, 0, ""))
+    for number in range(count):
+        machine = drawn_machine(number)
+        for view in drives_of(machine):
+            exact = exact_results(view)
+            for way, some in (("sheet", sheet_results(view)), ("motion", Simulated(view.tables.axis, machine).results)):
+                for name, share in deviations(some, exact).items():
+                    worst[name, way] = max(worst[name, way], (share, number, view.driven.given.kind))
+    print("| result | of the sheets | machine | of the equation of motion | machine |\n|---|---|---|---|---|")
+    for name in dict.fromkeys(name for name, _ in worst):
+        columns = (
+            f"{100 * share:.4f} % | {number}, {kind}"
+            for share, number, kind in (worst[name, way] for way in ("sheet", "motion"))
+        )
+        print(f"| {name} | {' | '.join(columns)} |")
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]))
