@@ -5,13 +5,15 @@ and reducer lie near to what the drive asks for, so that a verdict that is wrong
 """
 
 import random
-from math import cos, pi, radians, sin, sqrt, tau
+from itertools import pairwise
+from math import cos, pi, radians, sqrt
 
+from engine.drive.mechanisms.variable_ratio import PositionTable
 from tests.laws import blended
 from tests.workbook.machines.simulated import Simulated
 from workbook.errors import InputError
-from workbook.laws.registry import FAMILY
 from workbook.law_sheets.library import laws
+from workbook.laws.registry import FAMILY
 from workbook.machines.machine.mechanism import MECHANISMS
 from workbook.machines.machine.view import MachineView
 from workbook.reading.descriptions import validated
@@ -21,8 +23,13 @@ TEMPLATE = TEMPLATES["machine"]
 TRIES = 100
 SMOOTH = [code for code in FAMILY if code not in ("DWL", "LIN", "OWN", "SPL")]
 TURNING_BACK = ("OWN", "SPL")
-SIZES = {"lead": (5, 60), "roller_diameter": (40, 200), "pinion_diameter": (20, 100), "pulley_diameter": (20, 150),
-         "roller_radius": (20, 120)}  # fmt: skip
+SIZES = {
+    "lead": (5, 60),
+    "roller_diameter": (40, 200),
+    "pinion_diameter": (20, 100),
+    "pulley_diameter": (20, 150),
+    "roller_radius": (20, 120),
+}
 TABLE = 40  # points of a table, at most
 
 
@@ -47,8 +54,15 @@ def description(dice, number):
         axis(dice, kinds[(number + k * 5) % len(kinds)], f"A{k + 1}", number % 3 == 2, entered) for k in range(count)
     ]
     sizes = {"cycle": 36, "law": 4, "phases": 8, "rotors": 2, "positions": TABLE}
-    return {"template": "machine", "title": "Drawn", "master": {"rate": dice.choice((dice.uniform(5, 40), dice.uniform(40, 240)))},
-            "sizes": sizes, "laws": entered, "axes": axes, "power": {"efficiency": dice.uniform(0.8, 1)}}  # fmt: skip
+    return {
+        "template": "machine",
+        "title": "Drawn",
+        "master": {"rate": dice.choice((dice.uniform(5, 40), dice.uniform(40, 240)))},
+        "sizes": sizes,
+        "laws": entered,
+        "axes": axes,
+        "power": {"efficiency": dice.uniform(0.8, 1)},
+    }
 
 
 def drawn_laws(dice):
@@ -73,16 +87,32 @@ def axis(dice, kind, name, passing, entered):
     def some(least, most):
         return dice.choice((0.0, dice.uniform(least, most)))
 
-    load = {"mass": dice.uniform(0.5, 80), "friction": some(0, 0.4), "slope": dice.choice((0.0, 0.0, 90.0, -90.0, dice.uniform(-60, 60))),
-            "force": some(-size, size)} if travels else {
-        "inertia": dice.uniform(10, 5000), "torque": some(-size / 10, size / 10), "friction_torque": some(0, size / 10)}  # fmt: skip
+    load = (
+        {
+            "mass": dice.uniform(0.5, 80),
+            "friction": some(0, 0.4),
+            "slope": dice.choice((0.0, 0.0, 90.0, -90.0, dice.uniform(-60, 60))),
+            "force": some(-size, size),
+        }
+        if travels
+        else {
+            "inertia": dice.uniform(10, 5000),
+            "torque": some(-size / 10, size / 10),
+            "friction_torque": some(0, size / 10),
+        }
+    )
     if not travels and dice.random() < 0.5:
         load["arm"] = {"mass": dice.uniform(0.5, 20), "radius": dice.uniform(20, 300), "angle": dice.uniform(-180, 180)}
     windows = [window(dice, size if travels else size / 10) for _ in range(dice.choice((0, 0, 1, 2)))]
     load |= {"viscous": dice.choice((None, dice.uniform(0, 100 if travels else 1))), "windows": windows}
-    motor = {"inertia": 10 ** dice.uniform(-0.5, 1.5), "holding": dice.choice(("motor", "brake")),
-             "copper_losses": dice.choice((None, dice.uniform(0.01, 0.4))),
-             "rated_torque": 1.0, "peak_torque": 1.0, "max_speed": 1.0}  # fmt: skip
+    motor = {
+        "inertia": 10 ** dice.uniform(-0.5, 1.5),
+        "holding": dice.choice(("motor", "brake")),
+        "copper_losses": dice.choice((None, dice.uniform(0.01, 0.4))),
+        "rated_torque": 1.0,
+        "peak_torque": 1.0,
+        "max_speed": 1.0,
+    }
     if dice.random() < 0.5:
         motor["brake"] = {"torque": 1e4, "closing": dice.uniform(0, 60), "opening": dice.uniform(0, 60)}
     shaft = dice.choice(("motor", "mechanism"))
@@ -96,11 +126,26 @@ def axis(dice, kind, name, passing, entered):
             "teeth_driven": 30.0,
         }
     ]
-    reducer = {"ratio": dice.choice((1.0, dice.uniform(1, 12))), "efficiency": dice.choice((1.0, dice.uniform(0.7, 1))),
-               "inertia": dice.uniform(0, 2), "no_load_torque": some(0, 0.3)}  # fmt: skip
-    return {"name": name, "group": kind, "unit": unit, "smoothness": "velocity", "phases": phases, "mechanism": mechanism,
-            "closes": "feed" if turns else "position", "load": load, "motor": motor, "reducer": reducer,
-            "parts": parts[: dice.randint(0, 1)], "shift": dice.choice((0.0, dice.uniform(-200, 200)))}  # fmt: skip
+    reducer = {
+        "ratio": dice.choice((1.0, dice.uniform(1, 12))),
+        "efficiency": dice.choice((1.0, dice.uniform(0.7, 1))),
+        "inertia": dice.uniform(0, 2),
+        "no_load_torque": some(0, 0.3),
+    }
+    return {
+        "name": name,
+        "group": kind,
+        "unit": unit,
+        "smoothness": "velocity",
+        "phases": phases,
+        "mechanism": mechanism,
+        "closes": "feed" if turns else "position",
+        "load": load,
+        "motor": motor,
+        "reducer": reducer,
+        "parts": parts[: dice.randint(0, 1)],
+        "shift": dice.choice((0.0, dice.uniform(-200, 200))),
+    }
 
 
 def window(dice, size):
@@ -143,9 +188,14 @@ def mechanism_of(dice, kind, unit, passing):
             return made, 0.0, (far - near) * stroke
         case "rocker":
             size = dice.uniform(30, 150)
-            made |= {"lever_length": size, "link_length": dice.uniform(1.8, 5) * size, "offset": dice.uniform(0.6, 1.2) * size,
-                     "start_angle": dice.uniform(60, 120), "slide": dice.choice(("ahead", "behind")),
-                     "direction": dice.choice(("forward", "backward"))}  # fmt: skip
+            made |= {
+                "lever_length": size,
+                "link_length": dice.uniform(1.8, 5) * size,
+                "offset": dice.uniform(0.6, 1.2) * size,
+                "start_angle": dice.uniform(60, 120),
+                "slide": dice.choice(("ahead", "behind")),
+                "direction": dice.choice(("forward", "backward")),
+            }
             return made, 0.0, dice.uniform(0.1, 0.35) * size * dice.choice((-1, 1))
         case "table":
             made["points"], low, high = points(dice)
@@ -156,15 +206,17 @@ def mechanism_of(dice, kind, unit, passing):
 
 
 def points(dice):
-    """Points of a table that rise evenly or as a crank does, and the ends of their positions."""
+    """Points of a table that rise about evenly, as a crank does, and the ends of their positions."""
     count, turn, height = (
         dice.choice((6, 12, TABLE, dice.randint(6, TABLE))),
         dice.uniform(60, 160),
         dice.uniform(20, 200),
     )
-    begin, part = dice.uniform(15, 60), dice.uniform(20, 110)
-    angles = [turn * (k + dice.uniform(-0.15, 0.15) * (0 < k < count - 1)) / (count - 1) for k in range(count)]
+    begin, part = dice.uniform(25, 60), dice.uniform(20, 100)
+    angles = [turn * (k + dice.uniform(-0.04, 0.04) * (0 < k < count - 1)) / (count - 1) for k in range(count)]
     places = [height * (cos(radians(begin)) - cos(radians(begin + part * one / turn))) for one in angles]
+    if not PositionTable(list(zip(map(radians, angles), places, strict=True))).parabolas.calm.all():
+        return points(dice)  # its polynomials are held where they would fall: no parabolas through three points
     return [{"angle": a, "position": y} for a, y in zip(angles, places, strict=True)], 0.0, places[-1]
 
 
@@ -197,10 +249,10 @@ def full_turn(dice, entered):
 
 
 def handed_over(dice, low, high):
-    """Phases that hand over at speed: a straight line between curves, rates that are entered, or laws that turn back."""
+    """Phases that hand over at speed: a line between curves, rates that are entered, or laws that turn back."""
     span, shape = high - low, dice.randrange(3)
     places = sorted(dice.uniform(0, 360) for _ in range(6))
-    places = [places[0], *(max(b, a + 12.0) for a, b in zip(places, places[1:], strict=False))]
+    places = [places[0], *(max(b, a + 12.0) for a, b in pairwise(places))]
     scale = min(1.0, 360.0 / places[-1])
     places = [place * scale for place in places]
 
@@ -245,28 +297,34 @@ def reached(made):
 
 def limited(made, dice):
     """The same machine with limits near to what each drive asks for by its equation of motion."""
-    views, axes, motors = MachineView(made, laws(made.laws)).axes, [], []
-    for view, entered in zip(views, made.model_dump()["axes"], strict=True):
+    data, motors = made.model_dump(), []
+    for view, entered in zip(MachineView(made, laws(made.laws)).axes, data["axes"], strict=True):
         asked = Simulated(view, made).results
         rpm = asked["speed"] * 30 / pi
 
         def near(value):
             return max(value, 1e-3) * dice.choice((dice.uniform(0.97, 1.03), dice.uniform(0.9, 3.0), 10.0))
 
-        motor = entered["motor"] | {
-            "rated_torque": near(asked["rms"]),
-            "peak_torque": near(asked["peak"]),
-            "max_speed": near(rpm),
-        }
+        motor = {"rated_torque": near(asked["rms"]), "peak_torque": near(asked["peak"]), "max_speed": near(rpm)}
         if dice.random() < 0.3:
-            motor |= {
-                "stall_torque": dice.uniform(1, 1.5) * motor["rated_torque"],
-                "rated_speed": dice.uniform(0.4, 1) * motor["max_speed"],
+            stall, speed = dice.uniform(1, 1.5) * motor["rated_torque"], dice.uniform(0.4, 1) * motor["max_speed"]
+            motor |= {"stall_torque": stall, "rated_speed": speed}
+        entered["motor"] |= motor
+        if dice.random() < 0.3:  # a curve that falls is the catalogue's
+            motors.append(fallen(dice, entered["motor"], f"Motor {entered['name']}"))
+        if dice.random() < 0.5:
+            entered["reducer"] |= {
+                "peak_torque": near(asked["output peak"]),
+                "mean_torque": near(asked["output mean"]),
+                "max_speed": near(rpm),
             }
-        limits = {
-            "peak_torque": near(asked["output peak"]),
-            "mean_torque": near(asked["output mean"]),
-            "max_speed": near(rpm),
-        }
-        axes.append(entered | {"motor": motor, "reducer": entered["reducer"] | (limits if dice.random() < 0.5 else {})})
-    return validated(TEMPLATE, made.model_dump() | {"axes": axes}, str)
+    return validated(TEMPLATE, data | ({"selection": {"motors": motors}} if motors else {}), str)
+
+
+def fallen(dice, motor, name):
+    """The row of the catalogue of a motor whose peak torque falls; it is entered by that name."""
+    figures = ("inertia", "rated_torque", "peak_torque", "max_speed", "stall_torque", "rated_speed", "copper_losses")
+    knee, end = dice.uniform(0.3, 0.9) * motor["max_speed"], dice.uniform(0.4, 1.0) * motor["peak_torque"]
+    row = {figure: motor.pop(figure, None) for figure in figures}
+    motor["name"] = name
+    return row | {"name": name, "full_torque_to": knee, "end_torque": end}

@@ -1,7 +1,7 @@
-"""The equation of motion of a drive by fine quadrature: a third way to its results, beside the engine's and the cells'.
+"""The equation of motion of a drive by fine quadrature: a third way to its results, beside the engine and the cells.
 
-From the entries and the motion alone. Of a mechanism whose ratio changes φ' and φ'' follow from its closure F(y, ψ) = 0,
-differentiated twice; of a table from its polynomials of degree 5, by SciPy.
+From the entries and the motion alone. Of a mechanism whose ratio changes φ' and φ'' follow from its closure,
+F(y, ψ) = 0, differentiated twice; of a table from its polynomials of degree 5, by SciPy.
 """
 
 from functools import cached_property
@@ -131,18 +131,20 @@ class Simulated:
         cuts = np.unique([*cuts, self.begin, self.begin + self.total])
         cuts = cuts[np.concatenate([[True], np.diff(cuts) > 1e-9])]
         places = np.concatenate([np.linspace(a, b, 60)[1:-1] for a, b in pairwise(cuts)])
-        zeros = self.zeros(places)
-        cuts = np.unique([*cuts, *zeros])
+        turns = self.zeros(self.load_velocity, places)
+        knots = [one.position * self.unit for one in getattr(self.given.mechanism, "points", [])[1:-1]]
+        passed = [self.zeros(lambda x, knot=knot: self.moved(x)[0] - knot, places) for knot in knots]
+        cuts = np.unique(np.concatenate([cuts, turns, *passed]))
         return cuts[np.concatenate([[True], np.diff(cuts) > 1e-9])]
 
-    def zeros(self, places):
-        """Where the load turns round, by bisection between places."""
-        v = self.load_velocity(places)
+    def zeros(self, quantity, places):
+        """Where a quantity changes its sign, by bisection between places."""
+        v = quantity(places)
         k = np.flatnonzero((v[:-1] * v[1:] < 0.0) & (np.abs(v[:-1]) + np.abs(v[1:]) > 1e-9 * np.abs(v).max()))
         low, high = places[k], places[k + 1]
-        for _ in range(50):
+        for _ in range(50 if k.size else 0):
             middle = (low + high) / 2.0
-            same = self.load_velocity(middle) * v[k] > 0.0
+            same = quantity(middle) * v[k] > 0.0
             low, high = np.where(same, middle, low), np.where(same, high, middle)
         return low
 
@@ -152,8 +154,10 @@ class Simulated:
         ends = np.array([np.linspace(a, b, PANELS + 1) for a, b in pairwise(self.stretches)])
         middle, half = (ends[:, 1:] + ends[:, :-1]) / 2.0, np.diff(ends) / 2.0
         rows = len(ends)
-        return ((middle[..., None] + half[..., None] * SHARES).reshape(rows, -1),
-                (half[..., None] * WEIGHTS).reshape(rows, -1) / self.total)  # fmt: skip
+        return (
+            (middle[..., None] + half[..., None] * SHARES).reshape(rows, -1),
+            (half[..., None] * WEIGHTS).reshape(rows, -1) / self.total,
+        )
 
     @cached_property
     def dwells(self):
@@ -276,7 +280,7 @@ class Simulated:
         return float((values * self.nodes[1]).sum())
 
     def top(self, quantity):
-        """The largest value of a quantity of :meth:`shaft`, looked for more and more closely about that at the nodes."""
+        """The largest value of a quantity of :meth:`shaft`, searched more and more closely about those at the nodes."""
         found = quantity(*self.values)
         best = -np.inf
         for row in np.argsort(found.max(axis=1))[-4:]:

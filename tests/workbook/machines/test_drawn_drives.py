@@ -23,26 +23,51 @@ def exact_results(view):
     """What the exact engine finds of a drive, by the names of :class:`Simulated`."""
     found = view.driven.results
     power, energy = found.power, found.energy
-    return {"rms": found.rms_torque, "peak": found.torque.peak, "speed": found.speed.peak,
-            "mean speed": found.mean_speed, "power": power.highest.value, "back power": -power.lowest.value,
-            "driving": energy.driving, "returned": energy.regenerated,
-            "output peak": found.shaft_torque(1).peak, "output mean": found.mean_shaft_torque(1)}  # fmt: skip
+    return {
+        "rms": found.rms_torque,
+        "peak": found.torque.peak,
+        "speed": found.speed.peak,
+        "mean speed": found.mean_speed,
+        "power": power.highest.value,
+        "back power": -power.lowest.value,
+        "driving": energy.driving,
+        "returned": energy.regenerated,
+        "output peak": found.shaft_torque(1).peak,
+        "output mean": found.mean_shaft_torque(1),
+    }
 
 
 def sheet_results(view):
     """What its sheet says, by the same names."""
     points, energy, behind = view.points, view.energy, view.load.output_torque
-    return {"rms": points.rms_torque, "peak": points.size(points.torque), "speed": view.speed,
-            "mean speed": points.mean_speed, "power": points.top(points.power), "back power": points.top(-points.power),
-            "driving": energy.driving, "returned": energy.regenerated,
-            "output peak": points.size(behind), "output mean": points.cubic_mean(behind)}  # fmt: skip
+    return {
+        "rms": points.rms_torque,
+        "peak": points.size(points.torque),
+        "speed": view.speed,
+        "mean speed": points.mean_speed,
+        "power": points.top(points.power),
+        "back power": points.top(-points.power),
+        "driving": energy.driving,
+        "returned": energy.regenerated,
+        "output peak": points.size(behind),
+        "output mean": points.cubic_mean(behind),
+    }
 
 
 def deviations(some, exact):
     """By how much results are off: RMS and peaks as shares of the peak, powers and energies of the larger of both."""
-    pairs = (("rms", "peak"), ("peak", "peak"), ("speed", "speed"), ("mean speed", "speed"), ("output peak", "output peak"),
-             ("output mean", "output peak"), ("power", "back power"), ("back power", "power"), ("driving", "returned"),
-             ("returned", "driving"))  # fmt: skip
+    pairs = (
+        ("rms", "peak"),
+        ("peak", "peak"),
+        ("speed", "speed"),
+        ("mean speed", "speed"),
+        ("output peak", "output peak"),
+        ("output mean", "output peak"),
+        ("power", "back power"),
+        ("back power", "power"),
+        ("driving", "returned"),
+        ("returned", "driving"),
+    )
     return {name: abs(some[name] - exact[name]) / max(exact[name], exact[other], 1e-9) for name, other in pairs}
 
 
@@ -51,9 +76,13 @@ def wrong_verdicts(view):
     exact, told = exact_results(view), view.reserve
     reducer, limits = view.reducer_checks, view.driven.motor
     continuous = float(limits.continuous(exact["mean speed"]))
-    each = (("rms", told.rms_torque.ok, continuous, exact["peak"]), ("peak", told.peak_torque.ok, limits.peak_torque, exact["peak"]),
-            ("speed", told.speed.ok, limits.max_speed, exact["speed"]), ("output peak", reducer[0].ok, reducer[0].limit, exact["output peak"]),
-            ("output mean", reducer[1].ok, reducer[1].limit, exact["output peak"]))  # fmt: skip
+    each = (
+        ("rms", told.rms_torque.ok, continuous, exact["peak"]),
+        ("peak", told.peak_torque.ok, limits.peak_torque, exact["peak"]),
+        ("speed", told.speed.ok, limits.max_speed, exact["speed"]),
+        ("output peak", reducer[0].ok, reducer[0].limit, exact["output peak"]),
+        ("output mean", reducer[1].ok, reducer[1].limit, exact["output peak"]),
+    )
     return [name for name, ok, limit, size in each if ok and exact[name] > limit + PEAK * size]
 
 
