@@ -30,6 +30,7 @@ SIZES = {
     "pulley_diameter": (20, 150),
     "roller_radius": (20, 120),
 }
+NAMES = ("MC01", "Träger ½", "Cutter's <2> & more", "Ä")
 TABLE = 40  # points of a table, at most
 
 
@@ -50,9 +51,7 @@ def description(dice, number):
     kinds = list(MECHANISMS)
     count = dice.randint(2, 4) if number % 5 == 4 else 1
     entered = drawn_laws(dice)
-    axes = [
-        axis(dice, kinds[(number + k * 5) % len(kinds)], f"A{k + 1}", number % 3 == 2, entered) for k in range(count)
-    ]
+    axes = [axis(dice, kinds[(number + k * 5) % len(kinds)], NAMES[k], number % 3 == 2, entered) for k in range(count)]
     sizes = {"cycle": 36, "law": 4, "phases": 8, "rotors": 2, "positions": TABLE}
     return {
         "template": "machine",

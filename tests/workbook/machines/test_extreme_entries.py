@@ -5,7 +5,6 @@ import copy
 import pytest
 
 from tests.workbook.cells import disagreeing
-from tests.workbook.machines.test_random_inputs import SIZES
 from workbook.reading.descriptions import validated
 from workbook.templates import TEMPLATES
 
@@ -31,7 +30,7 @@ def entered(rate=100.0, lift=50.0, stop=90.0, mass=25.0, law="MTP"):
         "title": "Press",
         "master": {"rate": rate},
         "axes": [axis],
-        "sizes": SIZES | {"motors": 20, "reducers": 20},
+        "sizes": {"cycle": 24, "law": 8, "phases": 8, "rotors": 6, "pieces": 8, "motors": 20, "reducers": 20},
     }
     return validated(TEMPLATE, data, lambda key: key)
 

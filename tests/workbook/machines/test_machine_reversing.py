@@ -1,7 +1,5 @@
 """Drives of phases that move there and back, and of the seventh degree: cells, engine, dense samples, energy."""
 
-import itertools
-import random
 from dataclasses import replace
 
 import numpy as np
@@ -9,10 +7,8 @@ import pytest
 
 from engine.drive.results import DriveResults
 from tests.engine.drive.machines import sampled
-from tests.tiers import nights
 from tests.workbook.cells import disagreeing
 from tests.workbook.machines.test_machine_handover import BACK, DRIVE, MACHINE, OUT, SMALL, STEP, axis, phase
-from tests.workbook.machines.test_machine_rates import drives_of
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.view import MachineView
@@ -84,49 +80,6 @@ def test_torque_power_and_energy_by_dense_samples(name):
     assert found.rms_torque == pytest.approx(np.sqrt(square / drive_cycle.unshifted.total), rel=1e-5)
     work = sum(np.trapezoid(row[1] * row[2], row[0]) for row in rows) / drive_cycle.speed
     assert found.energy.net == pytest.approx(work, rel=1e-5)
-
-
-def drawn(seed):
-    """A drive of constant ratio, with everything drawn, and phases that hand over, turn back or are of degree 7."""
-    dice = random.Random(f"there and back {seed}")
-    edges, phases = sorted(dice.uniform(0, 360) for _ in range(dice.randint(3, 8))), []
-    edges = [0.0, *edges[1:-1], 360.0] if dice.random() < 0.5 else edges
-    for start, stop in itertools.pairwise(edges):
-        if stop - start > 6.0 and dice.random() < 0.85 and len(phases) < 6:
-            law = dice.choice(("LIN", "PO5", "PO5", "PO7", "PO7", "MSN", "SCV", "HAC", "CUB", "CIC", "DWL"))
-            rates = ("velocity", "acceleration")[: dice.randint(0, 2)] if law in ("PO5", "PO7") else ()
-            passing = {name: dice.uniform(-0.04, 0.04) for name in rates}
-            phases.append(phase(start, stop, 0.0 if law == "DWL" else dice.uniform(-60, 60), law, **passing))
-
-    def some(low, high):
-        return dice.choice((0.0, dice.uniform(low, high)))
-
-    load = {"mass": some(1, 60), "friction": some(0, 0.5), "slope": some(-60, 60), "force": some(-300, 300)}
-    kind, size = dice.choice(
-        (("lead screw", "lead"), ("rack and pinion", "pinion_diameter"), ("belt", "pulley_diameter"))
-    )
-    motor = DRIVE["motor"] | {"inertia": some(0, 20), "holding": dice.choice(("motor", "brake"))}
-    return machine(axis(
-        "A", *(phases or SEPTIC), shift=dice.choice((0.0, 77.0)), smoothness="velocity",
-        mechanism={"kind": kind, size: dice.uniform(10, 80), "efficiency": dice.uniform(0.4, 1)}, motor=motor,
-        load=load | {"windows": WINDOWS[: dice.randint(0, 2)]},
-        reducer={"ratio": dice.uniform(1, 5), "efficiency": dice.uniform(0.5, 1), "mean_torque": 30.0},
-    ))  # fmt: skip
-
-
-@pytest.mark.parametrize("seed", nights(20))
-def test_random_drives_come_to_what_the_engine_says(seed):
-    assert disagreeing(MACHINE, drawn(seed))[0] == []
-
-
-@pytest.mark.parametrize("seed", [*range(4), *nights(100)])
-def test_of_random_drives_points_are_near_to_what_the_course_asks(seed):
-    """Phases turn back and hand over between prescribed rates: the drive is cut where they turn."""
-    (view,) = drives_of(drawn(seed))
-    exact, points = view.driven.results, view.points
-    assert points.rms_torque == pytest.approx(exact.rms_torque, abs=1e-3 * exact.torque.peak)
-    assert points.size(points.torque) == pytest.approx(exact.torque.peak, rel=5e-3)
-    assert view.energy[0] == pytest.approx(exact.energy.driving, rel=0.03)
 
 
 BACK_AND_FORTH = {"OWN": {"pieces": [{"duration": 1.0, "c0": -12.0, "c1": 60.0, "c2": -48.0}]}}

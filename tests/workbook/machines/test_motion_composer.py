@@ -7,9 +7,9 @@ import openpyxl
 import pytest
 
 from tests.laws import MOVING
+from tests.mutation.machines import own_pieces, stages
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import EXERCISE, MACHINE, composed
-from tests.workbook.machines.test_random_inputs import durations, piece, shares
 from workbook.build import build, committed_descriptions, read_inputs, stale_templates
 from workbook.errors import InputError
 from workbook.reading.descriptions import read_machine, write_machine
@@ -211,8 +211,8 @@ def drawn(dice):
     """A motion of any length over any abscissa, its durations over four decades."""
     low, high = sorted(dice.uniform(0.02, 0.98) for _ in range(2))
     laws = {
-        "MTP": {"durations": durations(dice)}, "TVP": {"rise_end": low, "fall_start": high},
-        "OWN": {"pieces": [piece(dice, d) for d in shares(dice, dice.randint(1, 4))]},
+        "MTP": {"durations": stages(dice)}, "TVP": {"rise_end": low, "fall_start": high},
+        "OWN": {"pieces": own_pieces(dice, 4)},
     }  # fmt: skip
     size = 10 ** dice.uniform(-4, 3)
     phases = []
