@@ -44,7 +44,7 @@ class BusCuts:
         self.drives, near = drives, drives[0].tables.machine.near
         tables = [interval_powers(view) for view in drives]
         tops, counts = np.array([table[2:].max(axis=1) for table in tables]).T, [table.shape[1] for table in tables]
-        counted = peaks > SMALL * peaks[::-1]
+        counted = tops > SMALL * peaks[::-1]
         self.shares = on_bus * np.divide(peaks, tops, out=np.zeros(peaks.shape), where=counted)
         begin, length, *powers = np.concatenate(tables, axis=1)
         late = np.array([view.driven.axis.given.shift for view in drives])

@@ -158,7 +158,7 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
     """Declare a row for each drive: its energy, mean and peak powers, and what its peak proves of the bus."""
     drives, each = bus.drives, bus.each
     driven = [one.driven for one in drives]
-    scopes = [f"drive{one.number}_" for one in driven]
+    scopes, powers = ([f"drive{one.number}_{name}" for one in driven] for name in ("", "P"))
     burnt = "(SUMPRODUCT([power.bus]*[power.burnt])-[bus]*[burnt])"
     taken = "(SUMPRODUCT([power.bus]*[power.peak])-[bus]*[peak])"
     sheet.table(
@@ -184,10 +184,10 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
              "its peak less the others' largest regeneration"),
         calc("burns", "the bus burns at least", "", "kW", f"=[bus]*([burnt]-{taken})", kw(bus.burns).tolist()),
         calc("up", "peak over the largest power at a point", "", "",
-             [f"=IF([peak]>check_zero*[burnt],[bus]*[peak]/MAX(drive{one.number}_P),0)" for one in driven],
+             [f"=IF(MAX({each})>check_zero*[burnt],[bus]*[peak]/MAX({each}),0)" for each in powers],
              bus.cuts.shares[0], "with 1/η; 0 beside the bus", scale=1.0),
         calc("down", "likewise of what comes back", "", "",
-             [f"=IF([burnt]>check_zero*[peak],0-[bus]*[burnt]/MIN(drive{one.number}_P),0)" for one in driven],
+             [f"=IF(0-MIN({each})>check_zero*[peak],0-[bus]*[burnt]/MIN({each}),0)" for each in powers],
              bus.cuts.shares[1], scale=1.0),
         result("year", "alone, a year", "E", "kWh", "=[mains]*power_hours",
                [shown(one.energy_a_year(bus.entered.hours), KWH) for one in each], format=YEAR),
