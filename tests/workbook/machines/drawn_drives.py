@@ -52,7 +52,13 @@ def description(dice, number):
     count = dice.randint(2, 4) if number % 5 == 4 else 1
     entered = drawn_laws(dice)
     axes = [axis(dice, kinds[(number + k * 5) % len(kinds)], NAMES[k], number % 3 == 2, entered) for k in range(count)]
-    sizes = {"cycle": 36, "law": 4, "phases": 8, "rotors": 2, "positions": TABLE}
+    sizes = {
+        "cycle": 36,
+        "law": 4,
+        "phases": 8,
+        "rotors": 2,
+        "positions": TABLE if any(one["mechanism"]["kind"] == "table" for one in axes) else 12,
+    }
     return {
         "template": "machine",
         "title": "Drawn",
