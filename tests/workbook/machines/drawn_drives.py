@@ -137,6 +137,7 @@ def axis(dice, kind, name, passing, entered):
         "inertia": dice.uniform(0, 2),
         "no_load_torque": some(0, 0.3),
     }
+    stages = [stage(dice) for _ in range(dice.choice((0, 0, 1, 2)))]
     return {
         "name": name,
         "group": kind,
@@ -148,9 +149,21 @@ def axis(dice, kind, name, passing, entered):
         "load": load,
         "motor": motor,
         "reducer": reducer,
+        "stages": stages,
         "parts": parts[: dice.randint(0, 1)],
         "shift": dice.choice((0.0, dice.uniform(-200, 200))),
     }
+
+
+def stage(dice):
+    """A stage between reducer and mechanism, by its ratio or its teeth."""
+    losses = {
+        "efficiency": dice.choice((1.0, dice.uniform(0.7, 1))),
+        "friction_torque": dice.choice((0.0, dice.uniform(0, 1))),
+    }
+    losses |= {"driver_inertia": dice.uniform(0, 5), "driven_inertia": dice.uniform(0, 20)}
+    by_teeth = {"teeth_driver": float(dice.randint(12, 40)), "teeth_driven": float(dice.randint(12, 90))}
+    return losses | dice.choice(({"ratio": dice.uniform(0.5, 4)}, by_teeth))
 
 
 def window(dice, size):

@@ -255,12 +255,20 @@ class Simulated:
         at_motor, at_mechanism = self.inertias
         before, behind = self.losses
         output = self.through(self.force(x, way), way, behind) / first + at_mechanism * turning
+        turned = first * v
+        for stage in reversed(self.given.stages):
+            losses = stage.efficiency, stage.efficiency if stage.back_efficiency is None else stage.back_efficiency
+            driven = output + CM2 * stage.driven_inertia * turning + stage.friction_torque * way
+            by_teeth = (stage.teeth_driven or 1.0) / (stage.teeth_driver or 1.0)
+            ratio = stage.ratio or by_teeth
+            turned, turning = ratio * turned, ratio * turning
+            output = self.through(driven, way, losses) / ratio + CM2 * stage.driver_inertia * turning
         torque = self.through(output, way, before) / reducer.ratio + at_motor * reducer.ratio * turning
         brake = motor.brake
         least = MM * (brake.closing + brake.opening) if brake else 0.0
         held = (motor.holding == "brake") & still & (dwell >= least - 1e-9)
         torque = np.where(held, 0.0, torque) + reducer.no_load_torque * way
-        speed, copper = reducer.ratio * first * v, 1e3 * (self.motor.copper_losses or 0.0) / self.motor.rated_torque**2
+        speed, copper = reducer.ratio * turned, 1e3 * (self.motor.copper_losses or 0.0) / self.motor.rated_torque**2
         return speed, torque, torque * (speed + copper * torque), output
 
     def power_at(self, x):

@@ -12,7 +12,7 @@ import formualizer
 import openpyxl
 import pytest
 
-from tests.tiers import nights, seed
+from tests.tiers import seed
 from tests.workbook.cells import disagreeing, disagreeing_in
 from tests.workbook.machines.drawn_drives import TEMPLATE, drawn_machine
 from tests.workbook.machines.simulated import Simulated, bus_of
@@ -93,27 +93,48 @@ def wrong_verdicts(view):
     return [name for name, ok, limit, size in each if ok and exact[name] > limit + PEAK * size]
 
 
-@pytest.fixture
-def machine(request, number):
-    """The machine of a number: by night another each time."""
-    return drawn_machine(number, seed("drawn") if request.node.get_closest_marker("nightly") else "drawn")
+class Drawn:
+    """A machine of a number, with its drives as their sheets and as the equation of motion have them."""
+
+    def __init__(self, number, text):
+        self.number, self.machine = number, drawn_machine(number, text)
+        self.views = list(drives_of(self.machine))
+        self.simulated = [Simulated(view.tables.axis, self.machine) for view in self.views]
 
 
-@pytest.mark.parametrize("number", [*range(100), *nights(900)])
-def test_sheets_engine_and_equation_of_motion_agree_and_no_verdict_is_wrong(machine, number):
-    views, simulated = list(drives_of(machine)), []
-    for view in views:
-        simulated.append(Simulated(view.tables.axis, machine))
-        off = deviations(simulated[-1].results, exact_results(view))
+def machines(*day, night):
+    """Numbers of drawn machines and what they are drawn from: by night another each time."""
+    by_night = (pytest.param((k, seed("drawn")), marks=pytest.mark.nightly, id=f"night {k}") for k in range(night))
+    return [*(pytest.param((number, "drawn"), id=str(number)) for number in day), *by_night]
+
+
+@pytest.fixture(scope="module", params=machines(*range(100), night=900))
+def drawn(request):
+    """One machine after another, for all tests of it."""
+    return Drawn(*request.param)
+
+
+def test_the_exact_engine_and_the_equation_of_motion_agree(drawn):
+    for view, one in zip(drawn.views, drawn.simulated, strict=True):
+        off = deviations(one.results, exact_results(view))
         assert {name: share for name, share in off.items() if share > SAME} == {}
-        assert list(results_of(view)) == []
-        assert wrong_verdicts(view) == []
-    if len(views) > 1:
-        bus, found = Mains(views, machine.power), bus_of(simulated, machine.power.efficiency)
+
+
+def test_every_result_is_as_exact_as_its_sheet_states(drawn):
+    assert [line for view in drawn.views for line in results_of(view)] == []
+
+
+def test_no_sheet_says_ok_where_the_exact_engine_says_fail(drawn):
+    assert [name for view in drawn.views for name in wrong_verdicts(view)] == []
+
+
+def test_a_common_bus_takes_no_more_than_its_bounds(drawn):
+    if len(drawn.views) > 1:
+        bus, found = Mains(drawn.views, drawn.machine.power), bus_of(drawn.simulated, drawn.machine.power.efficiency)
         assert found.peak <= bus.cuts.most * (1.0 + PEAK)
         assert found.burnt_peak <= bus.cuts.most_back * (1.0 + PEAK) + 1e-6 * bus.cuts.most
-        scale = SAME * bus.without.mains
-        assert bus.without.mains - bus.saved_most - scale <= found.mean <= bus.without.mains + scale
+        assert bus.without.mains - bus.saved_most <= found.mean + SAME * bus.without.mains
+        assert found.mean <= (1.0 + SAME) * bus.without.mains
 
 
 def by_formualizer(written):
@@ -127,16 +148,18 @@ def by_formualizer(written):
     return {(c.parent.title, c.row, c.column): "" if c.value is None else c.value for c in cells}
 
 
-@pytest.mark.parametrize("number", [0, 32, *nights(20)])
-def test_every_cell_of_drawn_machines_agrees_with_the_engine(machine, number):
-    evaluate = by_formualizer if number % 4 == 3 else None
+@pytest.mark.parametrize("numbered", machines(0, 32, night=20))
+def test_every_cell_of_drawn_machines_agrees_with_the_engine(numbered):
+    machine = drawn_machine(*numbered)
+    evaluate = by_formualizer if numbered[0] % 4 == 3 else None
     wrong, count = disagreeing_in(TEMPLATE, machine, evaluate) if evaluate else disagreeing(TEMPLATE, machine)
     assert wrong == []
     assert count > 2000
 
 
-@pytest.mark.parametrize("number", [4, 18, 35, *nights(30)])
-def test_the_book_of_a_drawn_machine_verifies_and_gives_back_what_was_entered(machine, number, tmp_path):
+@pytest.mark.parametrize("numbered", machines(4, 18, 35, night=30))
+def test_the_book_of_a_drawn_machine_verifies_and_gives_back_what_was_entered(numbered, tmp_path):
+    machine = drawn_machine(*numbered)
     path, again = tmp_path / "book.xlsx", tmp_path / "again.xlsx"
     build(machine, path)
     assert [str(one) for one in verify(path).findings] == []
@@ -146,8 +169,9 @@ def test_the_book_of_a_drawn_machine_verifies_and_gives_back_what_was_entered(ma
     assert cmp(again, path, shallow=False)
 
 
-@pytest.mark.parametrize("number", range(10))
-def test_a_drawn_machine_comes_back_from_its_description(machine, number, tmp_path):
+@pytest.mark.parametrize("numbered", machines(*range(10), night=0))
+def test_a_drawn_machine_comes_back_from_its_description(numbered, tmp_path):
+    machine = drawn_machine(*numbered)
     path = tmp_path / "machine.toml"
     path.write_text(write_machine(machine), encoding="utf-8")
     assert read_machine(path) == machine
