@@ -14,7 +14,7 @@ from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 
 SEED, PARTS = 7, 3
 SAMPLE = 1080  # mutants of a template, or one of each quantity where it has more
-MANY, RUNS = 6000, 10  # mutants of a template in a night, and the tests among which they are divided
+MANY, RUNS = 400, 1  # mutants of a template in a night, and the tests among which they are divided
 WHOLE = 2  # of each kind, to be judged by all of verify
 LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs
 
@@ -117,7 +117,7 @@ def test_a_night_s_mutants_are_found_and_named_first(name: str, run: int) -> Non
     """As ``python -m tests.mutation`` has it, with other mutants each night."""
     here = bench(name)
     mutants = here.orchard.sample(MANY, seed("mutants"))[run::RUNS]
-    elsewhere = [here.inputs(m) for m in machines(here.machine, 60, seed("machines"))]
+    elsewhere = [here.inputs(m) for m in machines(here.machine, 20, seed("machines"))]
     tally = Tally(values_only=False, verdicts=list(examined(here, mutants, elsewhere)))
     found = [v.mutant for v in tally.verdicts if v.found(values_only=False)]
     tally.whole = [(m, names_it_first(here.verified(m), m)) for m in found[::25]]

@@ -266,7 +266,7 @@ def test_a_lossy_screw_is_driven_down_and_holds_its_load():
 # The continuous torque that falls with the mean speed
 
 
-@pytest.mark.parametrize("number", [*range(4), *nights(100)])
+@pytest.mark.parametrize("number", [*range(4), *nights(40)])
 def test_the_rate_by_a_falling_continuous_torque_is_on_the_safe_side_and_exact_where_it_is_entered(request, number):
     drive_cycle = random_course(f"continuous {name_of(request, number)}", linked=number % 4 == 3)
     drive_cycle = replace(drive_cycle, train=replace(drive_cycle.train, viscous=0.0))

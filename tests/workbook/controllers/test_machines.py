@@ -83,7 +83,7 @@ def within_its_bound(one, cam, name, draw):
     [
         (1, ("codesys", "siemens-segments", "br")),
         (2, ("rockwell", "mitsubishi", "sew")),
-        *(pytest.param(tiers.seed(k), TARGETS, marks=pytest.mark.nightly, id=f"night {k}") for k in range(40)),
+        *(pytest.param(tiers.seed(k), TARGETS, marks=pytest.mark.nightly, id=f"night {k}") for k in range(12)),
     ],
 )
 def test_what_is_read_back_lies_within_the_certificates_bound(seed, names):

@@ -157,7 +157,7 @@ def test_every_cell_of_drawn_machines_agrees_with_the_engine(numbered):
     assert count > 2000
 
 
-@pytest.mark.parametrize("numbered", machines(4, 18, 35, night=30))
+@pytest.mark.parametrize("numbered", machines(4, 18, 35, night=15))
 def test_the_book_of_a_drawn_machine_verifies_and_gives_back_what_was_entered(numbered, tmp_path):
     machine = drawn_machine(*numbered)
     path, again = tmp_path / "book.xlsx", tmp_path / "again.xlsx"

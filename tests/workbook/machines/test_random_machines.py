@@ -80,7 +80,7 @@ def valid(data):
     return made
 
 
-@pytest.mark.parametrize("number", [*range(2), *nights(60)])
+@pytest.mark.parametrize("number", [*range(2), *nights(40)])
 def test_cells_mirrored_motion_and_other_units(request, number):
     drawn = told(request, number)
     data = one_axis(drawn)
