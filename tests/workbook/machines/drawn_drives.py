@@ -184,6 +184,7 @@ def mechanism_of(dice, kind, unit, passing):
         made["back_efficiency"] = dice.choice((None, dice.uniform(-0.3, made["efficiency"])))
     if kind in ("conveyor", "belt"):
         made["belt_mass"] = dice.uniform(0, 10)
+        made["belt_on_bed"] = 0.4 * made["belt_mass"] if made["efficiency"] < 0.8 else None
     near = dice.uniform(0.25, 0.35) if passing else dice.uniform(0.02, 0.3)
     far = dice.uniform(0.6, 0.7) if passing else dice.choice((0.975, dice.uniform(0.4, 0.975)))
     match kind:

@@ -220,7 +220,8 @@ class Simulated:
         first, second = of_slide
         side = way * np.sign(first)  # of the load's own direction
         steady = load.force + load.mass * g * sin(slope) if travels else load.torque
-        rubbing = load.friction * load.mass * g * abs(cos(slope)) if travels else load.friction_torque
+        rubs = load.mass + (getattr(m, "belt_on_bed", None) or 0.0)
+        rubbing = load.friction * rubs * g * abs(cos(slope)) if travels else load.friction_torque
         middle = x[:, x.shape[1] // 2][:, None] if x.ndim == 2 else x
         for one in load.windows:
             begin, last = radians(one.start) - self.late, radians((one.stop - one.start) % 360.0) or tau
