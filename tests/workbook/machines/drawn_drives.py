@@ -271,7 +271,7 @@ def handed_over(dice, low, high):
     """Phases that hand over at speed: a line between curves, rates that are entered, or laws that turn back."""
     span, shape = high - low, dice.randrange(3)
     places = sorted(dice.uniform(0, 360) for _ in range(6))
-    places = [places[0], *(max(b, a + 12.0) for a, b in pairwise(places))]
+    places = [places[0], *(max(b, a + 20.0) for a, b in pairwise(places))]
     scale = min(1.0, 360.0 / places[-1])
     places = [place * scale for place in places]
 

@@ -18,7 +18,7 @@ from tests.workbook.machines.drawn_drives import TEMPLATE, drawn_machine
 from tests.workbook.machines.simulated import Simulated, bus_of
 from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
-from workbook.machines.machine.exact import PEAK, drives_of, results_of
+from workbook.machines.machine.exact import ENERGY, PEAK, drives_of, results_of
 from workbook.machines.machine.power import Mains
 from workbook.reading.descriptions import read_machine, write_machine
 
@@ -133,8 +133,8 @@ def test_a_common_bus_takes_no_more_than_its_bounds(drawn):
         bus, found = Mains(drawn.views, drawn.machine.power), bus_of(drawn.simulated, drawn.machine.power.efficiency)
         assert found.peak <= bus.cuts.most * (1.0 + PEAK)
         assert found.burnt_peak <= bus.cuts.most_back * (1.0 + PEAK) + 1e-6 * bus.cuts.most
-        assert bus.without.mains - bus.saved_most <= found.mean + SAME * bus.without.mains
-        assert found.mean <= (1.0 + SAME) * bus.without.mains
+        known = ENERGY * bus.without.mains
+        assert bus.without.mains - bus.saved_most - known <= found.mean <= bus.without.mains + known
 
 
 def by_formualizer(written):
