@@ -318,7 +318,7 @@ class Simulated:
             "speed": self.top(lambda w, t, p, s: np.abs(w)),
             "mean speed": mean,
             "power": self.top(lambda w, t, p, s: p),
-            "back power": self.top(lambda w, t, p, s: -p),
+            "back power": max(0.0, self.top(lambda w, t, p, s: -p)),
             "driving": self.mean(np.maximum(power, 0.0)) * time,
             "returned": self.mean(np.maximum(-power, 0.0)) * time,
             "output peak": max(self.top(lambda w, t, p, s: s), self.top(lambda w, t, p, s: -s)),
