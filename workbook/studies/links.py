@@ -40,26 +40,26 @@ def make_links(machine: Machine, given: Mapping[str, str], where: str) -> tuple[
         Of a message.
     """
     left = {}
-    for key, said in given.items():
+    for key, text in given.items():
         named = f"{where}: links: {key}"
-        found = TERM.fullmatch(said.strip())
-        if found is None:
-            raise InputError([f"{named} = {said!r}; expected a path, or a path + or - a number"])
-        path, source = path_of(machine, key, named), path_of(machine, found["path"], named)
-        offset = float((found["sign"] or "") + (found["by"] or "0"))
-        for one in (path, source) if offset else ():
-            require_number(machine, one, named)
+        term = TERM.fullmatch(text.strip())
+        if term is None:
+            raise InputError([f"{named} = {text!r}; expected a path, or a path + or - a number"])
+        path, source = path_of(machine, key, named), path_of(machine, term["path"], named)
+        offset = float((term["sign"] or "") + (term["by"] or "0"))
+        for each in (path, source) if offset else ():
+            require_number(machine, each, named)
         if path in left:
             raise InputError([f"{named}: {written(path)} is linked twice"])
         left[path] = Link(path, source, offset)
     ordered: list[Link] = []
     while left:
-        free = [one for one in left.values() if one.source not in left]
+        free = [link for link in left.values() if link.source not in left]
         if not free:
-            said = ", ".join(map(written, left))
-            raise InputError([f"{where}: links: {said} follow each other; expected one of them without a link"])
+            names = ", ".join(map(written, left))
+            raise InputError([f"{where}: links: {names} follow each other; expected one of them without a link"])
         ordered += free
-        left = {path: one for path, one in left.items() if one not in free}
+        left = {path: link for path, link in left.items() if link not in free}
     return tuple(ordered)
 
 
@@ -72,7 +72,7 @@ def require_number(machine: Machine, path: Path, where: str) -> None:
 
 def followed(links: tuple[Link, ...], data: Mapping[str, Any], changed: Mapping[Path, Any]) -> dict[Path, Any]:
     """Return the changed entries with those that follow them, or others of the data."""
-    found = dict(changed)
-    for one in links:
-        found[one.path] = one.value(found.get(one.source, entry_at(data, one.source)))
-    return found
+    entries = dict(changed)
+    for link in links:
+        entries[link.path] = link.value(entries.get(link.source, entry_at(data, link.source)))
+    return entries

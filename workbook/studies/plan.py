@@ -171,7 +171,7 @@ def make_plan(study: Study, base: Path, where: str) -> Plan:
     for twice in (path for path in varied if varied.count(path) > 1):
         raise InputError([f"{where}: {written(twice)} varies twice"])
     varied += [(*one.takes, EDGES[one.paths[0][-1]][0]) for one in space.dimensions if one.takes]
-    for linked in (one.path for one in links if one.path in varied):
+    for linked in (link.path for link in links if link.path in varied):
         raise InputError([f"{where}: links: {written(linked)} varies already; expected one or the other"])
     if study.way.kind == "full" and space.size > MOST_IN_FULL:
         said = f"{where}: {space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
@@ -201,7 +201,7 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
         if not values:
             raise InputError([f"{where}: {name!r} is none of a catalogue; expected the name of a motor or reducer"])
     scaling = plan.template.scaling
-    leads = any(one.source in paths for one in plan.links)  # what it changes besides does not scale with it
+    leads = any(link.source in paths for link in plan.links)  # what it changes besides does not scale with it
     part = scaling.part(".".join(paths[0])) if scaling and not leads else ""
     made = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
     for value in made.values[:MOST_TRIED] or (made.low, made.high):

@@ -113,9 +113,10 @@ class ClearanceEntry(Model):
     offset: Number = Field(default=0.0, description="The gap where both are at 0, in the unit of the first axis")
     least: Number = Field(default=0.0, description="The gap that must be left, in the unit of the first axis")
     pairs: Annotated[list[FreePosition], Field(max_length=PAIRS)] = Field(
-        default=[], examples=[[[0.0, 45.0], [20.0, 30.0]]],
+        default=[],
+        examples=[[[0.0, 45.0], [20.0, 30.0]]],
         description="[position of the first axis, free position of the second] each, rising; lines between",
-    )  # fmt: skip
+    )
 
     @field_validator("pairs", mode="before")
     @classmethod

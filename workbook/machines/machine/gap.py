@@ -93,8 +93,14 @@ class ClearanceView:
         if self.table:
             (scale, first), second = self.terms
             rows = zip(self.table.at.tolist(), self.table.free.tolist(), self.table.slopes.tolist(), strict=False)
-            lines = [GapLine(si(at, self.rows[0].axis.unit), self.given.offset + self.factors[0] * (free - slope * at),
-                             scale * slope) for at, free, slope in rows]  # fmt: skip
+            lines = [
+                GapLine(
+                    si(at, self.rows[0].axis.unit),
+                    self.given.offset + self.factors[0] * (free - slope * at),
+                    scale * slope,
+                )
+                for at, free, slope in rows
+            ]
             return least_gap_by_lines(first, second, lines)
         return least_gap(self.terms, self.given.offset).least
 
@@ -121,8 +127,10 @@ class ClearanceView:
         begins = filled([shown(piece.begin, DEGREE) for piece in pieces], room, TURN)
         first = [place_in_cycle(begin + axis.axis.given.shift, TURN, near) for begin in begins]
         spans = filled([shown(piece.duration, DEGREE) for piece in pieces], room)
-        later = ([place_in_cycle(at + span * k / self.parts, TURN, near) for at, span in zip(first, spans, strict=True)]
-                 for k in range(1, self.parts))  # fmt: skip
+        later = (
+            [place_in_cycle(at + span * k / self.parts, TURN, near) for at, span in zip(first, spans, strict=True)]
+            for k in range(1, self.parts)
+        )
         return [first, *later]
 
     @cached_property

@@ -66,8 +66,10 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     for i, one in enumerate(data["clearances"]):
         one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
                 "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
-        one["pairs"] = [{"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
-                        for n, pair in enumerate(one["pairs"])]  # fmt: skip
+        one["pairs"] = [
+            {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
+            for n, pair in enumerate(one["pairs"])
+        ]
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     if pace == "cycle":
@@ -171,9 +173,12 @@ def stage(k: int) -> dict[str, Any]:
     """Return another stage, by its ratio or by teeth, which locks itself or not."""
     ratio = {"ratio": 0.6 + 0.7 * k} if k % 2 else {"teeth_driver": 18.0 + k, "teeth_driven": 31.0 + 3 * k}
     return ratio | {
-        "driver_inertia": 1.5 * k, "driven_inertia": 4.0 * (k % 3), "friction_torque": 0.3 * (k % 4),
-        "efficiency": 1.0 - 0.04 * k, "back_efficiency": (None, 0.7, -0.1, 0.0)[k % 4],
-    }  # fmt: skip
+        "driver_inertia": 1.5 * k,
+        "driven_inertia": 4.0 * (k % 3),
+        "friction_torque": 0.3 * (k % 4),
+        "efficiency": 1.0 - 0.04 * k,
+        "back_efficiency": (None, 0.7, -0.1, 0.0)[k % 4],
+    }
 
 
 def motor(entries: dict[str, Any], i: int, k: int) -> None:
