@@ -80,13 +80,11 @@ class Scaling(NamedTuple, Generic[M]):
     """The entries of a kind of machine that only scale its results, and these results.
 
     ``part`` returns to which part of the machine the entry at a key belongs, empty for all others; one entry of a part
-    may differ. ``results`` gives the results of designs that differ in the columns, by the keys of these. ``most``
-    gives by name what results are at most if nothing else is told, where entries at these keys vary.
+    may differ. ``results`` gives the results of designs that differ in the columns, by the keys of these.
     """
 
     part: Callable[[str], str]
     results: Callable[[M, Mapping[str, Column]], Results]
-    most: Callable[[M, Collection[str]], Mapping[str, float]]
 
 
 class JudgedLimit(NamedTuple):

@@ -73,7 +73,7 @@ class Motor:
         It extends to negative speeds only if ``lowest_speed`` (rad/s) is negative.
         """
         side, which, up = np.array(CORNERS).T
-        begins = self.falling.knee if self.falling.fall else self.max_speed
+        begins = min(self.falling.knee, self.max_speed) if self.falling.fall else self.max_speed
         bends = sorted((min(self.rated_speed, self.max_speed), begins))
         speed = side * np.array([0.0, *bends, self.max_speed])[which]
         speed = speed if lowest_speed < -STANDSTILL else np.maximum(speed, 0.0)

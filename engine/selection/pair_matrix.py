@@ -80,15 +80,15 @@ class PairMatrix:
         return Pair(*(float(column.reshape(self.inertias.shape)[motor, reducer]) for column in self.gears))
 
     def reserve(self, motor: int, reducer: int) -> float:
-        """Return the least reserve of torque of a pair below its motor's curve at the points (Nm)."""
+        """Return what is least left of torque below a pair's curve, over its reserve, at the points (Nm)."""
         most = max(float(self.peak[motor, reducer]), self.falling_demand(motor, reducer))
-        return float(self.motors.peak_torque[motor]) - most
+        return float(self.motors.peak_torque[motor]) / self.wanted.least_peak - most
 
     def falling_demand(self, motor: int, reducer: int) -> float:
-        """Return the largest |T| + f (ω − ω_1) of a pair at the points (Nm), its demand on a curve that falls."""
-        pair, m = self.pair(motor, reducer), self.motors
+        """Return the largest |T| + f (ω − ω_1) of a pair at the points (Nm), its demand on a curve over its reserve."""
+        pair, m, fall = self.pair(motor, reducer), self.motors, self.motors.fall[motor] / self.wanted.least_peak
         torque, speed = self.load.torques(pair.arrays)[0], pair.ratio * self.load.points.speed
-        return float((np.abs(torque) + m.fall[motor] * (speed - m.knee[motor])).max())
+        return float((np.abs(torque) + fall * (speed - m.knee[motor])).max())
 
     @cached_property
     def rms(self) -> Array:

@@ -6,6 +6,7 @@ from typing import Any, get_args
 
 from engine.selection.pair_matrix import Rank
 from tests.laws import MOVING
+from tests.mutation.draw_selection import drawn_limits
 from tests.mutation.machines import shares, vary_laws
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.entries import Closes
@@ -36,12 +37,11 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     if any(axis["motor"] is not None for axis in data["axes"]):
         ranges = {"efficiency": (0.5, 1), "hours": (0, 8784), "price": (0, 9)}
         data["power"] = {name: drawn.uniform(*ends) for name, ends in ranges.items()}
+        data["limits"] = drawn_limits(drawn)
     if data["selection"]["axis"] is not None:
         data["selection"] |= {
             "axis": drawn.choice([axis["name"] for axis in data["axes"] if axis["motor"]]),
-            "rank": drawn.choice(get_args(Rank)), "inertia_ratio": 10 ** drawn.uniform(-1, 4),
-            "least_margin": 10 ** drawn.uniform(-5, 0.5), "greatest_margin": 10 ** drawn.uniform(0, 6),
-            "torque_factor": 10 ** drawn.uniform(-4, 0.3),
+            "rank": drawn.choice(get_args(Rank)), "greatest_margin": 10 ** drawn.uniform(0, 6),
         }  # fmt: skip
     for one in data["clearances"]:
         one |= {name: drawn.uniform(-2, 2) for name in ("first_factor", "second_factor")}

@@ -6,6 +6,12 @@ from typing import Any
 from engine.selection.pair_matrix import RANKS
 
 
+def drawn_limits(drawn: random.Random) -> dict[str, Any]:
+    """Return limits of drives drawn anew."""
+    names = ("rms_reserve", "peak_reserve", "speed_reserve", "torque_factor")
+    return {name: drawn.uniform(0.5, 2) for name in names} | {"inertia_ratio": 10 ** drawn.uniform(0, 3)}
+
+
 def vary_selection(selection: dict[str, Any], sizes: dict[str, Any], drawn: random.Random) -> None:
     """Draw the catalogues, the rank and the pair anew; ``sizes`` says how many rows there are."""
     motors = [motor(i, drawn) for i in range(drawn.randint(1, sizes["motors"]))]
@@ -14,11 +20,8 @@ def vary_selection(selection: dict[str, Any], sizes: dict[str, Any], drawn: rand
         motors[-1] = motors[0] | {"name": "again"}  # equals in the ranking
     selection |= {
         "rank": drawn.choice(RANKS),
-        "inertia_ratio": 10 ** drawn.uniform(0, 3),
-        "least_margin": drawn.uniform(0.5, 2),
         "greatest_margin": 10 ** drawn.uniform(0.5, 3),
         "efficiency": drawn.choice((1.0, drawn.uniform(0.5, 1))),
-        "torque_factor": drawn.uniform(0.5, 3),
         "motors": motors,
         "reducers": reducers,
         "motor": drawn.choice((None, drawn.choice(motors)["name"])),

@@ -26,6 +26,12 @@ def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> l
     ]  # fmt: skip
 
 
+def inertia_check(of: str, cell: str, limit: str, ratio: float, most: float) -> Quantity:
+    """Return the check of the inertia ratio."""
+    return check("@ok_inertia", f"{of}: inertia ratio within its limit", f"{cell}<={limit}", ratio <= most,
+                 says=exceeding(cell, limit, "", ratio, most))  # fmt: skip
+
+
 def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTHING) -> Quantity:
     """Return the check that the torque stays below a curve that falls (Nm s), of which so much is to spare (Nm)."""
     says = amount("0-@spare", -spare, "", " Nm more than the motor has at its speed").then(mends)
@@ -61,7 +67,7 @@ def limits_table(sheet: Sheet, corners: LimitCorners, backward: str, falls: bool
     Where the sheet knows motors whose peak torque ``falls``, it does by ``@fall`` (Nm/rpm) beyond ``@knee`` (rpm).
     """
     side, which, up = zip(*CORNERS, strict=True)
-    begins = "IF(@fall=0,@motor_nmax,@knee)" if falls else "@motor_nmax"
+    begins = "IF(@fall=0,@motor_nmax,MIN(@knee,@motor_nmax))" if falls else "@motor_nmax"
     first, second = shown(corners.bends, RPM)
     sheet.rows(
         calc("@bend1", "Speed at which the first limit bends", "", "rpm", f"=MIN(@motor_nn,{begins})", first,

@@ -54,10 +54,10 @@ def front(
 
 def excluding(plan: Plan, found: Summary) -> list[tuple[str, str, int, int]]:
     """Return constraints, bounds in words, and how many designs each excludes, and alone: first those that are told."""
-    counts = {name: found.excluded.get(name, 0) for name in plan.bounds}
+    counts = {name: found.excluded.get(name, 0) for name in plan.study.bounds}
     checks = sorted(found.excluded.items(), key=lambda one: -one[1])
     counts |= {name: count for name, count in checks if count and name not in counts}
-    said = {name: bound if isinstance(bound, str) else bound.words for name, bound in plan.bounds.items()}
+    said = {name: bound if isinstance(bound, str) else bound.words for name, bound in plan.study.bounds.items()}
     return [(name, said.get(name, "OK"), count, found.alone.get(name, 0)) for name, count in counts.items()]
 
 

@@ -81,7 +81,7 @@ def order_table(sheet: Sheet, view: PairSelection) -> None:
 
 def figures(view: PairSelection) -> list[Quantity]:
     """Return the columns of a pair's figures, and of what it leaves below its motor's curve."""
-    pairs, m = view.ranked[:BEST], view.motors
+    pairs, m, least = view.ranked[:BEST], view.motors, view.requirements.least_peak
     each = [view.grid.pair(*pair) for pair in pairs]
     asked = [view.grid.falling_demand(*pair) for pair in pairs]
     scale = max([*(abs(one.peak) for one in view.listed), *map(abs, asked), 1e-3])
@@ -111,9 +111,11 @@ def figures(view: PairSelection) -> list[Quantity]:
                view.load.square(view.bare)[reducers], scale=view.shaft.torque**2),
         figure("rms", "RMS torque", "T_rms", "Nm", rms_of("[j]", "[i]", "[mixed]", "[square]"),
                [one.rms for one in view.listed], scale=scale),
-        figure("tp", "motor's peak torque", "", "Nm", motor("peak"), m.peak_torque[motors]),
+        figure("tp", "motor's peak torque, over its reserve", "", "Nm", f"{motor('peak')}/@peak_reserve",
+               m.peak_torque[motors] / least),
         figure("knee", "holds to", "n_1", "rpm", motor("knee"), shown(m.knee[motors], RPM)),
-        figure("fall", "fall beyond", "f", "Nm/rpm", motor("fall"), shown(m.fall[motors], PER_RPM)),
+        figure("fall", "fall beyond, over the reserve", "f", "Nm/rpm", f"{motor('fall')}/@peak_reserve",
+               shown(m.fall[motors] / least, PER_RPM)),
         figure("asked", "asked of what falls", "", "Nm", f"SUMPRODUCT(MAX({beyond}))", asked, scale=scale,
                source="|T| + f (n − n_1), at most"),
         figure("spare", "reserve below the motor's curve", "", "Nm", "[tp]-MAX(INDEX([@best.peak],[place]),[asked])",

@@ -128,16 +128,18 @@ def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:
            scale=max(1.0, *(float(one.uses.max()) for one in each)))  # fmt: skip
     matrix(sheet, view, "peak", "Their peak torque [Nm]", lambda n: peak(n, drives[n - 1]), "peak", 0.0, format=DASH,
            scale=max(1e-3, *(float(one.peak.max()) for one in each)))  # fmt: skip
-    matrix(sheet, view, "wanted", "What is wanted of them", lambda n: margin_verdict("all_", n, "@behind.at"),
+    limit = "[@drives.{{}}.{}]".format
+    matrix(sheet, view, "wanted", "What is wanted of them",
+           lambda n: margin_verdict("all_", n, "@behind.at", limit(n)),
            "wanted_verdicts", LARGE, align="center")  # fmt: skip
     matrix(sheet, view, "word", "What they fail first; yes: they can do it",
-           lambda n: f'IF({of_motor("on")}=0,"–",{first_failure("all_", n, "@behind.fast")})', "verdicts", "–",
-           align="center")  # fmt: skip
+           lambda n: f'IF({of_motor("on")}=0,"–",{first_failure("all_", n, "@behind.fast", limit(n))})',
+           "verdicts", "–", align="center")  # fmt: skip
 
 
 def loads(sheet: Sheet, view: PairSelection) -> None:
     """Declare what the reducer of each drive makes of its load."""
-    drives, least = view.every_drive, view.given.least_speed_margin
+    drives = view.every_drive
     product, square = max(one.shaft.product for one in drives), max(one.shaft.torque**2 for one in drives)
     down = view.rooms[0]
     beyond = down * (down + 1)
@@ -154,8 +156,8 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
              [one.behind_own.at_motor[0] for one in drives]),
         calc("turn", "acceleration over that of its points", "", "", of_drive("@turns*@held_i"),
              [one.in_use("i") * one.shaft.values["turns"] for one in drives]),
-        calc("fast", "largest speed, with its margin", "", "rpm", of_drive("@speed*@held_i*30/PI()") + "*@least_speed",
-             [shown(one * least, RPM) for one in speed]),
+        calc("fast", "largest speed, with its reserve", "", "rpm", of_drive("@speed*@held_i*30/PI()*@speed_reserve"),
+             [shown(of_one * one.requirements.least_speed, RPM) for one, of_one in zip(drives, speed, strict=True)]),
         calc("mean", "mean speed", "", "rpm", of_drive("@mean*@held_i*30/PI()"), [shown(one, RPM) for one in mean]),
         calc("left", "rated torque over that of the named drive", "", "", of_drive("@left") + "/@left",
              [one.shaft.values["left"] / view.shaft.values["left"] for one in drives]),

@@ -55,18 +55,43 @@ class Products(Model):
         return self
 
 
+class Limits(Model):
+    """What every drive keeps to, on its sheet, in Selection and Pairs, in studies: figures over their reserves."""
+
+    rms_reserve: Positive = noted(1.0, "Least continuous torque of a motor over its RMS torque")
+    peak_reserve: Positive = noted(1.0, "Least peak torque of a motor over the largest that is asked of it")
+    speed_reserve: Positive = noted(1.0, "Least largest speed of a motor over the largest that is asked of it")
+    inertia_ratio: Positive = noted(10.0, "Largest inertia at a motor's shaft over the motor's own")
+    torque_factor: Positive = noted(1.0, "Factor on the torque that a reducer must hold")
+
+    def of_axis(self, own: "OwnLimits") -> "Limits":
+        """Return the limits of an axis: its own where it has any."""
+        return self.model_copy(update=own.model_dump(exclude_none=True))
+
+
+class OwnLimits(Model):
+    """The limits of an axis where they are not the machine's."""
+
+    rms_reserve: Positive | None = Field(
+        default=None, description="Its least continuous torque over RMS torque", examples=[1.2]
+    )
+    peak_reserve: Positive | None = Field(
+        default=None, description="Its least peak torque over the largest that is asked", examples=[1.2]
+    )
+    speed_reserve: Positive | None = Field(
+        default=None, description="Its least largest speed over the largest that is asked", examples=[1.2]
+    )
+    inertia_ratio: Positive | None = Field(default=None, description="Its largest inertia ratio", examples=[5.0])
+    torque_factor: Positive | None = Field(
+        default=None, description="Its factor on the torque that the reducer must hold", examples=[1.2]
+    )
+
+
 class Ranked(Products):
-    """The catalogues, what usable pairs of them are ranked by, and what a usable one must meet."""
+    """The catalogues, what usable pairs of them are ranked by, and beyond which margin a motor is too large."""
 
     rank: Rank = noted("smallest motor", "What the sheet Selection ranks usable pairs by")
-    inertia_ratio: Positive = noted(10.0, "Largest inertia at the motor over the motor's of a usable pair")
-    least_margin: Positive = noted(1.2, "Least continuous torque over RMS torque of a usable pair")
     greatest_margin: Positive = noted(10.0, "Greatest continuous torque over RMS torque of a usable pair")
-    least_peak_margin: Positive = noted(1.1, "Least peak torque of the motor over the largest torque of a usable pair")
-    least_speed_margin: Positive = noted(
-        1.1, "Least largest speed of the motor over the largest speed of a usable pair"
-    )
-    torque_factor: Positive = noted(1.0, "Factor on the torque that a reducer must hold")
 
 
 class Selection(Ranked):

@@ -28,7 +28,7 @@ def grids(sheet: Sheet, view: PairSelection) -> None:
     grid(sheet, view, "word", "Which pairs can do it", verdict, g.verdicts, "–", align="center")
     sheet.print_columns = max(sheet.blocks[-1].columns.values())
     sheet.not_printed_below()
-    grid(sheet, view, "wanted", "What is wanted of a pair", lambda c: margin_verdict("", c, "@reducers.j"),
+    grid(sheet, view, "wanted", "What is wanted of a pair", lambda c: margin_verdict("", c, "@reducers.j", "@{}"),
          g.wanted_verdicts, LARGE, align="center")  # fmt: skip
     grid(sheet, view, "share", "RMS torque of the motor over its continuous torque", share, g.uses, format=DASH,
          scale=max(1.0, float(g.uses.max())))  # fmt: skip
@@ -91,21 +91,26 @@ def peak(c: int) -> str:
     return f"IF({of_motor('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
 
 
-def margin_verdict(table: str, n: int, inertia: str) -> str:
-    """Return the formula of the margin or inertia ratio that a motor misses in the n-th column; yes if none."""
-    used = f"[@{table}share{n}.v.same]"
-    return f'IF({used}>@most,"RMS",IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{of_motor("jmax")},"inertia","yes")))'
+def margin_verdict(table: str, n: int, inertia: str, limit: str) -> str:
+    """Return the formula of the margin or inertia ratio that a motor misses in the n-th column; yes if none.
+
+    ``limit`` is the cell of a limit, with {} for its name.
+    """
+    used, most = f"[@{table}share{n}.v.same]", f"{limit.format('inertia_ratio')}*{of_motor('jm')}"
+    other = f'IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{most},"inertia","yes"))'
+    return f'IF({used}*{limit.format("rms_reserve")}>1,"RMS",{other})'
 
 
-def first_failure(table: str, n: int, fast: str) -> str:
+def first_failure(table: str, n: int, fast: str, limit: str) -> str:
     """Return the formula of what a motor fails first in the n-th column: speed, peak torque, a margin, inertia."""
-    other = f'IF([@{table}peak{n}.v.same]>{of_motor("top")},"peak",[@{table}wanted{n}.v.same])'
+    peak = f"[@{table}peak{n}.v.same]*{limit.format('peak_reserve')}"
+    other = f'IF({peak}>{of_motor("peak")},"peak",[@{table}wanted{n}.v.same])'
     return f'IF([{fast}.{n}]>{of_motor("nmax")},"speed",{other})'
 
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first: its reducer, or its motor."""
-    motor = first_failure("", c, "@reducers.fast")
+    motor = first_failure("", c, "@reducers.fast", "@{}")
     return f'IF({of_motor("on")}*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
 
 
@@ -184,10 +189,6 @@ def motors(sheet: Sheet, view: PairSelection) -> None:
         column("fall", "fall beyond", "Nm/rpm",
                "IF([nmax]>[knee],MAX(0,[peak]-INDEX([motors.end],[k]))/([nmax]-[knee]),0)",
                shown(m.fall, PER_RPM)),
-        column("jmax", "largest inertia at the motor", "kg m²", "@inertia_ratio*[jm]",
-               m.inertia * view.given.inertia_ratio),
-        column("top", "largest torque of the cycle, with its margin", "Nm", "[peak]/@least_peak",
-               m.peak_torque / view.given.least_peak_margin),
         calc("smaller", "smaller motors", "", "", "=IF([on]=1,SUMPRODUCT(([@motors.rated]<[rated])*[@motors.on]),0)",
              filled(view.grid.smaller, n, 0), format="0"),
         *weighed(view, "motors", n, m.size, m.cost),
@@ -226,8 +227,8 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
         column("own", "no-load torque", "T_nl", "Nm", "INDEX([reducers.t012],[k])+0", r.no_load),
         column("j", "inertia at the motor", "", "kg m²", "IF([on]=1,[jt]+@inertia/[i]^2,0)", g.at_motor),
         column("n", "speed of the motor", "n", "rpm", "@speed*[i]*30/PI()", shown(g.speed, RPM)),
-        column("fast", "with its margin", "", "rpm", "[n]*@least_speed",
-               shown(g.speed * view.given.least_speed_margin, RPM)),
+        column("fast", "with its reserve", "", "rpm", "[n]*@speed_reserve",
+               shown(g.speed * view.requirements.least_speed, RPM)),
         column("mean", "mean speed of the motor", "", "rpm", "@mean*[i]*30/PI()",
                shown(g.load.mean_speed / r.ratio, RPM)),
         column("nmax", "largest input speed", "", "rpm", "INDEX([reducers.nmax],[k])+0", speeds, source="0: no limit"),

@@ -5,8 +5,9 @@ from workbook.book.sentence import CheckSentence
 from workbook.selection.best import best_table, chart, order_table, points_of_pairs
 from workbook.selection.catalogue import FALLING, HALF
 from workbook.selection.drives import every_drive, motors_by_drives, named_drive, points_table
-from workbook.selection.entries import UNCHOSEN, Products, SelectionSizes
+from workbook.selection.entries import UNCHOSEN, Limits, Products, SelectionSizes
 from workbook.selection.grids import grids, products
+from workbook.selection.limits import limit_cells
 from workbook.selection.pair_selection import PairSelection, rms_of
 
 TITLE = "Selection"
@@ -15,23 +16,16 @@ ABOUT = (
     "A motor and a reducer are chosen where their names are entered, on the sheet of the drive: this sheet shows which "
     "pairs of the catalogue can do it."
 )
-ENTRIES = (
-    ("inertia_ratio", "inertia_ratio", "Largest inertia ratio", "", "inertia at the motor / the motor's"),
-    ("least", "least_margin", "Least margin", "", "continuous torque at the mean speed / T_rms"),
-    ("greatest", "greatest_margin", "Greatest margin", "", "so that no motor is far too large"),
-    ("least_peak", "least_peak_margin", "Least margin of peak torque", "", "motor's peak torque / largest torque"),
-    ("least_speed", "least_speed_margin", "Least margin of speed", "", "motor's largest speed / largest speed"),
-    ("factor", "torque_factor", "Factor on the reducer's torque", "K_A",
-     "for shocks or many cycles an hour, as its maker says"),
-)  # fmt: skip
-"""what a usable pair holds: cell, entry, words, symbol and a note"""
 
 
-def selection_sheet(book: Book, view: PairSelection, axis: str = "") -> None:
-    """Declare the sheets of the best pairs and of all; ``axis`` is the entry that names one of several shafts."""
+def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Limits | None = None) -> None:
+    """Declare the sheets of the best pairs and of all; ``axis`` is the entry that names one of several shafts.
+
+    ``limits`` are entered here where no other sheet has them.
+    """
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: usable pairs, best first.")
     with sheet.scoped("sel_"):
-        entries(sheet, view, axis)
+        entries(sheet, view, axis, limits)
         outcome(sheet, view, axis)
         best_table(sheet, view)
         chart(sheet)
@@ -55,7 +49,7 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "") -> None:
         order_table(pairs, view)
 
 
-def entries(sheet: Sheet, view: PairSelection, axis: str) -> None:
+def entries(sheet: Sheet, view: PairSelection, axis: str, limits: Limits | None) -> None:
     """Declare the axis, what pairs are ranked by, what a usable one holds, and what the axis asks for."""
     s = view.given
     sheet.heading("Enter", ABOUT)
@@ -64,8 +58,9 @@ def entries(sheet: Sheet, view: PairSelection, axis: str) -> None:
                  source="one with a drive")] if axis else []),
         given("@rank", "Rank usable pairs by", "", "", s.rank, "selection.rank", align="left",
               source="smallest motor: the least rated torque, then the least of it used"),
-        *(given(f"@{name}", label, symbol, "", getattr(s, entry), f"selection.{entry}", format="0.0##", source=source)
-          for name, entry, label, symbol, source in ENTRIES),
+        given("@greatest", "Greatest margin", "", "", s.greatest_margin, "selection.greatest_margin", format="0.0##",
+              source="continuous torque at the mean speed / T_rms: so that no motor is far too large"),
+        *(limit_cells(limits) if limits else ()),
     )  # fmt: skip
     load = view.grid.task
     scale = view.shaft.torque
@@ -74,9 +69,8 @@ def entries(sheet: Sheet, view: PairSelection, axis: str) -> None:
         calc("@wrms", "RMS acceleration", "ω̇_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),
         calc("@trms", "RMS torque", "S_rms", "Nm", "=SQRT(@square+@square_back)", load.torque_rms, scale=scale),
         calc("@wmax", "Largest speed", "ω", "rad/s", "=@speed+0", load.max_speed),
-        calc("@tmax", "Torque that the reducer must carry", "f S_max", "Nm", "=@factor*@smax", view.grid.output_torque,
-             scale=scale),
-        calc("@most", "Largest share of the continuous torque", "", "", "=1/@least", 1.0 / view.given.least_margin),
+        calc("@tmax", "Torque that the reducer must carry", "f S_max", "Nm", "=@torque_factor*@smax",
+             view.grid.output_torque, scale=scale),
         calc("@little", "Least share of it", "", "", "=1/@greatest", 1.0 / view.given.greatest_margin),
         result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
                2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean),

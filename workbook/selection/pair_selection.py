@@ -17,7 +17,8 @@ from workbook.book.chart import in_scope
 from workbook.book.rows import filled
 from workbook.fields.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
-from workbook.selection.entries import Ranked, SelectionSizes
+from workbook.selection.entries import Limits, Ranked, SelectionSizes
+from workbook.selection.limits import LIMITS
 
 BEST = 20  # rows of the list of the best pairs
 AS_ENTERED = "as entered"
@@ -29,7 +30,11 @@ LABELS = {
     "mean": ("mean speed", "rad/s"), "smax": ("largest torque", "Nm"), "smean": ("mean torque", "Nm"),
     "cycles": ("cycles an hour", "1/h"), "inertia": ("inertia", "kg m²"), "beside": ("parts beside the motor", "kg m²"),
     "brake": ("held by a brake in every dwell", ""), "by_power": ("losses by the flow of power", ""),
-    "left": ("rated torque available at the ambient temperature", ""), "held_j": ("inertia with its motor", "kg m²"),
+    "left": ("rated torque available at the ambient temperature", ""),
+    "rms_reserve": ("least reserve of RMS torque", ""),
+    "peak_reserve": ("least reserve of peak torque", ""), "speed_reserve": ("least reserve of speed", ""),
+    "inertia_ratio": ("largest inertia ratio", ""), "torque_factor": ("factor on the reducer's torque", ""),
+    "held_j": ("inertia with its motor", "kg m²"),
     "held_jm": ("its motor", "kg m²"), "held_i": ("its reduction", ""), "held_eta": ("its efficiency", ""),
     "held_no_load": ("its no-load torque", "Nm"), "held_rated": ("its continuous torque", "Nm"),
     "held_peak": ("its peak torque", "Nm"), "held_top": ("peak torque demand", "Nm"),
@@ -65,6 +70,11 @@ def load_figures(load: PointLoad, turning: float, torque: float) -> dict[str, tu
         "speed": (load.speed, 0.0), "mean": (load.mean_speed, 0.0), "smax": (load.torque, torque),
         "smean": (load.mean_torque, torque), "inertia": (load.inertia, 0.0),
     }  # fmt: skip
+
+
+def limit_figures(limits: Limits, scope: str) -> dict[str, tuple[str, float]]:
+    """Return the cells and values of limits, behind the beginning of the cells' names."""
+    return {name: (f"{scope}{name}", getattr(limits, name)) for name, *_ in LIMITS}
 
 
 Cell = str | tuple[str, float] | tuple[str, float, float]
@@ -165,14 +175,14 @@ class PairSelection:
         self.load = self.shaft.load
         self.rooms, self.pairs = (sizes.motors, sizes.reducers), sizes.motors * sizes.reducers
         self.rank = RANKS.index(given.rank) + 1
+        own = self.shaft.values
         self.requirements = Requirements(
-            given.inertia_ratio, given.least_margin, given.greatest_margin, given.torque_factor,
-            given.least_peak_margin, given.least_speed_margin,
+            own["inertia_ratio"], own["rms_reserve"], given.greatest_margin, own["torque_factor"], own["peak_reserve"],
+            own["speed_reserve"],
         )  # fmt: skip
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
         self.bare = PairArrays(0.0 * r.reduction, r.reduction, r.efficiency, r.no_load)  # before any motor
-        own = self.shaft.values
         self.grid = PairMatrix(self.load, self.motors, r, own["beside"], self.requirements, si(own["cycles"], PER_HOUR))
         scores = self.grid.rounded(given.rank)
         motor, reducer = np.indices(scores.shape)

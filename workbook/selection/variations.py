@@ -6,13 +6,22 @@ They have every rank, proposed and named pairs, missing figures, missing limits,
 from typing import Any
 
 CHOICES: tuple[dict[str, Any], ...] = (
-    {"rank": "margin", "least_margin": 1.0, "greatest_margin": 50.0, "efficiency": 1.0, "torque_factor": 1.0},
-    {"rank": "inertia match", "inertia_ratio": 40.0, "efficiency": 0.9, "torque_factor": 1.7},
-    {"rank": "mass", "least_margin": 1.4, "inertia_ratio": 60.0, "efficiency": 0.97, "torque_factor": 0.6},
-    {"rank": "cost", "greatest_margin": 9.0, "inertia_ratio": 30.0, "efficiency": 0.85, "torque_factor": 1.2},
-    {"rank": "inertia match", "least_margin": 2.0, "efficiency": 0.95, "torque_factor": 1.0},
-    {"rank": "smallest motor", "inertia_ratio": 90.0, "efficiency": 0.93, "torque_factor": 2.0},
+    {"rank": "margin", "greatest_margin": 50.0, "efficiency": 1.0},
+    {"rank": "inertia match", "efficiency": 0.9},
+    {"rank": "mass", "efficiency": 0.97},
+    {"rank": "cost", "greatest_margin": 9.0, "efficiency": 0.85},
+    {"rank": "inertia match", "efficiency": 0.95},
+    {"rank": "smallest motor", "efficiency": 0.93},
 )
+KEPT: tuple[dict[str, Any], ...] = (
+    {"rms_reserve": 1.0, "speed_reserve": 1.05, "torque_factor": 1.0},
+    {"peak_reserve": 1.3, "inertia_ratio": 40.0, "torque_factor": 1.7},
+    {"rms_reserve": 1.4, "inertia_ratio": 60.0, "torque_factor": 0.6},
+    {"peak_reserve": 0.8, "inertia_ratio": 30.0, "torque_factor": 1.2},
+    {"rms_reserve": 2.0, "speed_reserve": 0.9},
+    {"rms_reserve": 0.9, "inertia_ratio": 90.0, "torque_factor": 2.0},
+)
+"""the limits of drives in each variation"""
 WEAK = 4  # the variation whose motors can do nothing
 
 

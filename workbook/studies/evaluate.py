@@ -79,7 +79,7 @@ class Evaluator:
     def __init__(self, plan: Plan, thorough: bool = False) -> None:
         self.plan, self.names, self.thorough = plan, plan.study.names, thorough
         self.usual = results_without_book(plan.base)  # the results of the base that come without a book
-        self.asked = list(dict.fromkeys([*self.names, *plan.bounds]))
+        self.asked = list(dict.fromkeys([*self.names, *plan.study.bounds]))
         self.from_books = [name for name in self.asked if name not in self.usual.named]
         self.swift = plan.template.scaling is not None and not self.from_books
         self._outer = [k for k, one in enumerate(plan.space.dimensions) if not (self.swift and one.part)]
@@ -129,7 +129,7 @@ class Evaluator:
     def _beyond(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return which designs do not keep to bounds, or are another text; what is no number keeps to none."""
         found: dict[str, Any] = {}
-        for name, bound in self.plan.bounds.items():
+        for name, bound in self.plan.study.bounds.items():
             if isinstance(bound, str):
                 found[name] = np.asarray(values[name]) != bound
             else:
@@ -215,7 +215,7 @@ def require_names(plan: Plan, where: str) -> Labels:
             lines.append(f"{where}: constraints: {name} is {'a text' if text else 'a number'}; expected {expected}")
     if lines:
         raise InputError(lines)
-    return {name: label(book, name) for name in dict.fromkeys([*study.names, *plan.bounds, *checks])}
+    return {name: label(book, name) for name in dict.fromkeys([*study.names, *plan.study.bounds, *checks])}
 
 
 def listed_results(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Label]]]]:

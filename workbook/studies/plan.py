@@ -24,7 +24,7 @@ from workbook.laws.named import with_laws_by_code
 from workbook.reading.descriptions import counted_from_1, parse_toml, write_machine
 from workbook.studies.links import Link, followed, make_links
 from workbook.studies.paths import as_dict, children, entry_at, nearest, path_of, with_entry, written
-from workbook.studies.space import Bound, Dimension, Space, Study, Vary, arrange
+from workbook.studies.space import Dimension, Space, Study, Vary, arrange
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.text_files import read_text
 
@@ -58,15 +58,6 @@ class Plan:
         """What tells a study from another: its own words, the machine's, the version."""
         said = [workbook.__version__, self.study.model_dump_json(), write_machine(self.base)]
         return hashlib.sha256(json.dumps(said).encode()).hexdigest()
-
-    @cached_property
-    def bounds(self) -> dict[str, Bound | str]:
-        """What results must keep to besides the checks of the book: as told, and of drives that vary by default."""
-        scaling = self.template.scaling
-        keys = [".".join(path) for one in self.space.dimensions for path in one.paths]
-        most = scaling.most(self.base, keys) if scaling else {}
-        usual = {name: Bound(max=value) for name, value in most.items() if not self.study.is_off(name)}
-        return usual | self.study.bounds
 
     @cached_property
     def data(self) -> dict[str, Any]:

@@ -162,5 +162,5 @@ def test_errors_name_what_is_optional(tmp_path):
         read_machine(path)
     said = str(refused.value)
     assert "found 'much'; expected a number (optional)" in said
-    assert "selection.colour: unknown entry; expected one of motors, reducers, rank, inertia_ratio" in said
-    assert "torque_factor, axis, falling (all optional)" in said
+    assert "selection.colour: unknown entry; expected one of motors, reducers, rank, greatest_margin" in said
+    assert "axis, falling (all optional)" in said

@@ -31,6 +31,7 @@ from workbook.selection.catalogue_files import (
     read_motors,
     read_reducers,
 )
+from workbook.selection.entries import Limits
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.model import PycelModel
@@ -74,13 +75,15 @@ def machine(**choice):
     data = read_machine(TEMPLATE.description).model_dump()
     data["sizes"] |= {"cycle": 72, "law": 4, "motors": 4, "reducers": 4}
     data["cutter"] |= HEAVY
-    data["selection"] = {"motors": STRONG, "reducers": BOXES} | choice
+    data["limits"] = {name: value for name, value in choice.items() if name in Limits.model_fields}
+    chosen = {name: value for name, value in choice.items() if name not in Limits.model_fields}
+    data["selection"] = {"motors": STRONG, "reducers": BOXES} | chosen
     return TEMPLATE.model.model_validate(data)
 
 
 def drive(given):
     book_laws = BookLaws(given.laws, given.sizes)
-    return ToolDrive(CutterView(given, book_laws.laws), given.selection, given.sizes)
+    return ToolDrive(CutterView(given, book_laws.laws), given.selection, given.limits, given.sizes)
 
 
 @pytest.mark.parametrize(("rank", "named"), [(rank, k % 2) for k, rank in enumerate(RANKS)])
@@ -126,9 +129,8 @@ def test_no_motor_of_the_committed_catalogues_drives_the_drum_all_the_time():
     data = machine().model_dump()
     data["sizes"] |= {"motors": 40, "reducers": 40}
     catalogues = {"motors": committed_motors(), "reducers": committed_reducers()}
-    margins = dict.fromkeys(("least_margin", "least_peak_margin", "least_speed_margin"), 1.0)
     pair = {"motor": "HDT BH20G (2000 rpm)", "reducer": "Beckhoff AG2400 TP300 MF i=5"}
-    data["selection"] = {"torque_factor": 2.0} | margins | catalogues | pair
+    data["selection"], data["limits"] = catalogues | pair, {"torque_factor": 2.0}
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
     assert (value("sel_usable"), value("sel_ok"), value("drive_ok_rms")) == (0, "FAIL", "FAIL")
     assert value("drive_mean") == pytest.approx(1150.0)
@@ -155,7 +157,7 @@ def test_tau_opt_is_the_middle_of_the_range_on_a_logarithmic_scale():
 
 def test_pairs_with_the_reducer_out_of_the_picture_are_those_whose_ratio_lies_in_the_range():
     boxes = [{"name": f"i {i}", "reduction": float(i), "efficiency": 1.0} for i in (3, 6, 12, 25)]
-    wide = {"least_margin": 1.0, "greatest_margin": 1e6, "inertia_ratio": 1e6}
+    wide = {"greatest_margin": 1e6, "inertia_ratio": 1e6}
     strong = [row | {"peak_torque": 1e4} for row in STRONG]
     value = computed(TEMPLATE, machine(motors=strong, reducers=boxes, **wide))
     low, high, verdict = (value("ratios", c)[:3] for c in ("low", "tau_max", "verdict"))
@@ -181,7 +183,7 @@ def test_the_drive_has_the_proposed_pair_unless_another_is_named():
 
 def test_mass_takes_the_lightest_pair():
     strong = [STRONG[0] | {"rated_torque": 80.0}, *STRONG[1:]]
-    value = computed(TEMPLATE, machine(rank="mass", motors=strong, least_margin=1.0, inertia_ratio=20.0))
+    value = computed(TEMPLATE, machine(rank="mass", motors=strong, inertia_ratio=20.0))
     assert value("sel_motor") == "small"
 
 

@@ -6,7 +6,16 @@ from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
 from workbook.book.rows import SHARES, WEIGHTS, filled
-from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, plane, rms_point, within_reducer
+from workbook.drive.motor import (
+    below_curve,
+    continuous,
+    inertia_check,
+    limit_checks,
+    limits_table,
+    plane,
+    rms_point,
+    within_reducer,
+)
 from workbook.fields.units import PER_RPM, RPM, shown
 from workbook.machines.flying.view import ToolDrive
 from workbook.motion.cells import PieceRows
@@ -14,6 +23,9 @@ from workbook.motion.pieces import place_columns, sampled
 
 BELOW_CHARTS = 45
 UNLISTED = "a name is not in the catalogue; expected one of its names, or an empty cell"
+OVER = {"motor.rated": "rms_reserve", "motor.stall": "rms_reserve", "motor.peak": "peak_reserve",
+        "motor.fall": "peak_reserve", "motor.nmax": "speed_reserve"}  # fmt: skip
+"""of each limit of the motor in use, the reserve that it is over"""
 MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
 CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5)/{MOVING})^(1/3),0)"
 
@@ -67,7 +79,8 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", "=MIN([@pt.T])", float(points.torque.min()), scale=size),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
                points.rms_torque, "√(Σ share T²), to 0.1 %", scale=size),
-        result("@margin", "Margin", "", "", "=IF(@rms>0,@continuous/@rms,0)", held.rms_torque.reserve,
+        result("@margin", "Margin", "", "", "=IF(@rms>0,@continuous*limits_rms_reserve/@rms,0)",
+               held.rms_torque.reserve * view.kept.rms_reserve,
                "continuous torque / T_rms"),
         result("@speed", "Motor speed, largest", "n", "rpm", "=fly_n*@i", shown(view.speed, RPM)),
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
@@ -88,11 +101,12 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
 def checks(view: ToolDrive) -> list[Quantity]:
     """Return the checks of the motor's and the reducer's limits."""
     fastest, strongest, lasting = view.limits
-    speed, mean, torque = view.speed, view.demand.mean_torque, view.chosen.torque_factor * view.demand.torque
+    speed, mean, torque = view.speed, view.demand.mean_torque, view.kept.torque_factor * view.demand.torque
     return [
         check("@ok_told", "Drive: motor and reducer are in the catalogue", "@motor_row*@reducer_row>0", True,
               says=f'"{UNLISTED}"'),
         *limit_checks(view.reserve, "Drive"),
+        inertia_check("Drive", "sel_own_inertias", "limits_inertia_ratio", view.inertia_ratio, view.kept.inertia_ratio),
         below_curve("Drive", view.motor.falling.fall, float(view.left.min())),
         *within_reducer(
             "Drive", ("speed", "@speed", "@reducer_nmax", not fastest or speed <= fastest, shown(speed, RPM),
@@ -102,10 +116,14 @@ def checks(view: ToolDrive) -> list[Quantity]:
     ]  # fmt: skip
 
 
+def place_in_use(view: ToolDrive) -> int:
+    """Return the place of the proposed pair among the best ones, from 1."""
+    return (view.proposal.proposed or 0) + 1 if view.proposal.ranked else 1
+
+
 def in_use(sheet: Sheet, view: ToolDrive) -> None:
     """Declare the figures of the motor and the reducer in use."""
     (m, r), motor, (inertia, ratio, efficiency, no_load) = view.pair, view.motor, view.gears
-    ranked, place = view.proposal.ranked, (view.proposal.proposed or 0) + 1
     sheet.heading("Motor and reducer in use")
 
     def row(kind: str, column: str, found: int) -> Quantity:
@@ -115,12 +133,13 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
                     format="0")  # fmt: skip
 
     def of(name: str, label: str, symbol: str, unit: str, column: str, value: float, source: str = "") -> Quantity:
-        kind, figure = column.split(".")
-        return calc(name, label, symbol, unit, f"=INDEX([sel_{kind}s.{figure}],MAX(1,@{kind}_row))", value, source)
+        (kind, figure), reserve = column.split("."), f"/limits_{OVER[column]}" if column in OVER else ""
+        found = f"=INDEX([sel_{kind}s.{figure}],MAX(1,@{kind}_row)){reserve}"
+        return calc(name, label, symbol, unit, found, value, source or (reserve and "over its reserve"))
 
     sheet.rows(
         calc("@place", "Place of the proposed pair", "", "",
-             "=IF(SUM([sel_best.holds])=0,1,MATCH(1,[sel_best.holds],0))", place if ranked else 1,
+             "=IF(SUM([sel_best.holds])=0,1,MATCH(1,[sel_best.holds],0))", place_in_use(view),
              "among the best pairs", format="0"),
         row("motor", "m", m + 1),
         row("reducer", "r", r + 1),

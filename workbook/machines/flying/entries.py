@@ -11,7 +11,7 @@ from workbook.entries.phase import TURN
 from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.requirements import Smoothness, settle_room
-from workbook.selection.entries import Selection, SelectionSizes, require_room
+from workbook.selection.entries import Limits, Selection, SelectionSizes, require_room
 
 DRUM = "drum"
 MORE = 3  # pieces of the tool's motion beside the law's: a wait, the piece that it interrupts, the work
@@ -106,6 +106,7 @@ class FlyingCutter(Exporting):
     AXES = ("tool", "shaft")
     template: Literal["flying-cutter"] = "flying-cutter"
     cutter: CutterEntry
+    limits: Limits = Limits()
     selection: Selection = Selection()
     sizes: FlyingSizes = FlyingSizes()
 

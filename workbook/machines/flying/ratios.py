@@ -1,5 +1,6 @@
 """The Ratios sheet: the transmission ratios that each motor accepts, and figures 11 and 12 of S5."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -26,7 +27,8 @@ class RatiosSheet:
         self.rooms, self.efficiency = self.choice.rooms, view.chosen.efficiency
         self.first = float(self.choice.reducers.ratio[0])
         self.ranges = self.task.ratio_ranges(self.choice.motors, self.efficiency)
-        self.curves = self.task.ratio_curves(view.motor, self.efficiency, POINTS, (LEAST, MOST))
+        whole = replace(view.motor, rated_torque=view.motor.rated_torque * view.kept.rms_reserve)
+        self.curves = self.task.ratio_curves(whole, self.efficiency, POINTS, (LEAST, MOST))
         """the ratios of the motor in use over the load factor"""
 
     def declare(self, book: Book) -> None:
@@ -53,7 +55,7 @@ class RatiosSheet:
             calc("ratio_beta", "Load factor", "β", "W/s", "=sel_moves*sel_beta", self.task.load_factor,
                  scale=self.choice.shaft.product),
             calc("ratio_alpha", "Accelerating factor of the motor in use", "α", "W/s",
-                 "=drive_motor_rated^2/drive_jm", alpha, "T_N²/J_M"),
+                 "=(drive_motor_rated*limits_rms_reserve)^2/drive_jm", alpha, "T_N²/J_M"),
             constant("ratio_least", "Figure 12 begins at this share of α at least", "", "", LEAST, format="0.0##"),
             constant("ratio_most", "… and at this at most", "", "", MOST, format="0.0##"),
             calc("ratio_first", "It begins at", "", "",

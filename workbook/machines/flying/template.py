@@ -22,7 +22,7 @@ from workbook.machines.flying.view import CutterView, ToolDrive, check
 from workbook.motion.exported import Exportable, export_sheet
 from workbook.motion.requirements import smoothness_for
 from workbook.selection.page import catalogue_sheet, selection_sheet
-from workbook.selection.variations import vary_selection
+from workbook.selection.variations import KEPT, vary_selection
 from workbook.template import Template, finish
 from workbook.template_outputs import NOTHING_JUDGED, CamAxis, ExactJudgement
 
@@ -47,12 +47,12 @@ def declare(given: FlyingCutter) -> Book:
         result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta),
     ])  # fmt: skip
     rows = rows_of(view, book_laws.stack)
-    drive = ToolDrive(view, given.selection, given.sizes)
+    drive = ToolDrive(view, given.selection, given.limits, given.sizes)
     cutter_sheet(book, view, joints_of(view, rows), drive.stroke, book_laws.named)
     lengths_sheet(book, view)
     cycle_sheet(book, view, rows, book_laws.stack)
     drive_sheet(book, drive, rows)
-    selection_sheet(book, drive.choosing())
+    selection_sheet(book, drive.choosing(), limits=given.limits)
     RatiosSheet(drive).declare(book)
     catalogue_sheet(book, given.selection, given.sizes)
     book_laws.sheets(book)
@@ -78,7 +78,7 @@ def axes(machine: FlyingCutter) -> list[CamAxis]:
 def judgement(given: FlyingCutter) -> ExactJudgement:
     """Return a line on the stroke, where its points are farther off than the sheet states."""
     view = CutterView(given, BookLaws(given.laws, given.sizes).laws)
-    told, exact = ToolDrive(view, given.selection, given.sizes).stroke, view.cut.stroke
+    told, exact = ToolDrive(view, given.selection, given.limits, given.sizes).stroke, view.cut.stroke
     if abs(told - exact) <= STROKE * exact:
         return NOTHING_JUDGED
     line = f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"
@@ -116,6 +116,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "smoothness": smoothness_for(turn),
     }
     vary_selection(data["selection"], k, data["sizes"])
+    data["limits"] |= KEPT[k]
     return data
 
 

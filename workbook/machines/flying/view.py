@@ -24,8 +24,15 @@ from workbook.fields.units import DEGREE, KG_CM2, MM, MM_PER_TURN, PER_HOUR, PER
 from workbook.law_sheets.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
-from workbook.selection.entries import Selection, SelectionSizes
-from workbook.selection.pair_selection import Figure, PairSelection, Shaft, load_figures, shaft_figures
+from workbook.selection.entries import Limits, Selection, SelectionSizes
+from workbook.selection.pair_selection import (
+    Figure,
+    PairSelection,
+    Shaft,
+    limit_figures,
+    load_figures,
+    shaft_figures,
+)
 
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
@@ -94,8 +101,8 @@ class CutterView:
 class ToolDrive:
     """The tool's shaft behind a motor and its reducer: those that are named, else the proposed ones. SI units."""
 
-    def __init__(self, machine: CutterView, chosen: Selection, sizes: SelectionSizes) -> None:
-        self.machine, self.chosen, self.sizes = machine, chosen, sizes
+    def __init__(self, machine: CutterView, chosen: Selection, kept: Limits, sizes: SelectionSizes) -> None:
+        self.machine, self.chosen, self.kept, self.sizes = machine, chosen, kept, sizes
         cut, load, scales = machine.cut, machine.load, machine.scales
         bare = cycle_of(cut, train_of(cut, load)).points()
         self.demand = PointLoad(bare, cut.max_angular_speed, float(np.abs(bare.output_torque).max()), load.inertia)
@@ -103,7 +110,11 @@ class ToolDrive:
         hardest = float(np.abs(bare.shaft_acceleration).max())
         self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
         self.cycles = "3600/fly_tc", shown(1.0 / cut.cycle_time, PER_HOUR)  # an hour: the formula, and the figure
-        self.proposal = PairSelection(chosen, sizes, [self._shaft([*UNPAIRED, Figure("cycles", "", "", *self.cycles)])])
+        self.held = limit_figures(kept, "limits_")
+        bare_shaft = [*UNPAIRED, *(Figure(name, "", "", *of) for name, of in self.held.items())]
+        self.proposal = PairSelection(
+            chosen, sizes, [self._shaft([*bare_shaft, Figure("cycles", "", "", *self.cycles)])]
+        )
 
         ranked, motors, reducers = self.proposal.ranked, self.proposal.motors, self.proposal.reducers
         m, r = ranked[self.proposal.proposed or 0] if ranked else (0, 0)  # the first of all where no pair can do it
@@ -111,8 +122,10 @@ class ToolDrive:
         self.pair = m, place_of(chosen.reducer, reducers.names) if chosen.reducer else r  # in use, by places from 0
         self.gears = self.proposal.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
-        falling = TorqueFall(*(float(one[self.pair[0]]) for one in (motors.knee, motors.fall)))
-        self.motor = Motor(*(float(one[self.pair[0]]) for one in of), falling=falling)
+        falling = TorqueFall(*(float(one[self.pair[0]]) for one in (motors.knee, motors.fall / kept.peak_reserve)))
+        inertia, rated, peak, fastest, stall, to = (float(one[self.pair[0]]) for one in of)
+        self.motor = Motor(inertia, rated / kept.rms_reserve, peak / kept.peak_reserve, fastest / kept.speed_reserve,
+                           stall / kept.rms_reserve, to, falling=falling)  # fmt: skip
         limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
         found = [float(one[self.pair[1]]) for one in limits]
         self.limits = [0.0 if np.isinf(one) else one for one in found]  # of the reducer; 0: none
@@ -131,6 +144,12 @@ class ToolDrive:
         self.turns = furthest(self.load, self.cycle.still)  # where the tool stands between points
         self.stroke = float(np.ptp(self.turns[1]))
 
+    @property
+    def inertia_ratio(self) -> float:
+        """The inertia at the motor over the motor's own."""
+        beside, own = self.gears.inertia - self.motor.inertia, self.motor.inertia
+        return (beside + self.demand.inertia / self.gears.ratio**2) / own
+
     def by_point(self, values: Array, spare: float | None = None) -> list[float]:
         """Return values of the points; spare rows have that of the last, or another."""
         flat = values.ravel()
@@ -142,7 +161,7 @@ class ToolDrive:
 
     def choosing(self) -> PairSelection:
         """Return the choice of motor and reducer, with the pair in use."""
-        motor, gears, (m, r) = self.motor, self.gears, self.pair
+        motor, gears, kept, (m, r) = self.motor, self.gears, self.kept, self.pair
         rows = shaft_figures("drive_", load_figures(self.demand, self.turning, self.torque), {
             "own": mean("al", "al"), "square": mean("S", "S", DRIVES), "square_back": mean("S", "S", DRIVEN),
             "product": mean("al", "S", DRIVES), "product_back": mean("al", "S", DRIVEN), "way": mean("dir", "dir"),
@@ -150,13 +169,15 @@ class ToolDrive:
             "way_back": mean("S", "dir", DRIVEN), "speed": "fly_w_max",
             "mean": "SUMPRODUCT([@pt.share],([@pt.w]^2)^0.5)", "smax": "@smax", "smean": "@smean",
             "cycles": self.cycles, "inertia": "fly_j", "beside": ("0", 0.0), "brake": ("0", 0.0),
-            "by_power": ("1", 1.0), "left": ("1", 1.0), "held_j": ("@j", gears.inertia),
+            "by_power": ("1", 1.0), "left": ("1", 1.0), **self.held, "held_j": ("@j", gears.inertia),
             "held_jm": ("@jm", motor.inertia), "held_i": ("@i", gears.ratio), "held_eta": ("@eta", gears.efficiency),
-            "held_no_load": ("@no_load", gears.no_load), "held_rated": ("@continuous", self.reserve.rms_torque.limit),
-            "held_peak": ("@motor_peak", motor.peak_torque),
+            "held_no_load": ("@no_load", gears.no_load),
+            "held_rated": ("@continuous*limits_rms_reserve", self.reserve.rms_torque.limit * kept.rms_reserve),
+            "held_peak": ("@motor_peak*limits_peak_reserve", motor.peak_torque * kept.peak_reserve),
             "held_top": ("MAX(@tmax,0-@tmin)", self.peak, self.motor_torque),
             "held_spare": ("@spare", float(self.left.min()), max(self.motor_torque, motor.peak_torque)),
-            "held_nmax": ("@motor_nmax", shown(motor.max_speed, RPM)), "held_row": ("@motor_row", m + 1),
+            "held_nmax": ("@motor_nmax*limits_speed_reserve", shown(motor.max_speed, RPM) * kept.speed_reserve),
+            "held_row": ("@motor_row", m + 1),
             "held_gear": ("@reducer_row", r + 1), "turns": ("1", 1.0),
         })  # fmt: skip
         return PairSelection(self.chosen, self.sizes, [self._shaft(rows)])

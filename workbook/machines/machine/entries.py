@@ -24,7 +24,7 @@ from workbook.machines.machine import drive_entries
 from workbook.machines.machine import entries_beside as beside
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, piece_counts, settle_room
-from workbook.selection.entries import UNCHOSEN, SelectionSizes, require_known, require_room
+from workbook.selection.entries import UNCHOSEN, Limits, OwnLimits, SelectionSizes, require_known, require_room
 
 MOST_AXES = 24
 PRINTED = ("lead screw", "conveyor")  # the mechanisms of S4
@@ -74,6 +74,7 @@ class Axis(Model):
         default=[], max_length=drive_entries.STAGES, examples=[[drive_entries.BELT]],
         description="Stages between reducer and mechanism, such as a toothed belt, from the motor on",
     )  # fmt: skip
+    limits: OwnLimits = OwnLimits()
     _built: str | None = PrivateAttr(default=None)
 
     @property
@@ -92,7 +93,8 @@ class Axis(Model):
     def _driven(self) -> Self:
         if self.motor is not None and self.mechanism is None:
             raise EntryError("mechanism", "empty; expected the mechanism that the motor drives")
-        for name in ("rate", "printed", "load", "parts", "reducer", "stages") if self.motor is None else ():
+        driven = ("rate", "printed", "load", "parts", "reducer", "stages", "limits")
+        for name in driven if self.motor is None else ():
             if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
                 raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
         if self.mechanism and self.unit not in self.mechanism.UNITS:
@@ -154,6 +156,7 @@ class AnyMachine(Exporting):
     clearances: list[beside.ClearanceEntry] = Field(default=[], max_length=beside.MOST_CLEARANCES)
     power: drive_entries.PowerEntry = drive_entries.PowerEntry()
     gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
+    limits: Limits = Limits()
     selection: drive_entries.Choice = drive_entries.Choice()
     sizes: MachineSizes = MachineSizes()
 
@@ -167,8 +170,9 @@ class AnyMachine(Exporting):
         for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
             require_distinct((one.name for one in getattr(self, key)), kind, f"{key}.{{}}.name")
         beside.require_axes(self.clearances, [axis.name for axis in self.axes])
-        if self.power != drive_entries.PowerEntry() and not any(axis.motor for axis in self.axes):
-            raise EntryError("power", "no axis has a drive; expected none")
+        for entry in ("power", "limits") if not any(axis.motor for axis in self.axes) else ():
+            if getattr(self, entry) != type(self).model_fields[entry].default:
+                raise EntryError(entry, "no axis has a drive; expected none")
         if self.gravity != type(self).model_fields["gravity"].default and not self.weighs:
             raise EntryError("gravity", "no axis with a drive has a weight; expected none")
         require_room(self.selection, self.sizes)

@@ -90,11 +90,14 @@ def choose(data: dict[str, Any], k: int) -> None:
         products |= {
             "axis": names[k % len(names)],
             "rank": RANKS[k % len(RANKS)],
-            "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
-            "least_margin": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k],
             "greatest_margin": (1e6, 300.0, 1e9, 1e6, 10.0, 1e9)[k],
-            "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
         }
+    if names:
+        data["limits"] |= {
+            "rms_reserve": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k], "peak_reserve": (1.0, 1.2, 0.7, 0.01, 1.0, 1.5)[k],
+            "speed_reserve": (1.0, 0.8, 1.3, 1.0, 1.1, 0.01)[k], "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
+            "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
+        }  # fmt: skip
 
 
 def times(i: int, k: int) -> list[dict[str, float | None]]:
@@ -141,6 +144,8 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
         "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
     }  # fmt: skip
     axis["stages"] = [stage(n + k + i) for n in range(len(axis["stages"]))]
+    own = {"rms_reserve": 0.2, "peak_reserve": 0.6, "speed_reserve": 1.4, "inertia_ratio": 70.0, "torque_factor": 0.3}
+    axis["limits"] = own if (i + k) % 4 == 2 else dict.fromkeys(own)
     motor(axis["motor"], i, k)
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 

@@ -82,8 +82,10 @@ class Driven:
         self.axis, self.entered, self.number, self.products = axis.sized, entered, axis.number, products
         self.called = f"Drive {entered.called}"
         self.given, self.holding, load = entered.mechanism, entered.motor.holding, entered.load
-        self.catalogued_falling = falling_of(entered.motor.name, products)
-        self.motor_used, self.reducer = motor_in_use(entered, products), reducer_in_use(entered, products)
+        limits = self.limits = machine.limits.of_axis(entered.limits)
+        self.catalogued_falling = falling_of(entered.motor.name, products, limits.peak_reserve)
+        self.motor_used = motor_in_use(entered, products, limits)
+        self.reducer = reducer_in_use(entered, products, limits)
         falling = self.catalogued_falling if products.knows_falling else LEVEL
         self.motor, self.left = replace(self.motor_used.motor, falling=falling), left_of(entered.motor)
 

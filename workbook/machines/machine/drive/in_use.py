@@ -13,7 +13,8 @@ from workbook.fields.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.drive_entries import NEEDED, UNTOLD, AxisMotor
 from workbook.machines.machine.entries import Axis
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
-from workbook.selection.entries import Products
+from workbook.selection.entries import Limits, Products
+from workbook.selection.limits import LIMITS
 
 P = TypeVar("P", MotorRow, ReducerRow)
 MOTOR = (
@@ -39,7 +40,10 @@ REDUCER = (
 DERATING = 'IF(@temperature="",1,MIN(1,SQRT((@winding-@temperature)/(@winding-@rated_at))))'
 ZERO = dict.fromkeys(("peak_torque", "mean_torque", "max_speed"), "0: no limit") | {"full_cycles": "0: not given"}
 AT_LEAST = {"cycle_factor": "MAX(1,{0})"}  # what counts of an entry that may be empty
-SOURCES = {"rated_torque": "at its temperature", "stall_torque": "at its temperature, T_N at least"}
+SOURCES = {
+    "rated_torque": "at its temperature, over its reserve", "peak_torque": "over its reserve",
+    "stall_torque": "at its temperature, over the reserve, T_N at least", "max_speed": "over its reserve",
+}  # fmt: skip
 IN_SI = {"kg cm²": ("kg m²", "({})/10000")}
 """of the units of what is entered in others, for the formulas behind: the unit, and what a formula stands in"""
 
@@ -96,28 +100,29 @@ class ReducerInUse(NamedTuple):
         return ReducerLimits(peak, mean, si(fastest, RPM), full, self.cycle_factor)
 
 
-def motor_in_use(axis: Axis, products: Products) -> MotorInUse:
-    """Return the motor of an axis. Raises ValueError where it has none."""
+def motor_in_use(axis: Axis, products: Products, limits: Limits) -> MotorInUse:
+    """Return the motor of an axis, its limits over their reserves. Raises ValueError where it has none."""
     if axis.motor is None:
         raise ValueError(f"{axis.name} has no motor")
     row, found = named(products.motors, axis.motor.name)
     given, left = found or axis.motor, left_of(axis.motor)
     inertia, rated, peak, fastest = (float(getattr(given, name)) for name in NEEDED)
-    stall = max(rated, given.stall_torque or 0.0) * left
+    lasting = left / limits.rms_reserve
+    stall = max(rated, given.stall_torque or 0.0) * lasting
     speed = given.rated_speed or 0.0
     own = axis.motor.copper_losses
     losses = (given.copper_losses if own is None else own) or 0.0
-    used = si(inertia, KG_CM2), rated * left, peak, fastest, stall, speed or fastest, speed
-    return MotorInUse(row, *used, losses, si(losses, KW) / rated**2)
+    used = rated * lasting, peak / limits.peak_reserve, fastest / limits.speed_reserve, stall, speed or fastest, speed
+    return MotorInUse(row, si(inertia, KG_CM2), *used, losses, si(losses, KW) / rated**2)
 
 
-def falling_of(name: str, products: Products) -> TorqueFall:
-    """Return how the peak torque of a motor of the catalogue falls; of one that is entered, not at all."""
+def falling_of(name: str, products: Products, reserve: float) -> TorqueFall:
+    """Return how the peak torque of a motor of the catalogue falls, over its reserve; of one entered, not at all."""
     _, found = named(products.motors, name)
     if found is None or found.full_torque_to is None or found.end_torque is None:
         return TorqueFall()
     knee, fastest = si(found.full_torque_to, RPM), si(found.max_speed, RPM)
-    return TorqueFall.between((knee, found.peak_torque), (fastest, found.end_torque))
+    return TorqueFall.between((knee, found.peak_torque / reserve), (fastest, found.end_torque / reserve))
 
 
 def left_of(motor: AxisMotor) -> float:
@@ -125,13 +130,14 @@ def left_of(motor: AxisMotor) -> float:
     return 1.0 if motor.temperature is None else derating(motor.temperature, motor.limit, motor.rated_at)
 
 
-def reducer_in_use(axis: Axis, products: Products) -> ReducerInUse:
-    """Return the reducer of an axis, one of ratio 1 where nothing is entered."""
+def reducer_in_use(axis: Axis, products: Products, limits: Limits) -> ReducerInUse:
+    """Return the reducer of an axis, its peak torque over the factor; one of ratio 1 where nothing is entered."""
     row, found = named(products.reducers, axis.reducer.name)
     used = found or axis.reducer
     ratio, peak = (found.reduction, found.max_torque) if found else (axis.reducer.ratio, axis.reducer.peak_torque)
     return ReducerInUse(row, ratio, used.efficiency, si(used.inertia or 0.0, KG_CM2), used.no_load_torque or 0.0,
-                        peak or 0.0, used.full_cycles or 0.0, used.cycle_factor or 1.0, used.mean_torque or 0.0,
+                        (peak or 0.0) / limits.torque_factor,
+                        used.full_cycles or 0.0, used.cycle_factor or 1.0, used.mean_torque or 0.0,
                         used.max_speed or 0.0)  # fmt: skip
 
 
@@ -154,7 +160,7 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
                    format="General" if unit in IN_SI else "0.0##")
               for name, words, symbol, unit, source, *_ in figures),
         ]  # fmt: skip
-    motor = axis.motor or AxisMotor()
+    motor, limit = axis.motor or AxisMotor(), entries_of(axis.limits, f"{key}.limits")
     cell, brake = entries_of(motor, f"{key}.motor"), entries_of(motor.brake, f"{key}.motor.brake")
     return [
         *rows,
@@ -170,11 +176,13 @@ def entries(axis: Axis, key: str) -> list[Quantity]:
         cell("@temperature", "Ambient temperature of the motor", "ϑ", "°C", "temperature", "empty: as rated"),
         cell("@rated_at", "Ambient temperature of the rated torque", "ϑ_N", "°C", "rated_at"),
         cell("@winding", "Largest temperature of the winding", "ϑ_max", "°C", "limit", "155 °C of class F"),
+        *(limit(f"@own_{name}", f"{words}, if not the machine's", symbol, "", name, "empty: the machine's")
+          for name, words, symbol, _ in LIMITS),
     ]  # fmt: skip
 
 
-def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quantity]:
-    """Return the rows of the figures that the drive uses."""
+def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float, limits: Limits) -> list[Quantity]:
+    """Return the rows of the figures that the drive uses, limits over their reserves."""
 
     def figure(of: MotorInUse | ReducerInUse, row: tuple[str, ...], formula: str, source: str = "") -> Quantity:
         name, words, symbol, unit, _, cell, _ = row
@@ -190,16 +198,21 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
         name, column, own = row[0], row[-1], f"@own_reducer_{row[0]}"
         entered = f'IF({own}="",1,{own})' if name in ("ratio", "efficiency") else f"{own}+0"
         listed = f"IF(@reducer_row=0,{entered},INDEX([reducers.{column}],@reducer_row)+0)"
+        listed += "/@torque_factor" if name == "peak_torque" else ""
         rows.append(figure(reducer, row, AT_LEAST.get(name, "{0}").format(listed), ZERO.get(name, "")))
     listed_motor = {
         name: f"IF(@motor_row=0,@own_motor_{name},INDEX([motors.{column}],@motor_row))" for name, *_, column in MOTOR
     }
     used = {
-        "rated_torque": f"{listed_motor['rated_torque']}*@derate",
-        "stall_torque": f"MAX(@motor_rated,{listed_motor['stall_torque']}*@derate)",
-        "rated_speed": "IF(@nn_given=0,@motor_nmax,@nn_given)",
+        "rated_torque": f"{listed_motor['rated_torque']}*@derate/@rms_reserve",
+        "stall_torque": f"MAX(@motor_rated,{listed_motor['stall_torque']}*@derate/@rms_reserve)",
+        "rated_speed": "IF(@nn_given=0,@motor_nmax*@speed_reserve,@nn_given)",
+        "peak_torque": f"{listed_motor['peak_torque']}/@peak_reserve",
+        "max_speed": f"{listed_motor['max_speed']}/@speed_reserve",
     }
     return [
+        *(calc(f"@{name}", words, symbol, "", f'=IF(@own_{name}="",limits_{name},@own_{name})', getattr(limits, name),
+               "of all drives, or its own") for name, words, symbol, _ in LIMITS),
         *rows,
         calc("@derate", "Motor: share of the rated torque at the ambient temperature", "", "", f"={DERATING}", left,
              "√((ϑ_max − ϑ)/(ϑ_max − ϑ_N)), at most 1; S4, problem 2"),
@@ -210,7 +223,8 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float) -> list[Quanti
              '=IF(@losses_rated<>"",@losses_rated,IF(@motor_row=0,0,INDEX([motors.pcu],@motor_row)))+0', motor.losses,
              "0: none are counted"),
         calc("@copper", "Motor: copper losses over the square of the torque", "", "kW/N²m²",
-             "=IF(@losses*@motor_rated=0,0,@losses/(@motor_rated/@derate)^2)", shown(motor.copper, KW), "P_Cu/T_N²"),
+             "=IF(@losses*@motor_rated=0,0,@losses/(@motor_rated*@rms_reserve/@derate)^2)",
+             shown(motor.copper, KW), "P_Cu/T_N²"),
     ]  # fmt: skip
 
 

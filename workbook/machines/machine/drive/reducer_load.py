@@ -10,7 +10,7 @@ from workbook.book.declare import Sheet, calc
 from workbook.machines.machine.drive import stages
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
-from workbook.selection.pair_selection import Shaft, load_figures, shaft_figures
+from workbook.selection.pair_selection import Shaft, limit_figures, load_figures, shaft_figures
 
 DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
 BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
@@ -75,12 +75,15 @@ def shaft_of(view: DriveView) -> Shaft:
         "beside": ("@ask_beside", d.beside_motor), "turns": ("@ask_turns", turns_of(view)),
         "brake": ("0", 0.0) if view.brakes else ('(@holding="brake")', float(d.holding == "brake")),
         "by_power": ('(@method="physical")', float(d.given.method == "physical")), "left": ("@derate", d.left),
+        **limit_figures(d.limits, "@"),
         "held_j": ("@j0", d.at_motor), "held_jm": ("@jm", motor.inertia), "held_i": ("@i1", reducer.ratio),
         "held_eta": ("@eta1", reducer.efficiency), "held_no_load": ("@no_load", reducer.no_load_torque),
-        "held_rated": ("@continuous", rms.limit), "held_peak": ("@motor_peak", motor.peak_torque),
+        "held_rated": ("@continuous*@rms_reserve", rms.limit * d.limits.rms_reserve),
+        "held_peak": ("@motor_peak*@peak_reserve", motor.peak_torque * d.limits.peak_reserve),
         "held_top": ("MAX(@tmax,0-@tmin)", top, torque),
         "held_spare": (*(("@spare", view.spare) if view.knows_falling else spare), torque),
-        "held_nmax": ("@motor_nmax", motor.max_speed), "held_row": ("@motor_row", motor.row),
+        "held_nmax": ("@motor_nmax*@speed_reserve", motor.max_speed * d.limits.speed_reserve),
+        "held_row": ("@motor_row", motor.row),
         "held_gear": ("@reducer_row", reducer.row),
     })  # fmt: skip
     return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load,

@@ -4,7 +4,15 @@ import math
 
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.sentence import CheckSentence
-from workbook.drive.motor import below_curve, continuous, limit_checks, limits_table, rms_point, within_reducer
+from workbook.drive.motor import (
+    below_curve,
+    continuous,
+    inertia_check,
+    limit_checks,
+    limits_table,
+    rms_point,
+    within_reducer,
+)
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine.drive import brake, by_angle, in_use, max_rate, reducer_load, stages
@@ -27,7 +35,10 @@ from workbook.machines.machine.file_layout import kind_name
 from workbook.machines.machine.mechanism import SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
 
-USED = "The figures that this sheet computes with: the catalogue's where a name is entered, else those entered below."
+USED = (
+    "The figures that this sheet computes with: the catalogue's where a name is entered, else those entered below; "
+    "limits over their reserves."
+)
 MACHINES, OWN = "the machine's rate", "a rate of its own"
 END = "INDEX([motors.end],MAX(1,@motor_row))"
 LEVEL = (
@@ -47,7 +58,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
         sheet.heading("Motor and reducer in use", USED)
-        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left), *at_rate(view))
+        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left, driven.limits), *at_rate(view))
         entries(sheet, driven, entered(driven, f"axes.{driven.number - 1}"))
         outcome(sheet, view)
         sheet.checks(*checks(view))
@@ -113,7 +124,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
     """Declare what the cycle asks of the motor, and the highest rate."""
     driven, points, size = view.driven, view.points, view.scales
     motor, reducer, own = view.reserve, view.reducer_checks, driven.entered.rate
-    own_inertia = driven.motor_used.inertia
+    limits = driven.limits
     fastest = f"=MAX({top('n')},0-{top('n', 'low')})" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
     sheet.heading("Results")
     sheet.rows(
@@ -125,7 +136,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
                shown(view.inertia, KG_CM2),
                "the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"),
         result("@inertias", "Inertia ratio", "", "", "=IF(@jm>0,@jtot/10000/@jm,0)",
-               view.inertia / own_inertia if own_inertia else 0.0, "load at the motor's shaft / motor"),
+               view.inertia_ratio, "load at the motor's shaft / motor"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", view.top("T"),
                "to 1 %" if driven.by_angle else PEAKS, scale=size.torque),
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -view.top("T", -1),
@@ -141,11 +152,13 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
                shown(points.mean_speed, RPM), "of |n| over the cycle; with T_rms the RMS point", scale=size.rpm),
         continuous(view.driven.motor, points.mean_speed),
-        result("@res_rms", "Reserve of RMS torque", "", "", "=IF(@rms>0,@continuous/@rms,0)", motor.rms_torque.reserve,
-               "1 or more"),
+        result("@res_rms", "Reserve of RMS torque", "", "", "=IF(@rms>0,@continuous*@rms_reserve/@rms,0)",
+               motor.rms_torque.reserve * limits.rms_reserve, "of the whole continuous torque"),
         result("@res_peak", "Reserve of peak torque", "", "",
-               "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak/MAX(@tmax,0-@tmin),0)", motor.peak_torque.reserve),
-        result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax/@speed,0)", motor.speed.reserve),
+               "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak*@peak_reserve/MAX(@tmax,0-@tmin),0)",
+               motor.peak_torque.reserve * limits.peak_reserve),
+        result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax*@speed_reserve/@speed,0)",
+               motor.speed.reserve * limits.speed_reserve),
         *([result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])", view.spare,
                   "at its points", scale=size.torque)] if view.knows_falling else []),
         result("@smax", "Output torque of the reducer, peak", "", "Nm", f"=MAX({top('S')},0-{top('S', 'low')})",
@@ -191,8 +204,8 @@ def at_rate(view: DriveView) -> list[Quantity]:
         calc("@listed", "Motor: a peak torque at its largest speed is given", "", "",
              f"=IF(@motor_row=0,0,COUNT({END}))", int(listed), "1 yes, 0 no", format="0"),
         calc("@drop", "Motor: its peak torque falls to there by", "", "Nm",
-             f"=IF(@listed=0,0,MAX(0,@motor_peak-{END}))",
-             falling.fall * (driven.motor.max_speed - falling.knee), scale=peak),
+             f"=IF(@listed=0,0,MAX(0,@motor_peak-{END}/@peak_reserve))",
+             falling.fall * (driven.motor.max_speed * driven.limits.speed_reserve - falling.knee), scale=peak),
     ]  # fmt: skip
     return rows if not view.knows_falling else [
         *rows,
@@ -200,7 +213,7 @@ def at_rate(view: DriveView) -> list[Quantity]:
              "=IF(@motor_row=0,0,INDEX([motors.knee],MAX(1,@motor_row))+0)", shown(falling.knee, RPM),
              "0: up to its largest speed"),
         calc("@fall", "Motor: fall of its peak torque beyond", "f", "Nm/rpm",
-             "=IF(@listed=0,0,@drop/(@motor_nmax-@knee))", shown(falling.fall, PER_RPM)),
+             "=IF(@listed=0,0,@drop/(@motor_nmax*@speed_reserve-@knee))", shown(falling.fall, PER_RPM)),
         calc("@corner", "Motor: the falling line at no speed", "", "Nm", "=IF(@fall=0,0,@motor_peak+@fall*@knee)",
              falling.corner(peak) if falling.fall else 0.0, "T_max + f n_1; 0: it does not fall"),
     ]  # fmt: skip
@@ -220,6 +233,7 @@ def checks(view: DriveView) -> list[Quantity]:
             ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
             ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
         ),
+        inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
         turns_check(view), *([brake.holds(view)] if view.brakes else []),
         *in_use.checks(driven.number, called), *stages.checks(driven), *page.on_bed(driven),
         below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,

@@ -168,6 +168,12 @@ class DriveView:
         return fixed + m.on_shaft(m.last) * (self.travel / self.driven.train.gear) ** 2
 
     @property
+    def inertia_ratio(self) -> float:
+        """The inertia at the motor over the motor's own, 0 of a motor without."""
+        own = self.driven.motor_used.inertia
+        return self.inertia / own if own else 0.0
+
+    @property
     def travel(self) -> float:
         """The most that the load moves when the mechanism's shaft turns (m or 1)."""
         return float(np.abs(self.load.slopes[0] / self.load.first).max())

@@ -36,6 +36,7 @@ class DriveStudy:
         self, axis: MovingAxis, machine: AnyMachine, columns: Mapping[str, Column], rows: Callable[[], AxisTables]
     ) -> None:
         self.axis, self.machine, self.products, self.rows = axis, machine, machine.selection, rows
+        self.limits = machine.limits.of_axis(axis.given.limits)
         begin, own = f"axes.{axis.number - 1}", axis.given.rate
         self.motor_key, self.motors = varied(columns, f"{begin}.motor.")
         self.reducer_key, self.reducers = varied(columns, f"{begin}.reducer.")
@@ -55,14 +56,16 @@ class DriveStudy:
     def motors_used(self) -> dict[str, Array]:
         """The figures of the motor in each design; the knee (rad/s) and the fall (Nm s) of its curve."""
         axes = [self.axis_with(k, 0, 0) for k in range(len(self.motors.values))]
-        falls = [in_use.falling_of(one.motor.name if one.motor else "", self.products) for one in axes]
-        used = [in_use.motor_in_use(one, self.products) for one in axes]
+        reserve = self.limits.peak_reserve
+        falls = [in_use.falling_of(one.motor.name if one.motor else "", self.products, reserve) for one in axes]
+        used = [in_use.motor_in_use(one, self.products, self.limits) for one in axes]
         return figures(self.motors, used, self.products.motors) | figures(self.motors, falls)
 
     @cached_property
     def reducers_used(self) -> dict[str, Array]:
         """The figures of the reducer in each design."""
-        used = [in_use.reducer_in_use(self.axis_with(0, k, 0), self.products) for k in range(len(self.reducers.values))]
+        axes = [self.axis_with(0, k, 0) for k in range(len(self.reducers.values))]
+        used = [in_use.reducer_in_use(one, self.products, self.limits) for one in axes]
         return figures(self.reducers, used, self.products.reducers)
 
     def drive(self, motor: int, reducer: int, rate: int) -> Driven:
@@ -150,6 +153,11 @@ class DriveStudy:
         return beside + self.loads[0].inertia / self.gears.ratio**2
 
     @property
+    def inertias(self) -> Any:
+        """Inertia at each motor over the motor's own."""
+        return shares_of(self.at_motor, self.motors_used["inertia"])
+
+    @property
     def brake_load(self) -> Array:
         """Largest torques that the motor's brake holds in dwells (Nm)."""
         first = self.bases[0].driven.mechanism.stages[0]
@@ -225,16 +233,16 @@ def varied(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:
 RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "rate": lambda one: one.rates.each,
     "jtot": lambda one: shown(one.at_motor, KG_CM2),
-    "inertias": lambda one: shares_of(one.at_motor, one.motors_used["inertia"]),
+    "inertias": lambda one: one.inertias,
     "tmax": lambda one: one.extremes.torque,
     "tmin": lambda one: one.extremes.torque_low,
     "rms": lambda one: one.rms,
     "speed": lambda one: one.speed,
     "mean": lambda one: one.mean,
     "continuous": lambda one: one.continuous,
-    "res_rms": lambda one: shares_of(one.continuous, one.rms),
-    "res_peak": lambda one: shares_of(one.motors_used["peak_torque"], one.extremes.peak),
-    "res_speed": lambda one: shares_of(one.motors_used["max_speed"], one.speed),
+    "res_rms": lambda one: shares_of(one.continuous * one.limits.rms_reserve, one.rms),
+    "res_peak": lambda one: shares_of(one.motors_used["peak_torque"] * one.limits.peak_reserve, one.extremes.peak),
+    "res_speed": lambda one: shares_of(one.motors_used["max_speed"] * one.limits.speed_reserve, one.speed),
     "smax": lambda one: one.behind(0),
     "smean": lambda one: one.behind(1),
     "energy": lambda one: one.works.driving,

@@ -35,7 +35,9 @@ def below_curve(study: DriveStudy) -> Any:
     return (study.motors_used["fall"] == 0.0) | (study.products.knows_falling & (study.extremes.spare >= 0.0))
 
 
-CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {"ok_curve": below_curve}
+CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {
+    "ok_curve": below_curve, "ok_inertia": lambda one: one.inertias <= one.limits.inertia_ratio,
+}  # fmt: skip
 
 
 def judged_exactly(study: DriveStudy) -> Computations:
@@ -67,5 +69,6 @@ def checks(study: DriveStudy) -> Computations:
     driven = study.bases[0].driven
     found = CHECKS | ({"ok_back": lambda study: study.axis.motion.closes} if driven.given.kind in LINKED else {})
     found |= {"ok_brake": lambda study: study.brake_load <= driven.brake.torque} if study.bases[0].brakes else {}
+    found |= {"ok_turned": lambda study: len(study.bases[0].tables.turning.turns) == study.bases[0].turns_cut}
     found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
     return {f"drive{study.axis.number}_{key}": partial(lambda ok: ok_texts(ok(study)), ok) for key, ok in found.items()}

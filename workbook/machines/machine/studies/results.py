@@ -1,7 +1,7 @@
 """The results of a machine by the names of its book, without a book: of many motors, reducers and rates at once."""
 
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from functools import cache, partial
 from typing import Any
 
@@ -134,11 +134,4 @@ def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
     return found
 
 
-def most(machine: AnyMachine, keys: Collection[str]) -> dict[str, float]:
-    """Return the greatest inertia ratio of the drives whose motor or reducer varies by these keys."""
-    varied = {part(key) for key in keys}
-    own = [k for k in range(len(machine.axes)) if varied & {f"axes.{k}.motor", f"axes.{k}.reducer"}]
-    return {f"drive{k + 1}_inertias": machine.selection.inertia_ratio for k in own}
-
-
-SCALING = Scaling(part, results, most)
+SCALING = Scaling(part, results)

@@ -13,6 +13,7 @@ from workbook.machines.machine.timing.phases import axis_checks, phases_table
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.exported import Exportable, ShiftCells
 from workbook.motion.pieces import POSITION, finding, sampled
+from workbook.selection.limits import limit_cells
 
 LANE_SHARE = 0.8  # of the height of a lane that an axis takes. Source: S1, 'Timing diagram for a cutting machine'
 PHASE, PHASE_MEASURED, PASSING = 13, 12, 4
@@ -34,7 +35,9 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     weight = given(
         "gravity", "Gravity", "g", "m/s²", machine.given.gravity, "gravity", format="0.0####", source="of all drives"
     )
-    sheet.rows(*pace(machine), *([weight] if machine.given.weighs else []))
+    driven = any(axis.given.motor for axis in machine.axes)
+    limits = limit_cells(machine.given.limits) if driven else ()
+    sheet.rows(*pace(machine), *([weight] if machine.given.weighs else []), *limits)
     columns = PHASE_MEASURED if machine.over.measured else PHASE
     columns += PASSING if any(one.ends is not None for one in axes) else 0
     draw_diagram(sheet, machine, columns)
