@@ -2,6 +2,7 @@
 
 import re
 from functools import cache
+from tokenize import TokenError
 from typing import Any, TypeAlias
 
 from pint import UndefinedUnitError, UnitRegistry
@@ -13,25 +14,38 @@ POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 FACTOR = re.compile(r"(?P<word>1|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
 BETWEEN = re.compile(r"(?! - )[ ·*.×-]*")
 # what pint does not know, or reads as something else
-WORDS = {"1": "", "%": "", "‰": "", "°": "", "cycles": "", "pieces": "", "rpm": "1/min", "C": "K", "°C": "K", "°F": "K",
-    "Ω": "ohm", "µm": "m", "μm": "m", "Nm": "N m", "kNm": "N m", "mNm": "N m", "Ncm": "N m", "Nmm": "N m",
-    "Nms": "N m s", "Ws": "J", "Vs": "V s", "As": "A s"}  # fmt: skip
+WORDS = {"1": "1", "%": "0.01", "‰": "0.001", "°": "degree", "cycles": "1", "pieces": "1", "rpm": "1/min", "C": "K",
+    "°C": "K", "°F": "K", "Ω": "ohm", "µm": "1e-6 m", "μm": "1e-6 m", "Nm": "N*m", "kNm": "kN*m", "mNm": "mN*m",
+    "Ncm": "N*cm", "Nmm": "N*mm", "Nms": "N*m*s", "Ws": "J", "Vs": "V*s", "As": "A*s", "g": "gram",
+    "h": "hour"}  # fmt: skip
 BASE = {"[mass]": "kg", "[length]": "m", "[time]": "s", "[current]": "A", "[temperature]": "K", "[substance]": "mol",
         "[luminosity]": "cd"}  # fmt: skip
 registry = cache(UnitRegistry[Any])  # what gives the units that pint knows
 
 
-@cache
 def dimension_of(unit: str) -> Dimension | None:
     """Return the dimension of a unit, the first ``/`` before all that divides; None where it is not known."""
-    found = NONE
+    found = parse_unit(unit)
+    return None if found is None else found.dimensionality
+
+
+def size_of(unit: str) -> tuple[Dimension, float] | None:
+    """Return the dimension of a unit and its size in SI; None where it is not known."""
+    found = parse_unit(unit)
+    return None if found is None else (found.dimensionality, float(f"{found.magnitude:.12g}"))
+
+
+@cache
+def parse_unit(unit: str) -> Any:
+    """Return a unit as pint's quantity in base units, the first ``/`` before all that divides; None if not known."""
+    found = registry().Quantity(1.0)
     for k, part in enumerate(unit.strip(" []()").split("/")):
         text, at = part.translate(POWERS).strip(), 0
         while at < len(text):
             match = FACTOR.match(text, at)
-            if match is None or (one := word_dimension(match["word"])) is None:
+            if match is None or (factor := parse_word(match["word"])) is None:
                 return None
-            found *= one ** (int(match["power"] or 1) * (-1 if k else 1))
+            found *= factor ** (int(match["power"] or 1) * (-1 if k else 1))
             between = BETWEEN.match(text, match.end())
             at = between.end() if between else match.end()
     return found if unit.strip(" []()") else None
@@ -43,14 +57,12 @@ def is_either(unit: str) -> bool:
 
 
 @cache
-def word_dimension(word: str) -> Dimension | None:
-    """Return the dimension of one unit; None where pint knows none of that name."""
-    if word in WORDS:
-        return dimension_of(WORDS[word]) if WORDS[word] else NONE
+def parse_word(word: str) -> Any:
+    """Return one unit as pint's quantity in base units; None where pint knows none of that name."""
     for name in (word, word.lower()) if len(word) > 2 else (word,):
         try:
-            return registry().Unit(name).dimensionality
-        except (UndefinedUnitError, ValueError, AttributeError):
+            return registry().Quantity(WORDS.get(name, f"1 {name}")).to_base_units()
+        except (UndefinedUnitError, ValueError, AttributeError, TokenError):
             continue
     return None
 

@@ -5,13 +5,12 @@ from typing import Any
 
 from openpyxl.cell.cell import Cell
 from openpyxl.workbook.defined_name import DefinedName
-from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
-from workbook.judging.display.cell_styles import Remarks, RuleJudge, StyleJudge, cell_groups
-from workbook.judging.display.chart_reader import read_charts
-from workbook.judging.display.charts import pair_charts
+from workbook.judging.display.cells import CellGroup, check_rules
+from workbook.judging.display.charts import pair_charts, read_charts
+from workbook.judging.display.groups import Differences
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.structure import check_structure, listed
@@ -42,9 +41,8 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
 
 def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> list[str]:
     """Return a line for each kind of addition to a generated sheet that is not in ``own``, and for names."""
-    lines, told = [], Remarks()
-    rules = RuleJudge(match, StyleJudge(match, BaseModel, told), told)
-    rules.judge(list(cell_groups(match, [])))
+    lines: list[str] = []
+    known_rules = check_rules(match, [CellGroup(pairs) for pairs in match.columns], False, Differences())
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
         declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))
@@ -54,7 +52,7 @@ def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> 
         notes = [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment]
         ours_drawn = {id(found) for *_, found in pair_charts(match, declared, held)}
         charts = [chart.at.a1 for chart in held if id(chart) not in ours_drawn]
-        formats = [str(a.sqref) for a in sheet.conditional_formatting if {id(rule) for rule in a.rules} - rules.known]
+        formats = [str(a.sqref) for a in sheet.conditional_formatting if {id(rule) for rule in a.rules} - known_rules]
         for what, cells in (("texts and numbers", texts), ("notes", notes), ("charts", charts),
                             ("conditional formats", formats)):  # fmt: skip
             if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:

@@ -12,10 +12,11 @@ from workbook.book.quantity import FAIL, SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.comparison import Comparison, count_cells, is_error
-from workbook.judging.display.cell_styles import Remarks, RuleJudge, StyleJudge, cell_groups
+from workbook.judging.display.cells import CellGroup, FreshBook, check_looks, check_rules
 from workbook.judging.display.charts import check_charts
-from workbook.judging.display.labels import check_labels
-from workbook.judging.display.visibility import check_links, check_visibility, sheet_views
+from workbook.judging.display.groups import Differences
+from workbook.judging.display.sight import check_links, check_pages, check_sight, sheet_views
+from workbook.judging.display.texts import check_texts
 from workbook.judging.layout import layout_findings, match_layout, set_consequences_aside
 from workbook.judging.matching import Match, Pair
 from workbook.judging.repair import is_empty_row, put_back, repair_book, report_wrong_results
@@ -104,23 +105,21 @@ def judge(
 
 
 def check_display(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
-    """Enter what a reader is told otherwise than by a fresh build of the same inputs (see :mod:`.display.permitted`).
+    """Enter what is shown otherwise than in a fresh build of the same inputs; what misleads a reader is a finding.
 
     ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
     """
-    told = Remarks()
-    cells = list(cell_groups(match, check_labels(match, report)))
-    check_links(match, told)
-    looks = StyleJudge(match, model, told)
-    rules = RuleJudge(match, looks, told, torn=any(found.kind == LAYOUT for found in report.findings))
-    rules.judge(cells)
-    for one in cells:
-        looks.judge(one, coloured=one.verdict and rules.has_verdicts(one))
-    seen_pages = sheet_views(match)
-    check_visibility(match, seen_pages, computed, cells, report, told)
-    check_charts(match, seen_pages, report)
+    differences, fresh, views = Differences(), FreshBook(match.declared, model), sheet_views(match)
+    labels = check_texts(match, report, differences)
+    groups = [CellGroup(pairs) for pairs in match.columns] + [CellGroup([], label) for label in labels]
+    check_looks(match, fresh, groups, differences)
+    check_rules(match, groups, any(finding.kind == LAYOUT for finding in report.findings), differences)
+    check_sight(match, fresh, views, groups, computed, differences)
+    check_pages(match, fresh, differences)
+    check_links(match, differences)
+    check_charts(match, views, differences)
     check_validations(match, model, report)
-    told.enter(report)
+    differences.enter(report)
 
 
 def count_own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:

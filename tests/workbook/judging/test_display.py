@@ -14,7 +14,7 @@ from openpyxl.styles.numbers import NumberFormat
 
 from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
 from tests.workbook.judging.synthetic import Small, spots
-from workbook.judging.display.labels import compare_units
+from workbook.judging.display.texts import is_other_unit
 
 DRIVE, CHART, PICTURE = "xl/worksheets/sheet1.xml", "xl/charts/chart1.xml", "xl/drawings/drawing1.xml"
 
@@ -159,7 +159,7 @@ def test_the_same_unit_in_another_spelling_is_not(unit, book):
 @pytest.mark.parametrize(("held", "ours"), [("10 Nm", "Nm"), ("Nm/10", "Nm"), ("1000 mm", "mm"), ("kNm", "Nm"),
                                             ("%", ""), ("N m²", "Nm")])  # fmt: skip
 def test_units_of_another_size_are_others(held, ours):
-    assert compare_units(held, ours) == "other"
+    assert is_other_unit(held, ours)
 
 
 def test_a_unit_that_is_gone_is_a_notice_and_one_beside_a_pure_number_is_found(book):
