@@ -11,7 +11,7 @@ from pint.util import UnitsContainer
 Dimension: TypeAlias = UnitsContainer
 NONE = Dimension({})  # of numbers, angles, shares and counts
 POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
-FACTOR = re.compile(r"(?P<word>1|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
+FACTOR = re.compile(r"(?P<word>1(?!\d)|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
 BETWEEN = re.compile(r"(?! - )[ ·*.×-]*")
 # what pint does not know, or reads as something else
 WORDS = {"1": "1", "%": "0.01", "‰": "0.001", "°": "degree", "cycles": "1", "pieces": "1", "rpm": "1/min", "C": "K",

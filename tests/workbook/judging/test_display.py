@@ -14,6 +14,7 @@ from openpyxl.styles.numbers import NumberFormat
 
 from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
 from tests.workbook.judging.synthetic import Small, spots
+from workbook.judging.display.looks import format_sections
 from workbook.judging.display.texts import is_other_unit
 
 DRIVE, CHART, PICTURE = "xl/worksheets/sheet1.xml", "xl/charts/chart1.xml", "xl/drawings/drawing1.xml"
@@ -67,23 +68,33 @@ def test_a_format_that_tells_another_number_is_found(code, book):
 
 
 @pytest.mark.parametrize(
-    ("code", "notices"),
+    "code",
     [
-        ("0.0000000", 0), ("0", 0), ("#,##0.00", 0), ("0.00E+00", 0), ("##0.0E+0", 0), ("General", 0), ("@", 0),
-        ('0.0" Nm"', 0), ("[Red]0.0", 0), ("[$-407]0.0", 0), ("0.0_);(0.0)", 0), ("0.0;-0.0", 0),
-        ("0.0;[Red]-0.0", 0), ("_-* #,##0.00_-", 0), ("# ?/?", 1), ('"ca. "0.0', 0), ("[>1000]0.0;0.000", 1),
-        ("0.0;-0.0;0.0;@", 0), ("[Blue]General", 0), ("+0.0;-0.0", 0), ('"T_max = "0.0', 0), ("#", 1),
-        ('_(* #,##0.00_);_(* \\(#,##0.00\\);_(* "-"??_);_(@_)', 0), ("# ##0.0", 0), ("0.0000;\\-0.0000", 0),
+        "0.0000000", "0", "#,##0.00", "0.00E+00", "##0.0E+0", "General", "@", '0.0" Nm"', "[Red]0.0", "[$-407]0.0",
+        "0.0_);(0.0)", "0.0;-0.0", "0.0;[Red]-0.0", "_-* #,##0.00_-", "0.0;-0.0;0.0;@", "[Blue]General", "+0.0;-0.0",
+        '_(* #,##0.00_);_(* \\(#,##0.00\\);_(* "-"??_);_(@_)', "# ##0.0", "0.0000;\\-0.0000",
     ],
 )  # fmt: skip
-def test_a_format_of_taste_is_not(code, notices, book):
+def test_other_decimals_separators_and_colours_of_a_number_are_a_notice(code, book):
     report = formatted(book, code)
-    assert (report.findings, len(report.notices)) == ([], notices)
+    assert (report.findings, len(report.notices)) == ([], 1)
 
 
-def test_a_format_that_shows_nothing_of_a_zero_is_found_where_there_is_one(book):
+def test_a_format_in_other_escapes_is_the_same():
+    """As LibreOffice writes what openpyxl had written."""
+    assert format_sections('0;-0;"–"') == format_sections("0;\\-0;\\–")
+    assert format_sections("0;;")[:3] == format_sections("0;;;")[:3]
+
+
+@pytest.mark.parametrize("number", [27, 36, 50, 58, 67, 71])
+def test_a_format_that_each_language_reads_otherwise_is_found(number, book):
+    """By number: openpyxl takes it for General."""
+    changed = {STYLES: sub(rb'(<cellXfs.*?)numFmtId="16[4-9]"', rb'\1numFmtId="%d"' % number)}
+    assert any(found.computed.startswith(f"format {number} ") for found in book.with_parts(changed).findings)
+
+
+def test_a_format_that_shows_nothing_of_a_zero_is_found(book):
     assert spots(formatted(book, "#.##", "cycle", 0, 1).findings) == {"Drive!C24"}
-    assert formatted(book, "#.##", "cycle", 5, 1).findings == []
 
 
 @pytest.mark.parametrize("block", ["rate", "check_zero", "speed"])
@@ -91,9 +102,9 @@ def test_a_format_of_an_input_or_a_constant_counts_too(block, book):
     assert formatted(book, '0"0"', block).findings
 
 
-def test_percent_is_for_what_has_no_unit(book):
-    silent(formatted(book, "0.0%", "eta"))
-    assert formatted(book, "0.0%", "speed").findings
+@pytest.mark.parametrize("block", ["eta", "speed"])
+def test_a_figure_shown_as_a_percentage_is_found(block, book):
+    assert formatted(book, "0.0%", block).findings
 
 
 @pytest.mark.parametrize("code", ['"OK";"OK";"OK";"OK"', ";;;", ';;;"OK"', '@" OK"', '"not "@', '0;0;0;"FAIL"', "@@"])
@@ -329,7 +340,8 @@ def test_an_odd_font_is_a_notice(change, book):
         book.cell(workbook, "peak").font = Font(**change)
 
     report = book.edited(made)
-    assert (report.findings, len(report.notices)) == ([], 1)
+    assert report.findings == []
+    assert report.notices
 
 
 def test_a_look_of_many_cells_is_told_once(book):
@@ -338,7 +350,7 @@ def test_a_look_of_many_cells_is_told_once(book):
             book.cell(workbook, "cycle", row, 1).font = Font(strike=True)
 
     (found,) = book.edited(made).findings
-    assert found.what.endswith(", and 4 more cells")
+    assert found.what.endswith(", 5 cells")
 
 
 def test_a_part_of_a_text_in_white_or_struck_out_is_found(book):
@@ -367,18 +379,17 @@ def test_a_palette_of_its_own_and_colours_of_a_theme_in_other_spellings_count(bo
 
         return made
 
-    silent_or_notices = failing.edited(inked(Color(indexed=17)))
-    assert not [one for one in silent_or_notices.findings if "ground" in str(one.computed)]
+    assert {one.computed for one in failing.edited(inked(Color(indexed=17))).findings} == {"008000"}
     colours = b"<colors><indexedColors>%s</indexedColors></colors></styleSheet>" % (b'<rgbColor rgb="FFFFFFFF"/>' * 64)
     path = failing.folder / "edited.xlsx"
     other = Small.__new__(Small)
     other.__dict__ |= failing.__dict__ | {"path": path}
     palette = other.with_parts({STYLES: sub(rb"</styleSheet>", colours)})
-    assert any("colour of its ground" in str(one.computed) for one in palette.findings)
+    assert any(one.computed == "FFFFFF" for one in palette.findings)
     failing.edited(inked(Color(theme=1)))
     theme = other.with_parts({"xl/theme/theme1.xml": sub(
         rb"<a:dk1>.*?</a:dk1>", b'<a:dk1><a:scrgbClr r="100000" g="100000" b="100000"/></a:dk1>')})  # fmt: skip
-    assert any("cannot be known" in str(one.computed) for one in theme.findings)
+    assert any(one.computed == "mixed" for one in theme.findings)
 
 
 # what is out of sight
@@ -467,7 +478,7 @@ def test_what_passes_or_is_no_verdict_out_of_sight_is_a_notice(hide, book):
         (WORKBOOK, rb'showSheetTabs="1"', rb'showSheetTabs="0"', "notice"),
         (DRIVE, rb"<drawing ", rb'<picture xmlns:r="r" r:id="rId9"/><drawing ', "notice"),
         (DRIVE, rb"<sheetView ", rb'<sheetView showRuler="0" ', ""),
-        (DRIVE, rb"<sheetView ", rb'<sheetView zoomScale="70" ', ""),
+        (DRIVE, rb"<sheetView ", rb'<sheetView zoomScale="70" ', "notice"),
         (DRIVE, rb"<sheetView ", rb'<sheetView showZeros="1" showFormulas="0" ', ""),
         (DRIVE, rb"<sheetView ", rb'<sheetView view="pageBreakPreview" ', ""),
     ],
@@ -513,12 +524,11 @@ GREEN = {"font": Font(color="006100"), "fill": PatternFill(bgColor="C6EFCE", fil
         (FormulaRule(formula=["TRUE"], font=Font(strike=True)), True),
         (FormulaRule(formula=["TRUE"], font=Font(color="FFFFFF"), fill=PatternFill(bgColor="FFFFFF",
                                                                                 fill_type="solid")), True),
-        (CellIsRule(operator="equal", formula=['"OK"'], **GREEN), False),
-        (FormulaRule(formula=['D18="OK"'], **GREEN), False),
-        (CellIsRule(operator="equal", formula=['"FAIL"'], fill=PatternFill("solid", bgColor="FFC7CE")), False),
+        (CellIsRule(operator="equal", formula=['"OK"'], **GREEN), True),
+        (CellIsRule(operator="equal", formula=['"OK"']), False),
     ],
 )  # fmt: skip
-def test_a_rule_that_colours_a_fail_as_passed_is_found_whether_it_fails_now_or_not(rule, bad, book, failing):
+def test_a_rule_that_recolours_a_verdict_is_found_whether_it_fails_now_or_not(rule, bad, book, failing):
     for one in (book, failing):
         assert spot(one, "within") == "Drive!D18"
 
@@ -531,7 +541,7 @@ def test_a_rule_that_colours_a_fail_as_passed_is_found_whether_it_fails_now_or_n
 
 @pytest.mark.parametrize("fill", [PatternFill("solid", fgColor="92D050"), PatternFill("lightGrid", fgColor="00B050"),
                                   GradientFill(stop=("00B050", "00B050"))])  # fmt: skip
-def test_a_fail_painted_green_is_found_unless_its_rule_paints_it_red(fill, failing):
+def test_a_fail_painted_green_is_found(fill, failing):
     def painted(workbook):
         failing.cell(workbook, "within").fill = fill
 
@@ -540,7 +550,7 @@ def test_a_fail_painted_green_is_found_unless_its_rule_paints_it_red(fill, faili
         painted(workbook)
 
     assert spots(failing.edited(bare).findings) == {"Drive!D18"}
-    assert failing.edited(painted).findings == []
+    assert spots(failing.edited(painted).findings) == {"Drive!D18"}
 
 
 def test_bars_and_icons_instead_of_a_number_are_found_and_beside_it_are_not(book):
@@ -562,7 +572,7 @@ def test_bars_and_icons_instead_of_a_number_are_found_and_beside_it_are_not(book
 def test_rules_of_the_book_that_are_gone_are_a_notice_and_a_rule_for_rows_spread_over_figures_is_found(book):
     report = book.edited(lambda workbook: without_rules(workbook["Drive"]))
     assert report.findings == []
-    assert len(report.notices) == 2, report.notices
+    assert {one.what for one in report.notices if one.computed == "no such rule"}
 
     def spread(workbook):
         rules = workbook["Drive"].conditional_formatting
@@ -649,7 +659,7 @@ def test_a_chart_that_shows_less_or_more_is_a_notice(old, new, book):
     ("old", "new"),
     [
         (rb'w="19050"', b'w="38100"'), (rb'val="D55E00"', b'val="008800"'), (rb"<legend>.*?</legend>", b""),
-        (rb'<max val="360" ?/><min val="0" ?/>', b""), (rb"<majorGridlines>.*?</majorGridlines>", b""),
+        (rb"<majorGridlines>.*?</majorGridlines>", b""),
         (rb'sz="1300"', b'sz="900"'), (rb'majorUnit val="60"', b'majorUnit val="90"'),
     ],
 )  # fmt: skip
@@ -676,8 +686,8 @@ def test_a_second_line_on_other_axes_is_found_where_these_are_not_shown(book):
 
     hidden = book.with_parts({CHART: lambda data: other(data, True)})
     shown = book.with_parts({CHART: lambda data: other(data, False)})
-    assert any(one.computed == "other axes" for one in hidden.findings)
-    assert any(one.computed == "other axes" for one in shown.notices)
+    assert any(one.what.startswith("kind of") for one in hidden.findings)
+    assert any(one.what.startswith("kind of") for one in shown.notices)
 
 
 @pytest.mark.parametrize("only", [b"1", b"0"])
@@ -760,7 +770,7 @@ def test_charts_that_are_gone_hidden_or_moved(book):
 # taste
 
 
-def test_what_is_taste_is_passed_over_in_silence(book):
+def test_what_is_taste_is_no_finding(book):
     def change(workbook):
         for sheet in workbook.worksheets:
             sheet.sheet_properties.tabColor = "FF0000"
@@ -772,20 +782,23 @@ def test_what_is_taste_is_passed_over_in_silence(book):
                 sheet.row_dimensions[row].height = 25
             for row in sheet.iter_rows():
                 for cell in row[::2]:
-                    cell.font = Font(name="Arial", sz=14, color="1F3864", italic=True)
-                    cell.fill = PatternFill("solid", fgColor="FFF2CC")
+                    cell.font = Font(name="Arial", sz=14, italic=True)
                     cell.alignment = Alignment(horizontal="left", wrap_text=True)
         workbook["Drive"]["H3"] = "my own note"
 
-    silent(book.edited(change))
+    report = book.edited(change)
+    assert report.findings == []
+    assert len(report.notices) < 40  # a line for each change, not for each cell
 
 
-def test_a_thousand_rules_of_ones_own_are_judged_in_a_blink(book):
+def test_a_thousand_rules_of_ones_own_are_told_in_few_lines(book):
     def change(workbook):
         for n in range(1000):
             look = {"font": Font(color="1F3864"), "fill": PatternFill(bgColor="FFF2CC", fill_type="solid")}
             workbook["Drive"].conditional_formatting.add(
-                f"A{n % 90 + 1}:Z{n + 100}", FormulaRule(formula=["A1>1"], **look)
+                f"A{n % 9 + 20}:Z{n + 100}", FormulaRule(formula=["A1>1"], **look)
             )
 
-    assert book.edited(change).findings == []
+    report = book.edited(change)
+    assert [one.what for one in report.findings + report.notices if "conditional" not in one.what] == []
+    assert len(report.findings + report.notices) < 10

@@ -190,7 +190,7 @@ def decimals(drawn):
     code = drawn.choice((
         number, f"{number};-{number}", f"{number}_);({number})", f"{number};[Red]-{number}", f"+{number};-{number}",
         f"[{drawn.choice(('Blue', 'Red', 'Black', 'Magenta'))}]{number}", "General", "0.00E+00", "##0.0E+0", "@",
-        f"[$-{drawn.choice(('407', '410', '409'))}]{number}", f"_-* {number}_-", f'"ca. "{number}',
+        f"[$-{drawn.choice(('407', '410', '409'))}]{number}", f"_-* {number}_-",
     ))  # fmt: skip
     return code, lambda book, workbook: setattr(book.cell(workbook, drawn.choice(CELLS)), "number_format", code)
 
@@ -205,7 +205,7 @@ def fine_fonts(drawn):
     }  # fmt: skip
     fill = PatternFill("solid", fgColor="".join(f"{drawn.randint(225, 255):02X}" for _ in range(3)))
     return f"{look}", lambda book, workbook: dressed(
-        book, workbook, drawn.choice((*CELLS, "within", "overall")), 0, font=Font(**look), fill=fill
+        book, workbook, drawn.choice(CELLS), 0, font=Font(**look), fill=fill
     )
 
 

@@ -65,7 +65,7 @@ class LookReader:
             name = tag(element)
             if name in OFFICE and len(element):  # a colour without digits cannot be known
                 given = element[0].get("lastClr") or element[0].get("val") or ""
-                self._theme[name] = UNKNOWN if len(element[0]) else given
+                self._theme[name] = UNKNOWN if len(element[0]) else given.upper()
             elif name in ("majorFont", "minorFont"):
                 face = next((child.get("typeface") for child in element if tag(child) == "latin"), None)
                 self.fonts[name.removesuffix("Font")] = face or ""
@@ -112,7 +112,7 @@ class LookReader:
         if kind == "rgb" and isinstance(found.rgb, str):
             return tinted(found.rgb[-6:].upper(), tint)
         if kind == "theme" and found.theme is not None and 0 <= found.theme < len(THEME):
-            return tinted(self._theme[THEME[found.theme]].upper(), tint)
+            return tinted(self._theme[THEME[found.theme]], tint)
         if kind == "indexed" and found.indexed is not None and 0 <= found.indexed < len(self._indexed):
             return tinted(self._indexed[found.indexed][-6:].upper(), tint)
         return default
