@@ -98,7 +98,7 @@ class Match:
         alike = (declared.shape, declared.anchors) == (held.shape, held.anchors)
         return list(zip(declared.arguments, held.arguments, strict=True)) if alike else None
 
-    def apart(self, pair: Pair) -> Iterator[tuple[Index, Index]]:
+    def differing_corners(self, pair: Pair) -> Iterator[tuple[Index, Index]]:
         """Yield the corners by which a formula of the declared shape differs: declared, and held."""
         for one, other in self._arguments(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet) or ():
             if not isinstance(one, str) and not isinstance(other, str) and not self.same(one, other):

@@ -19,7 +19,7 @@ from workbook.judging.display.sight import check_links, check_pages, check_sight
 from workbook.judging.display.texts import check_texts
 from workbook.judging.layout import layout_findings, match_layout, set_consequences_aside
 from workbook.judging.matching import Match, Pair
-from workbook.judging.repair import is_empty_row, put_back, repair_book, report_wrong_results
+from workbook.judging.repair import is_empty_row, repair_book, report_wrong_results
 from workbook.judging.report import LAYOUT, NOTICE, ORDER, Check, Report, WitnessRun
 from workbook.judging.structure import audit, check_structure, check_validations, stale_functions
 from workbook.reading.contents import Cells
@@ -75,9 +75,6 @@ def judge(
     ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others one.
     """
     match, machine = match_layout(file, template, machine)
-    if any(pair.declared_formula and pair.held is None for pair in match.pairs):
-        report.findings += put_back(file, match.declared)
-        match = Match(file, match.declared)
     report.findings += layout_findings(match)
     suspects = check_structure(match, report)
     report.notes += stale_functions(file.workbook)

@@ -11,10 +11,10 @@ from openpyxl.utils import column_index_from_string
 from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
+from workbook.book.quantity import OK
 from workbook.judging.display.cells import CellGroup, FreshBook, shown_cells
 from workbook.judging.display.groups import Differences
 from workbook.judging.matching import Match
-from workbook.book.quantity import OK
 from workbook.reading.contents import Cells
 from workbook.reading.package import PIXEL, Anchor
 from workbook.reading.rows import LAST_ROW, tag
@@ -154,7 +154,8 @@ def check_sight(
     for group in (group for group in groups if not group.is_folded):
         at, view, page = group.at, views[group.at.sheet], fresh_views[group.declared_sheet]
         is_hidden = match.file.workbook[at.sheet].sheet_state != "visible"
-        is_narrow = view.hides_column(at.column, page.columns[group.declared_column])
+        usual = 0.0 if group.label else page.columns[group.declared_column]  # texts run over their cells
+        is_narrow = view.hides_column(at.column, usual)
         areas = view.areas_over(at.column)
         for at, (_, row, _), expected in shown_cells(group):
             cause = "a hidden or narrow column" if is_narrow else ""
