@@ -249,7 +249,7 @@ def test_a_whole_table_cut_and_pasted_with_its_headings_is_understood(books, tmp
     *_, right = place(path, "axis2_messages")
     for down, across in ((0, 45), (900, 0)):
         made = edited(path, tmp_path, excel.Cut(sheet, f"A{top - 7}:{right}{bottom + 9}", down, across))
-        understood(verify(made), "not printed")  # the print area stays where it is
+        understood(verify(made), "without it")  # the print area stays where it is
         assert numbers(read_inputs(made)[0]) == numbers(read_inputs(path)[0])
 
 

@@ -117,7 +117,7 @@ class SheetView:
 
     def hides_column(self, column: int, usual: float) -> bool:
         """Whether a column is hidden, or narrow beside its ``usual`` width (EMU)."""
-        return self.columns[column] < max(LEAST, TOO_SMALL * usual) or column < self._first[1]
+        return self.columns[column] < max(LEAST, TOO_SMALL * min(usual, pixels(WIDTH))) or column < self._first[1]
 
     def hides_row(self, row: int, usual: float) -> bool:
         """Whether a row is hidden, or low beside its ``usual`` height (EMU)."""
@@ -154,8 +154,7 @@ def check_sight(
     for group in (group for group in groups if not group.is_folded):
         at, view, page = group.at, views[group.at.sheet], fresh_views[group.declared_sheet]
         is_hidden = match.file.workbook[at.sheet].sheet_state != "visible"
-        usual = 0.0 if group.label else page.columns[group.declared_column]  # texts run over their cells
-        is_narrow = view.hides_column(at.column, usual)
+        is_narrow = view.hides_column(at.column, page.columns[group.declared_column])
         areas = view.areas_over(at.column)
         for at, (_, row, _), expected in shown_cells(group):
             cause = "a hidden or narrow column" if is_narrow else ""
