@@ -133,7 +133,7 @@ def test_looks_are_the_engineers_own(hands):
         sheet.sheet_view.zoomScale = 75
         sheet.data_validations.dataValidation = []
         sheet.freeze_panes = None
-    for block in ("timing_rate", "drive1_tmax", "status1"):
+    for block in ("timing_rate", "drive1_tmax"):
         cell = hands.cell(block)
         cell.font, cell.fill, cell.number_format = Font(bold=True), PatternFill("solid", fgColor="FFFF00"), "0.0"
     hands.workbook["Checks"].sheet_state = "hidden"

@@ -12,11 +12,20 @@ from pydantic import BaseModel
 from workbook.book.address import Address
 from workbook.book.declare import Book
 from workbook.judging.display.groups import Differences
-from workbook.judging.display.looks import UNSEEN, LookReader, contrast, format_sections, look_changes, plain_number
+from workbook.judging.display.looks import (
+    UNKNOWN,
+    UNSEEN,
+    WHITE,
+    LookReader,
+    contrast,
+    format_sections,
+    look_changes,
+    plain_number,
+)
 from workbook.judging.display.texts import QUIET, Label
 from workbook.judging.matching import Match, Pair
 from workbook.writing.archive import Cells, Strings
-from workbook.writing.style import conditional_formats
+from workbook.writing.style import INK, conditional_formats
 from workbook.writing.write import make_workbook
 
 
@@ -153,7 +162,7 @@ class RuleLook(NamedTuple):
     operator: str
     number_format: tuple[str, ...]
     ink: str
-    ground: str
+    grounds: tuple[str, ...]  # of a scale of colours several
     is_struck: bool
     hides_value: bool  # bars or icons in place of a figure
 
@@ -232,13 +241,14 @@ def rule_look(rule: Rule, reader: LookReader) -> RuleLook:
     look = rule.dxf
     font, fill = getattr(look, "font", None), getattr(look, "fill", None)
     code = look.numFmt.formatCode if look is not None and look.numFmt is not None else None
-    scale = rule.colorScale.color if rule.colorScale else ()
+    bar = [rule.dataBar.color] if rule.dataBar else []
+    grounds = [reader.colour(colour, UNKNOWN) for colour in (*(rule.colorScale.color if rule.colorScale else ()), *bar)]
     return RuleLook(
         str(rule.type),
         str(rule.operator or ""),
         format_sections(code)[:3] if code else (),
         reader.colour(font.color, "") if font else "",
-        "a scale of colours" if scale else reader.ground(fill, conditional=True) if fill else "",
+        tuple(grounds or ([reader.ground(fill, conditional=True)] if fill else [])),
         bool(font and font.strike),
         any(sign is not None and sign.showValue is False for sign in (rule.dataBar, rule.iconSet)),
     )
@@ -260,12 +270,13 @@ def is_same_rule(match: Match, fresh: Rule, placed: PlacedRule, group: CellGroup
 
 def rule_misleads(look: RuleLook, group: CellGroup) -> bool:
     """Whether a rule of one's own may have a figure or a verdict read otherwise, now or at other values."""
-    colours = bool(look.ink or look.ground)
+    colours = bool(look.ink or look.grounds)
     if group.is_verdict and (colours or look.number_format or look.is_struck):
         return True
     quantity = group.pairs[0].cell.quantity
     other = bool(look.number_format) and plain_number(look.number_format, quantity.unit) != ("N",)
-    hidden = colours and "scale" not in look.ground and contrast(look.ink or "000000", look.ground or "FFFFFF") < UNSEEN
+    ink = look.ink or INK
+    hidden = colours and any(contrast(ink, ground) < UNSEEN for ground in look.grounds or (WHITE,))
     return other or hidden or look.hides_value or look.is_struck
 
 
@@ -274,7 +285,7 @@ def describe_rule(look: RuleLook) -> str:
     gives = [
         f"number format {';'.join(look.number_format)}".replace("\0", "") if look.number_format else "",
         f"ink {look.ink}" if look.ink else "",
-        f"ground {look.ground}" if look.ground else "",
+        f"ground {', '.join(look.grounds)}" if look.grounds else "",
         "struck out" if look.is_struck else "",
         "bars or icons in place of figures" if look.hides_value else "",
     ]

@@ -130,9 +130,9 @@ def compare_charts(
         texts = name_text(fresh.title), name_text(held.title)
         more = set(TELLING.findall(texts[1])) - set(TELLING.findall(texts[0]))
         enter("title", *texts, held.title in others or bool(more))
-    if fresh.label_formats != held.label_formats:
-        kinds = {plain_number(format_sections(code)) for code in held.label_formats} - {("N",)}
-        enter("format of labels", "as built", ", ".join(held.label_formats), bool(kinds))
+    odd_formats = [code for code in held.label_formats if plain_number(format_sections(code)) != ("N",)]
+    if odd_formats:
+        enter("format of labels", "as built", ", ".join(odd_formats), True)
     compare_lines(match, fresh.lines, held.lines, enter)
     for n, (ours, theirs) in enumerate(zip(fresh.axes, held.axes, strict=True)):
         axis = "xy"[n]
@@ -166,9 +166,12 @@ def compare_lines(match: Match, fresh: list[Line], held: list[Line], enter: Call
         if not is_same_name(match, line.name, same.name) and (same.name or len(fresh) > 1):
             exchanged = any(is_same_name(match, other.name, same.name) for other in fresh if other is not line)
             enter("name of a line", name_text(line.name), name_text(same.name), exchanged)
-        for name, expected, found in (("seen", line.is_seen, same.is_seen), ("bent", line.is_bent, same.is_bent)):
-            if expected != found:
-                enter(f"{name} line {declared_text(match, line.name)!r}", expected, found, False)
+        for words, ours, theirs in (
+            (("drawn", "not drawn"), line.is_seen, same.is_seen),
+            (("bent between its points", "straight"), line.is_bent, same.is_bent),
+        ):
+            if ours != theirs:
+                enter(f"line {declared_text(match, line.name)!r}", words[not ours], words[not theirs], False)
     for line in missing:
         named = [other for other in free if other.name == line.name] or free
         if named:
@@ -254,7 +257,12 @@ class ChartReader:
         grounds = (paint_colour(child(plot, "spPr")), paint_colour(child(root, "spPr")))
         overlays = (child(root, "chart", name) for name in ("title", "legend"))
         additions = {tag(part) for part in everything} & DRAWN
+        bars = sum(tag(part) == "errBars" for part in everything)
         for name, is_there in (
+            (
+                f"{sum(tag(p) == 'errBars' for p in everything)} error bars",
+                any(tag(p) == "errBars" for p in everything),
+            ),
             ("points of their own", any(tag(p) == "dPt" and child(p, "spPr") is not None for p in everything)),
             ("labels of their own", any(tag(p) == "dLbl" and child(p, "tx") is not None for p in everything)),
             ("texts that cannot be seen", any(tag(p) in ("defRPr", "rPr") and is_unreadable(p) for p in everything)),

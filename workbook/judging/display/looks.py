@@ -65,7 +65,7 @@ class LookReader:
             name = tag(element)
             if name in OFFICE and len(element):  # a colour without digits cannot be known
                 given = element[0].get("lastClr") or element[0].get("val") or ""
-                self._theme[name] = UNKNOWN if len(element[0]) else given.upper()
+                self._theme[name] = UNKNOWN if len(element[0]) else given.upper() or UNKNOWN
             elif name in ("majorFont", "minorFont"):
                 face = next((child.get("typeface") for child in element if tag(child) == "latin"), None)
                 self.fonts[name.removesuffix("Font")] = face or ""

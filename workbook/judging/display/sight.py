@@ -35,11 +35,16 @@ SETTINGS = (  # elements and attributes of a book and its views, what programs t
     ("sheetView", "showFormulas", "0", True),
     ("sheetView", "showZeros", "1", True),
     ("sheetView", "rightToLeft", "0", False),
-    ("sheetView", "zoomScale", "100", False),
+    *(("sheetView", f"zoomScale{view}", "100", False) for view in ("", "Normal", "SheetLayoutView", "PageLayoutView")),
     ("pane", "ySplit", "0", False),
     ("pane", "xSplit", "0", False),
 )
-BESIDES = ("picture", "oleObjects", "controls")  # elements of a sheet that draw over or behind its cells
+# the elements of a worksheet that are compared elsewhere, or draw nothing; all others are told
+PAGE = frozenset(["AlternateContent", "autoFilter", "cellWatches", "colBreaks", "cols", "conditionalFormatting",
+    "dataValidations", "dimension", "drawing", "extLst", "headerFooter", "hyperlinks", "ignoredErrors", "legacyDrawing",
+    "mergeCells", "pageMargins", "pageSetup", "phoneticPr", "printOptions", "protectedRanges", "rowBreaks", "sheetData",
+    "sheetFormatPr", "sheetPr", "sheetProtection", "sheetViews", "sortState"])  # fmt: skip
+NEWER = frozenset(["dataValidations", "ignoredErrors"])  # such elements for newer programs, in an ``extLst``
 
 
 class Rectangle(NamedTuple):
@@ -185,14 +190,23 @@ def check_pages(match: Match, fresh: FreshBook, differences: Differences) -> Non
         if inspected:
             split = {("pane", "ySplit"): str(sheet.head)}
             compare_settings(inspected.pages[title], split, first, f"the view of {title}", differences)
-            for element in inspected.pages[title]:
-                if tag(element) in BESIDES or (tag(element) == "sheetViews" and len(element) > 1):
-                    held = f"{len(element) or 1} {tag(element)}"
-                    differences.add(first, "sheet", "as built", held, title, misleads=False)
+            for held in additional_elements(inspected.pages[title]):
+                differences.add(first, "sheet", "as built", held, title, misleads=False)
         for expected, held in zip(page_texts(ours), page_texts(theirs), strict=True):
             if expected != held:
                 differences.add(first, "header or footer", expected or "nothing", held or "nothing", title, False)
         check_print_area(match, title, sheet, theirs, differences)
+
+
+def additional_elements(page: Element) -> Iterator[str]:
+    """Yield the elements of a sheet's part that may show what no fresh build shows."""
+    for element in page:
+        if tag(element) not in PAGE:
+            yield tag(element)
+        if tag(element) == "sheetViews" and len(element) > 1:
+            yield f"{len(element)} views"
+        if tag(element) == "extLst":
+            yield from sorted({tag(part) for extension in element for part in extension} - NEWER)
 
 
 def compare_settings(
@@ -204,7 +218,7 @@ def compare_settings(
         for element in (child for child in root.iter() if tag(child) == name):
             held = element.get(attribute, usual)
             held = {"true": "1", "false": "0"}.get(held, held.removesuffix(".0"))
-            if held != expected:
+            if held != expected and (usual, held) != ("100", "0"):  # a zoom of 0 is the usual one
                 differences.add(at, f"{name} {attribute}", expected, held, what, misleads)
 
 
