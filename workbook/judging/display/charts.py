@@ -259,10 +259,7 @@ class ChartReader:
         additions = {tag(part) for part in everything} & DRAWN
         bars = sum(tag(part) == "errBars" for part in everything)
         for name, is_there in (
-            (
-                f"{sum(tag(p) == 'errBars' for p in everything)} error bars",
-                any(tag(p) == "errBars" for p in everything),
-            ),
+            (f"{bars} error bars", bars > 0),
             ("points of their own", any(tag(p) == "dPt" and child(p, "spPr") is not None for p in everything)),
             ("labels of their own", any(tag(p) == "dLbl" and child(p, "tx") is not None for p in everything)),
             ("texts that cannot be seen", any(tag(p) in ("defRPr", "rPr") and is_unreadable(p) for p in everything)),
