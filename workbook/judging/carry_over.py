@@ -9,7 +9,8 @@ from openpyxl.workbook.defined_name import DefinedName
 from workbook.book.address import Address
 from workbook.book.declare import Book
 from workbook.judging.display.cells import CellGroup, check_rules
-from workbook.judging.display.charts import pair_charts, read_charts
+from workbook.judging.display.chart_reader import read_charts
+from workbook.judging.display.charts import pair_charts
 from workbook.judging.display.groups import Differences
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
