@@ -6,6 +6,7 @@ from functools import partial
 import numpy as np
 
 from engine.laws.base import Array
+from engine.laws.points import POINTS
 from workbook.book.declare import Sheet, calc, constant
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
@@ -13,28 +14,32 @@ from workbook.fields.units import DEGREE, KW, shown
 from workbook.machines.machine.drive.view import DriveView
 
 CUTS = (
-    "Between two cuts of any drive each takes at most what it takes in the interval it is in: the sums bound the bus, "
-    "whatever its samples miss."
+    "Between two cuts of any drive each takes at most what it takes in the half of an interval that it is in: the sums "
+    "bound the bus, whatever its samples miss."
 )
+HALF = POINTS // 2  # points from the begin of an interval to its middle, and from there to its end
 SMALL = 1e-9  # share of a drive's larger peak up to which the other is none; the cells' check_zero
 kw = partial(shown, unit=KW)
 
 
-def interval_powers(view: DriveView) -> Array:
-    """Return begin and length (°) of the intervals of a drive, and its largest power each way in them (W): four rows.
+def half_powers(view: DriveView) -> Array:
+    """Return begin and length (°) of halves of a drive's intervals, its largest power each way in them (W): four rows.
 
-    Spare rows are at the end of the cycle, without length.
+    Spare halves are at the end of the cycle, without length.
     """
-    begin, end = shown(np.array([(part.begin, part.end) for part in view.cycle.intervals]).T, DEGREE)
-    power = view.points.power
-    ways = [filled(np.maximum(way.max(axis=1), 0.0), view.rows, max(way[-1, -1], 0.0)) for way in (power, -power)]
-    return np.array([filled(begin, view.rows, TURN), filled(end - begin, view.rows), *ways])
+    x, power, rows = shown(view.load.x, DEGREE), view.points.power, 2 * view.rows
+    halves = [np.stack([each[:, : HALF + 1], each[:, HALF:]], axis=1).reshape(-1, HALF + 1) for each in (x, power)]
+    begin, length = halves[0][:, 0], halves[0][:, -1] - halves[0][:, 0]
+    ways = (np.maximum(way.max(axis=1), 0.0) for way in (halves[1], -halves[1]))
+    last = float(power[-1, -1])
+    return np.array([filled(each, rows, spare) for each, spare in zip(
+        (begin, length, *ways), (TURN, 0.0, max(last, 0.0), max(-last, 0.0)), strict=True)])  # fmt: skip
 
 
 class BusCuts:
-    """Bounds of the power on the bus between the ``cuts`` of all its drives, the begins of their intervals.
+    """Bounds of the power on the bus between the ``cuts`` of all its drives, the begins of halves of their intervals.
 
-    ``begin`` and ``end`` of the intervals of all drives in degrees of the master shaft, what its drive ``draws`` and
+    ``begin`` and ``end`` of these halves of all drives in degrees of the master shaft, what its drive ``draws`` and
     ``returns`` in each at most (W); from each cut to the next what all have ``drawn`` and ``returned`` at most.
     ``shares`` are the ``peaks`` of each drive, on the mains and in its resistor (W), over the largest powers at its
     points: 0 of one that is not ``on_bus``.
@@ -42,7 +47,7 @@ class BusCuts:
 
     def __init__(self, drives: Sequence[DriveView], on_bus: Array, peaks: Array) -> None:
         self.drives, near = drives, drives[0].tables.machine.near
-        tables = [interval_powers(view) for view in drives]
+        tables = [half_powers(view) for view in drives]
         tops, counts = np.array([table[2:].max(axis=1) for table in tables]).T, [table.shape[1] for table in tables]
         counted = tops > SMALL * peaks[::-1]
         self.shares = on_bus * np.divide(peaks, tops, out=np.zeros(peaks.shape), where=counted)
@@ -76,27 +81,27 @@ class BusCuts:
 
 
 def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
-    """Declare what each drive takes and returns at most in each of its intervals, and all between two cuts."""
-    each = [(row, one) for row, one in enumerate(cuts.drives, 1) for _ in range(one.rows)]
-    numbers = [one.driven.number for _, one in each]
+    """Declare what each drive takes and returns at most in each half of its intervals, and all between cuts."""
+    each = [(row, one.driven.number) for row, one in enumerate(cuts.drives, 1) for _ in range(2 * one.rows)]
+    first = [1 + POINTS * k + side for one in cuts.drives for k in range(one.rows) for side in (0, HALF)]
+    numbers = [number for _, number in each]
     acts = "(([bus_cuts.from]<[at]+eps/2)*([at]+eps/2<[bus_cuts.to])+([at]+360+eps/2<[bus_cuts.to]))"
-    at = "INDEX(drive{0}_begin,[k])+[axes_taken.late.{0}]"
-    within = "SUMPRODUCT(MAX((drive{}_in=[k])*"
+    at = "INDEX(drive{0}_at,[k])+[axes_taken.late.{0}]"
+    powers = ",".join(f"INDEX(drive{{0}}_P,[k]+{n})" for n in range(HALF + 1))
     sheet.heading("Bounds of the power of the bus", CUTS)
     sheet.table(
-        "bus_cuts", "Intervals of all drives, and what they add up to between all cuts", len(each),
+        "bus_cuts", "Halves of the intervals of all drives, and what they add up to between all cuts", len(each),
         constant("row", "number", "", "", list(range(1, len(each) + 1))),
         constant("axis", "axis", "", "", numbers),
-        constant("k", "interval", "", "", [k for one in cuts.drives for k in range(1, one.rows + 1)]),
+        constant("k", "its first point", "", "", first),
         calc("from", "from", "", "°", [f"={at.format(n)}-360*INT(({at.format(n)}+eps)/360)" for n in numbers],
              cuts.begin, "of the master shaft", scale=TURN),
-        calc("to", "to", "", "°", [f"=[from]+INDEX(drive{n}_len,[k])" for n in numbers], cuts.end, scale=TURN),
+        calc("to", "to", "", "°", [f"=[from]+INDEX(drive{n}_at,[k]+{HALF})-INDEX(drive{n}_at,[k])" for n in numbers],
+             cuts.end, scale=TURN),
         calc("draws", "its drive takes at most", "", "kW",
-             [f"=[power.up.{row}]*{within.format(n)}drive{n}_P))" for (row, _), n in zip(each, numbers, strict=True)],
-             kw(cuts.draws)),
+             [f"=[power.up.{row}]*MAX(0,{powers.format(n)})" for row, n in each], kw(cuts.draws)),
         calc("returns", "returns at most", "", "kW",
-             [f"=[power.down.{row}]*{within.format(n)}(0-drive{n}_P)))"
-              for (row, _), n in zip(each, numbers, strict=True)], kw(cuts.returns)),
+             [f"=0-[power.down.{row}]*MIN(0,{powers.format(n)})" for row, n in each], kw(cuts.returns)),
         calc("at", "cut", "", "°", "=SMALL([bus_cuts.from],[row])", cuts.cuts, "of any drive", scale=TURN),
         calc("span", "to the next", "", "°",
              f"=IF([row]={len(each)},[bus_cuts.at.first]+360,SMALL([bus_cuts.from],MIN([row]+1,{len(each)})))-[at]",

@@ -89,8 +89,7 @@ def pace(machine: MachineView) -> list[Quantity]:
             result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time)]  # fmt: skip
 
 
-POINTS = {"at": "theta", "T": "T", "n": "n", "P": "P", "in": "iv"}
-INTERVALS = {"up": "dir", "begin": "begin", "len": "len"}  # up: 1 forwards, -1 backwards
+POINTS = {"at": "theta", "T": "T", "n": "n", "P": "P"}
 
 
 def named_drive_sheet(book: Book, view: DriveView) -> None:
@@ -100,7 +99,7 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
     if view.for_selection:
         names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "Sm" if view.brakes else "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
-    book.name(f"drive{i}_iv", **{f"drive{i}_{name}": column for name, column in INTERVALS.items()})
+    book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards
 
 
 def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:
