@@ -36,6 +36,7 @@ AXES = {
     "rocker": linked((20, 140, 25.0, "CIC"), (190, 330, -25.0, "MTP"), mechanism=ROCKER | {"efficiency": 0.8}, **LOSSY),
     "press": press(), "arm": arm((20.0, 140.0, 90.0, "CIC"), (190.0, 330.0, -90.0, "MTP"), closes="position"),
 }  # fmt: skip
+PEAKS = ("tmax", "tmin", "pmax", "pmin", "res_peak", "highest")  # which a study has by the parabola alone
 RESULTS = ("tmax", "tmin", "rms", "speed", "mean", "smax", "smean", "energy", "returned", "jtot", "highest")
 
 
@@ -213,4 +214,5 @@ def test_a_study_has_the_results_of_the_book(kind):
     for name in shared:
         there, here = found.named[name](), values[name]
         told = np.ravel(there)[0]
-        assert str(told) == here if isinstance(here, str) else told == pytest.approx(here, rel=1e-9), name
+        near = 5e-3 if name.removeprefix("drive1_") in PEAKS else 1e-9
+        assert str(told) == here if isinstance(here, str) else told == pytest.approx(here, rel=near), name
