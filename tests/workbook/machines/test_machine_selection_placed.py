@@ -11,6 +11,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import RISE, small
 from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, ROCKER, TABLE, linked
 from tests.workbook.machines.test_machine_selection import MOTORS, REDUCERS, WIDE
+from workbook.selection.entries import Limits
 
 BELOW = 5e-3
 """of a peak: what it may be more between the nodes"""
@@ -21,7 +22,10 @@ def choosing(*axes, **selection):
     """A machine with the catalogue, that looks at the last of its axes."""
     data = small([driven(*RISE)]).model_dump() | {"axes": list(axes)}
     data["sizes"] |= {"motors": 6, "reducers": 5, "phases": 2, "rotors": 2}
-    data["selection"] = {"motors": MOTORS, "reducers": REDUCERS, "axis": axes[-1]["name"]} | WIDE | selection
+    choice = WIDE | selection
+    data["limits"] = {name: value for name, value in choice.items() if name in Limits.model_fields}
+    chosen = {name: value for name, value in choice.items() if name not in Limits.model_fields}
+    data["selection"] = {"motors": MOTORS, "reducers": REDUCERS, "axis": axes[-1]["name"]} | chosen
     return TEMPLATE.model.model_validate(data)
 
 
