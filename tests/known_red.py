@@ -1,6 +1,6 @@
 """Tests that show a stated bound which does not hold yet: listed in known_red.toml, each entry with its reason.
 
-A listed test may fail, and the run stays green. A whole night fails where all tests of an entry pass: it is mended.
+A listed test may fail, and the run stays green. Where all tests of an entry pass, the end of the run tells it.
 """
 
 import tomllib
