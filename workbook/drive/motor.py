@@ -29,7 +29,7 @@ def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> l
 def inertia_check(of: str, cell: str, limit: str, ratio: float, most: float) -> Quantity:
     """Return the check of the inertia ratio."""
     return check("@ok_inertia", f"{of}: inertia ratio within its limit", f"{cell}<={limit}", ratio <= most,
-                 says=exceeding(cell, limit, "", ratio, most))  # fmt: skip
+                 says=amount(cell, ratio, "the load has ", " times the motor's inertia"))  # fmt: skip
 
 
 def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTHING) -> Quantity:
