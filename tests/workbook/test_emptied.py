@@ -5,7 +5,7 @@ import re
 import openpyxl
 import pytest
 
-from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
+from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as, description
 from tests.workbook.test_unfinished import small
 from workbook.book.rows import as_rows
 from workbook.build import build, read_inputs
@@ -13,7 +13,7 @@ from workbook.entries import rules
 from workbook.entries.design import finished, fitting
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import read_machine
+from workbook.reading.descriptions import counted_from_1, described, read_machine
 from workbook.templates import TEMPLATES
 
 
@@ -133,3 +133,25 @@ def test_what_stands_for_a_table_that_the_example_lacks_is_made_only_where_it_ca
     assert fitting(model, "axes.0.mechanism", bare, {"axes": [{"mechanism": {}}]}) == 1.0  # refused, and no traceback
     named = {"laws": {"Soft": {"family": "PO5"}}}
     assert fitting(model, "laws.Soft", {"laws": {}}, named)["lift"] == 100.0
+
+
+LISTS = {
+    "a switch without times": {"switches": [{"name": "Valve"}]},
+    "a switch whose list is empty": {"switches": [{"name": "Valve", "on": []}, {"name": "Sensor", "on": [[10, 20]]}]},
+    "a switch over seconds": {"switches": [{"name": "Valve"}], "master": {"cycle": 360.0, "unit": "s"}},
+    "an own law without pieces": {"laws": {"OWN": {"pieces": []}}},
+    "a spline without points": {"laws": {"SPL": {"points": []}}},
+    "a spline of one point": {"laws": {"SPL": {"points": [{"at": 0.0, "s": 0.0}]}}},
+}
+
+
+@pytest.mark.parametrize("what", LISTS)
+def test_a_list_without_rows_is_the_same_in_the_description_and_in_its_book(what, tmp_path):
+    given = described(TEMPLATES["machine"], description() | LISTS[what], counted_from_1)
+    build(given, tmp_path / "book.xlsx")
+    assert verify(tmp_path / "book.xlsx").findings == []
+    back, _ = read_inputs(tmp_path / "book.xlsx")
+    for law in ("OWN", "SPL"):
+        if law in LISTS[what].get("laws", {}):
+            assert back.design.faults == given.design.faults
+    assert [switch.on for switch in back.switches] == [switch.on for switch in given.switches]

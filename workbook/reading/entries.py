@@ -146,6 +146,9 @@ class Entries:
         rows = [[self._entered(place.cell(i, j), q) for j, q in inputs] for i in range(place.rows)]
         self._look_below(block, [place.cell(place.rows - 1, j) for j, _ in inputs])
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
+        table, rowwise, _ = inputs[0][1].key.partition(".*")
+        if rowwise and not used and self._must_be_there(table):
+            set_at(self.data, table.split("."), [])
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
             for (j, q), value in zip(inputs, rows[i], strict=True):
                 key = q.key.replace("*", str(i))

@@ -249,7 +249,8 @@ def intervals_table(sheet: Sheet, at: SplineTable) -> None:
 
 NARROW = "MATCH(1,[@solved.narrow],0)"
 OUTER = ("[@points.xi.1]", "[@points.s.1]", "INDEX([@points.xi],@used)", "INDEX([@points.s],@used)")
-LEADS = "AND(" + ",".join(f"{cell}={value}" for cell, value in zip(OUTER, "0011", strict=True)) + ")"
+ENDS_MEET = ",".join(f"{cell}={value}" for cell, value in zip(OUTER, "0011", strict=True))
+LEADS = f"OR(@used<2,AND({ENDS_MEET}))"
 PLACES = (f"{NARROW}+1", f"INDEX([@points.xi],{NARROW}+1)", f"INDEX([@points.xi],{NARROW})")
 
 PAGE = SplinePage(

@@ -58,7 +58,8 @@ class SwitchEntry(Model):
     """whether its entries alone tell if its times lie right: else the machine does, which knows the cycle's length"""
     name: Name
     on: Annotated[list[TimeOn], Field(max_length=TIMES)] = Field(
-        description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less"
+        default=[],
+        description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less",
     )
 
     @field_validator("on", mode="before")

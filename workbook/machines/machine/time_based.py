@@ -78,7 +78,8 @@ class TimedSwitch(SwitchEntry):
 
     PLACED: ClassVar[bool] = False
     on: Annotated[list[TimedOn], Field(max_length=TIMES)] = Field(  # type: ignore[assignment]
-        description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less"
+        default=[],
+        description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less",
     )
 
 
