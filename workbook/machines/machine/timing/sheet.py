@@ -117,7 +117,7 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
         entry("shift", "shift", "shift", "", over.unit, format=over.format, source="later than its phases say"),
         entry("position", "begins at", "position", "y_0", unit, format="0.0##"),
         result("travel", "travel a cycle", "Σh", unit, each(axes, "SUM([{0}.h])"),
-               [shown(a.motion.lifts_sum, a.unit) for a in axes]),
+               [shown(a.motion.lifts_sum, a.unit) for a in axes], scale=max(most) or 1.0),
         *(result(name, f"{name}est position", "", unit, each(axes, f"{end}([{{0}}_steps.{name}])"),
                  [shown(a.motion.reach[k], a.unit) for a in axes], scale=size)
           for k, (name, end) in enumerate((("low", "MIN"), ("high", "MAX")))),
