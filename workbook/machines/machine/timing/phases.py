@@ -162,7 +162,8 @@ def faults(tables: AxisTables) -> list[Quantity]:
              source=NO_FAULT),
         *([beyond(over)] if over.measured else []),
         calc("lack", "jump of y", "Δy", tables.axis.base, own(tables, "", lacking),
-             filled([p.missing_lift for p in tables.axis.phases], tables.rows), source="at its end: the law's lack"),
+             filled([p.missing_lift for p in tables.axis.phases], tables.rows), source="at its end: the law's lack",
+             scale=tables.axis.motion.size(0)),
     ]  # fmt: skip
 
 
