@@ -75,6 +75,10 @@ class Plan:
                 path = (*one.takes, entry)
                 now, begun = (found.get(place, entry_at(self.data, place)) for place in (path, own))
                 found[path] = now + way * (value - begun)
+            if own[-1] == "law":  # perhaps of a new family
+                known = dict.fromkeys(self.base.laws.names, {})
+                named = with_laws_by_code({"law": value, "laws": known})
+                value, found = named["law"], found | {("laws", law): {} for law in named["laws"] if law not in known}
             found |= dict.fromkeys(one.paths, value)
         return followed(self.links, self.data, found)
 
@@ -84,7 +88,7 @@ class Plan:
         for path, value in self.changes(chosen).items():
             data = dict(with_entry(data, path, value))
         try:
-            machine, faults = validated(type(self.base), self.template.check, with_laws_by_code(data))
+            machine, faults = validated(type(self.base), self.template.check, data)
         except EntryError as error:
             return Impossible(f"{error.field}: {error}")
         except RefusedError as error:
