@@ -76,7 +76,7 @@ class Plan:
                 now, begun = (found.get(place, entry_at(self.data, place)) for place in (path, own))
                 found[path] = now + way * (value - begun)
             if own[-1] == "law":  # perhaps of a new family
-                known = dict.fromkeys(self.base.laws.names, {})
+                known: dict[str, Any] = {name: {} for name in self.base.laws.names}
                 named = with_laws_by_code({"law": value, "laws": known})
                 value, found = named["law"], found | {("laws", law): {} for law in named["laws"] if law not in known}
             found |= dict.fromkeys(one.paths, value)
