@@ -80,8 +80,9 @@ class ChartReader:
     def chart(self, root: Element, number: int = 0) -> ChartData:
         """Return a chart."""
         plot, everything = child(root, "chart", "plotArea"), list(root.iter())
-        groups = [part for part in plot if tag(part).endswith("Chart")] if plot is not None else []
-        axes = {val_of(part, "axId"): self._axis(part) for part in plot or () if tag(part).endswith("Ax")}
+        parts = [] if plot is None else list(plot)
+        groups = [part for part in parts if tag(part).endswith("Chart")]
+        axes = {val_of(part, "axId"): self._axis(part) for part in parts if tag(part).endswith("Ax")}
         ids = [str(part.get("val")) for part in groups[0] if tag(part) == "axId"][:2] if groups else []
         first, second = (*(axes.get(name, Axis()) for name in ids), Axis(), Axis())[:2]
         grounds = (paint_colour(child(plot, "spPr")), paint_colour(child(root, "spPr")))
