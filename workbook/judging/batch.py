@@ -14,12 +14,13 @@ from fnmatch import fnmatch
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError, visible
+from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError, WitnessError, visible
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.pool import THIS_PROCESS, Pool, WorkerDied, collecting_between, collector_paused
 from workbook.reading.files import SUFFIXES
 from workbook.text_files import irregular_kind
+from workbook.witnesses.witness import in_full
 
 MOST_READ = 2**24  # bytes of a workbook's list of names
 
@@ -74,6 +75,8 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
         sha256 = file_digest(path)
         if before and file_state(path) != before:
             return no_report(path, "cannot be read: it changed while it was read; try again")
+    except WitnessError as error:
+        return no_report(path, str(error))
     except MotionbookError as error:
         return Outcome(path, "unreadable", reason=str(error))
     except FileNotFoundError:
@@ -85,7 +88,8 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
         return no_report(path, f"verifying it failed inside motionbook {failed}; please report this")
     if report.findings and all(one.kind == "witness" for one in report.findings):  # no cell is known to be wrong
         found = report.findings[0]
-        return no_report(path, f"{found.cell} gave no values to compare: {found.computed}")
+        version = next(ran.version for ran in report.witnesses if ran.name == found.cell)
+        return no_report(path, f"{in_full(found.cell, version)} gave no values to compare: {found.computed}")
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
 

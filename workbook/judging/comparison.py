@@ -18,7 +18,7 @@ from workbook.judging.report import CAUSES, Finding, Report, WitnessRun
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.templates import AnyTemplate
-from workbook.witnesses.witness import CellWitness, Model, Witness
+from workbook.witnesses.witness import CellWitness, Model, Witness, in_full, naming_failures
 
 TOLERANCE = 1e-9  # relative to the greatest value of the cell's column
 
@@ -81,19 +81,34 @@ class Comparison:
         report.cells |= Counter(pair.address.sheet for pair in match.pairs if pair.declared_formula)
 
     def ask(self, witness: Witness) -> None:
-        """Compare what a witness says, or enter why it says nothing."""
+        """Compare what a witness says, or enter why it says nothing; raise WitnessError where all rests on it."""
         ran = WitnessRun(witness.name, witness.version())
         self.report.witnesses.append(ran)
         try:
             file = self.match.file if witness.kept else self.bare
-            values = self.model.evaluate() if witness is self.single else witness.values(file)
+            with naming_failures(witness):
+                values = self.model.evaluate() if witness is self.single else witness.values(file)
+                if not witness.kept:
+                    self._require_most(witness, values)
         except WitnessError as error:
+            if witness is self.single:
+                raise
             ran.why, ran.too_large = str(error), isinstance(error, TooLargeError)
             return
         if witness.kept:
             self._kept(ran, values)
         else:
             self._computed(ran, values)
+
+    def _require_most(self, witness: Witness, values: Cells) -> None:
+        """Raise WitnessError where a witness itself failed in half of the cells: that is no fault of theirs."""
+        wanted = [a for a, pair in self.pairs.items() if pair.cell.expected is not None]
+        raised = self.model.raised if witness is self.single else ()
+        without = [a for a in wanted if a in raised or values.get(a) is None]
+        if without and 2 * len(without) >= len(wanted):
+            why = self.model.problems.get(without[0], "no value") if raised else "no value"
+            most = f"in {len(without):,} of {len(wanted):,} formula cells, the first {without[0]}: {why}"
+            raise WitnessError(f"{in_full(witness.name, witness.version())} failed {most}")
 
     def require_answers(self, named: Collection[str]) -> None:
         """Enter a finding for each failed witness if it was named and the file not too large, or if none computed."""

@@ -28,7 +28,7 @@ from workbook.reading.files import BookFile, open_book, require_little_work
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.registry import ALL, WITNESSES
-from workbook.witnesses.witness import CellWitness, Witness, evaluation_copy
+from workbook.witnesses.witness import CellWitness, Witness, evaluation_copy, naming_failures
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
@@ -87,7 +87,9 @@ def judge(
         asked.sort(key=lambda w: w.kept)
         every = (*asked, *(make() for make in WITNESSES.values()))
         single = next(w for w in every if isinstance(w, CellWitness))
-        comparison = Comparison(match, bare, single, single.model(bare, (pair.address for pair in match.pairs)), report)
+        with naming_failures(single):
+            model = single.model(bare, (pair.address for pair in match.pairs))
+        comparison = Comparison(match, bare, single, model, report)
         for witness in asked:
             comparison.ask(witness)
         comparison.require_answers(named)

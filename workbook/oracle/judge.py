@@ -18,8 +18,9 @@ from workbook.oracle.declarations import SMALLEST, Case, Oracle, Output, Table, 
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreement import UNKNOWN, same_value
-from workbook.witnesses.pycel.model import PycelModel
+from workbook.witnesses.pycel.model import PycelModel, require_working
 from workbook.witnesses.registry import WITNESSES
+from workbook.witnesses.witness import naming_failures
 
 Coverage = Literal["compared", "step", "unaccounted"]
 PROBES = 8  # cases at which a step is changed, to see whether an output follows
@@ -64,6 +65,7 @@ class Judge:
     """A workbook and its oracle."""
 
     def __init__(self, file: BookFile, oracle: Oracle) -> None:
+        require_working()
         self.file, self.oracle = file, oracle
         self.cells = {one: find_cell(file, one.cell) for one in oracle.inputs}
         for one, cell in self.cells.items():
@@ -169,8 +171,10 @@ class Judge:
             yield from (self.values(case) for case in tried)
         else:
             constants = self.file.contents.constants
-            for given, values in WITNESSES[name]().varied(self.file, map(self.given, tried)):
-                yield constants | given | values
+            witness = WITNESSES[name]()
+            with naming_failures(witness):
+                answers = witness.varied(self.file, map(self.given, tried))
+                yield from (constants | given | values for given, values in answers)
 
     def given(self, case: Case) -> Cells:
         """Return the values of a case by their cells."""

@@ -11,7 +11,7 @@ from workbook.errors import DisputedError, WitnessError, quoted
 from workbook.reading.contents import Cells, Contents
 from workbook.reading.files import BookFile, require_little_work
 from workbook.witnesses.registry import WITNESSES
-from workbook.witnesses.witness import CYCLE, Witness, evaluation_copy
+from workbook.witnesses.witness import CYCLE, Witness, evaluation_copy, naming_failures
 
 ENOUGH = 2  # evaluators that must agree
 DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
@@ -112,7 +112,8 @@ class Evaluation:
         aside = set(self._file.contents.formula_cells).difference(cells)
         with evaluation_copy(self._file, aside - self._file.contents.needed(aside, cells), {}) as bare:
             require_little_work(bare, self._file.path)
-            return witness.values(bare)
+            with naming_failures(witness):
+                return witness.values(bare)
 
 
 def files_of(contents: Contents, asked: Collection[Address]) -> Iterator[Collection[Address]]:

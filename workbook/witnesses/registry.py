@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import platform
 from collections.abc import Callable
 from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING
+
+from workbook.errors import WitnessError
 
 if TYPE_CHECKING:
     from workbook.witnesses.witness import Witness
@@ -14,8 +17,12 @@ ALL = "all"  # all of them that are on this machine
 
 
 def load_witness(module: str, name: str) -> Witness:
-    """Return a new witness of a module and class."""
-    witness: Witness = getattr(import_module(f"workbook.witnesses.{module}"), name)()
+    """Return a new witness of a module and class; raise WitnessError where what it rests on cannot be loaded."""
+    try:
+        witness: Witness = getattr(import_module(f"workbook.witnesses.{module}"), name)()
+    except Exception as error:  # of a package that is broken, anything
+        python = platform.python_version()
+        raise WitnessError(f"{name} cannot be loaded by Python {python}: {type(error).__name__}: {error}") from error
     return witness
 
 

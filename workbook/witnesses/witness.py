@@ -1,6 +1,7 @@
 """What a witness is, and the copies of books it may be given: without what keeps programs from opening a file."""
 
 import io
+import platform
 import tempfile
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -13,7 +14,7 @@ from openpyxl import Workbook
 from openpyxl.workbook.defined_name import DefinedName, DefinedNameDict
 
 from workbook.book.address import Address
-from workbook.errors import WitnessError
+from workbook.errors import MotionbookError, WitnessError
 from workbook.reading.cells import saved_values
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile, find_places
@@ -47,12 +48,34 @@ class Witness:
                 yield given, self.values(copy)
 
 
+@contextmanager
+def naming_failures(witness: Witness) -> Iterator[None]:
+    """Raise whatever goes wrong inside an evaluator as a WitnessError that names it, its version and Python's."""
+    try:
+        yield
+    except (MotionbookError, OSError, KeyboardInterrupt, SystemExit, GeneratorExit):
+        raise
+    except BaseException as error:  # panics of Rust are no Exceptions
+        raise WitnessError(f"{in_full(witness.name, witness.version())}: {type(error).__name__}: {error}") from error
+
+
+def in_full(name: str, version: str | None) -> str:
+    """Return a witness' name with its version and Python's, on both of which its values rest."""
+    python = f"Python {'.'.join(platform.python_version_tuple()[:2])}"
+    said = f"{name} {version or 'of no known version'}"
+    return said if python in said else f"{said} ({python})"
+
+
 class Model(Protocol):
     """A file's formulas as a witness holds them, to be evaluated again and again."""
 
     @property
     def problems(self) -> Mapping[Address, str]:
         """Why cells could not be evaluated, each in a line."""
+
+    @property
+    def raised(self) -> Collection[Address]:
+        """The cells in which the witness itself failed."""
 
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""

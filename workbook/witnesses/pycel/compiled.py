@@ -55,7 +55,8 @@ def compiled(shape: str) -> Compiled | FormulaError:
     except RecursionError:
         return FormulaError("#VALUE!", "the formula is nested too deeply")
     except Exception as error:  # pycel's parser and compiler raise whatever Python raises
-        return FormulaError("#NAME?", f"pycel cannot compile it: {str(error)[:120]}")
+        why = error.__context__ or error  # pycel wraps what was raised in an error that quotes all of its text
+        return FormulaError("#NAME?", f"pycel cannot compile it: {str(why)[:120]}")
 
 
 def check_tokens(tokens: Sequence[Token]) -> None:

@@ -2,6 +2,7 @@
 
 import sys
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from functools import cache
 from importlib.metadata import version
 from typing import Any
 
@@ -12,6 +13,7 @@ from pycel.excelutil import AddressRange
 from workbook.book.address import Address
 from workbook.book.columns import Moved, Moving
 from workbook.book.formula import Area, Formula, FormulaError, bounded
+from workbook.errors import WitnessError
 from workbook.reading.contents import Cells, Contents, plain_value
 from workbook.reading.files import BookFile
 from workbook.witnesses.pycel.compiled import FormulaStep, Numbering, RangeStep, compiled, evaluation_order
@@ -34,7 +36,20 @@ class Pycel(CellWitness):
 
     def model(self, file: BookFile, cells: Iterable[Address] = ()) -> Model:
         """Return the formulas of a file, to be evaluated at other values, and cell by cell."""
+        require_working()
         return PycelModel(file.contents, given=cells)
+
+
+@cache
+def require_working() -> None:
+    """Raise WitnessError where pycel does not compute what is known: then no book is to blame for what it says."""
+    known = Workbook()
+    known.worksheets[0].append([3.0, "=IF(A1>2,SUM(A1:A2)-A1^2*0.5,0)"])
+    model = PycelModel(known)
+    ((cell, value),) = model.evaluate().items()
+    if value != -1.5:
+        why = model.problems.get(cell, f"it has {value!r} for -1.5")
+        raise WitnessError(f"pycel {Pycel().version()} fails in a formula whose value is known: {why}")
 
 
 class PycelModel:
@@ -48,6 +63,7 @@ class PycelModel:
     ) -> None:
         contents = Contents(held) if isinstance(held, Workbook) else held
         self.problems: dict[Address, str] = dict(contents.problems)
+        self.raised: set[Address] = set()  # cells in which pycel's own code failed
         self.constants, self.formulas, self._failed = contents.constants, contents.formulas, contents.failed
         if cells is not None:
             self.formulas = {cell: self.formulas[cell] for cell in cells if cell in self.formulas}
@@ -85,6 +101,7 @@ class PycelModel:
                 self._fill(number, area)
         values = list(self._numbers.values)
         ArrayCells.cells = 0
+        self.raised.clear()
         for number, value in given.items():
             values[number] = value
         for number in self._order:
@@ -175,6 +192,8 @@ class PycelModel:
             except Exception as error:  # pycel's functions raise whatever Python raises
                 result = error_value(error)
                 problem = "" if result == "#NUM!" else f"pycel: {type(error).__name__}: {str(error)[:120]}"
+                if address and problem:
+                    self.raised.add(address)
         if address and number not in self._cyclic:  # a problem of an evaluation before is taken back
             if problem:
                 self.problems[address] = problem

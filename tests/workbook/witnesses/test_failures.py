@@ -1,0 +1,89 @@
+"""An evaluator that fails is named in a line with its version and Python's; the book is not to blame: exit code 2."""
+
+import ast
+import sys
+from functools import partial
+from importlib.metadata import version
+
+import formualizer
+import pytest
+
+from workbook.witnesses.pycel import compiled, model
+from workbook.witnesses.registry import WITNESSES, load_witness
+
+PYTHON = "Python {}.{}".format(*sys.version_info)
+
+
+class PanicError(BaseException):
+    """What an engine in Rust raises."""
+
+
+def raises(error):
+    def function(*_):
+        raise error
+
+    return function
+
+
+@pytest.fixture
+def fails(press, motionbook, capsys):
+    """Verify a right book by a witness that fails; return the one line that says so."""
+
+    def run(witness):
+        code, out, err = motionbook("verify", press.path, "--with", witness)
+        assert (code, out) == (2, ""), out
+        assert " finding" not in err
+        line = " ".join(err.split())
+        assert line.startswith(f"{press.path}: ")
+        return line
+
+    return run
+
+
+def test_pycel_without_what_it_rests_on(fails, monkeypatch):
+    compiled.compiled.cache_clear()
+    model.require_working.cache_clear()
+    monkeypatch.setattr(compiled.excelformula, "ast", ast)
+    monkeypatch.delattr(ast, "Str", raising=False)
+    monkeypatch.delattr(ast, "__getattr__", raising=False)
+    line = fails("pycel")
+    compiled.compiled.cache_clear()
+    assert f"pycel 1.0b30 ({PYTHON}) fails in a formula whose value is known" in line
+    assert "has no attribute 'Str'" in line
+
+
+def test_pycel_that_raises_in_every_cell(fails, monkeypatch):
+    model.require_working()
+    monkeypatch.setattr(compiled.FormulaStep, "compute", raises(SystemError("broken")))
+    line = fails("pycel")
+    assert f"pycel 1.0b30 ({PYTHON}) failed in " in line
+    assert "pycel: SystemError: broken" in line
+
+
+def test_a_witness_of_which_a_module_is_missing(press, motionbook, monkeypatch):
+    monkeypatch.setitem(WITNESSES, "pycel", partial(load_witness, "no_such_module", "Pycel"))
+    code, out, err = motionbook("verify", press.path)
+    assert (code, out) == (2, "")
+    assert f"Pycel cannot be loaded by {PYTHON}" in " ".join(err.split())
+
+
+@pytest.mark.parametrize(
+    "error", [ImportError("no module"), MemoryError(), PanicError("it panicked"), TypeError("odd")]
+)
+def test_an_engine_that_raises_anything(fails, monkeypatch, error):
+    monkeypatch.setattr(formualizer, "recalculate_xlsx_bytes", raises(error))
+    assert f"formualizer {version('formualizer')} ({PYTHON}) gave no values" in fails("formualizer")
+
+
+def test_an_engine_without_a_value_in_any_cell(fails, monkeypatch):
+    monkeypatch.setattr("workbook.witnesses.engines.cached_values", lambda _, file: dict.fromkeys(file.saved))
+    assert "formula cells, the first " in fails("formualizer")
+
+
+def test_a_failed_engine_spoils_no_input_that_holds_a_formula(press, motionbook, monkeypatch, tmp_path):
+    path = tmp_path / "b.xlsx"
+    opened = press.opened()
+    opened["Summary"]["Z99"] = "=1+1"
+    opened.save(path)
+    monkeypatch.setattr(formualizer, "recalculate_xlsx_bytes", raises(PanicError("it panicked")))
+    assert motionbook("verify", path)[0] == 0
