@@ -1,12 +1,13 @@
 """The LAMBDA names in a workbook, computed by IronCalc."""
 
-import ironcalc
 import openpyxl
+import pytest
 from openpyxl.workbook.defined_name import DefinedName
 
 from tests.functions.case import write
 from workbook.functions.names import definitions
 
+ironcalc = pytest.importorskip("ironcalc")  # which has no wheel for every Python
 BLOCK = 400  # cases a workbook: IronCalc keeps 0.7 MB for each, and its time grows faster than their number
 
 

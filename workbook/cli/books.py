@@ -168,8 +168,7 @@ def verify(
 
         if len(books) != 1:
             raise typer.BadParameter(f"--against takes one workbook; {len(books)} are named")
-        asked = witnesses or command.WITNESSES
-        raise typer.Exit(command.against(books[0], against, cases, cover, marked, as_json, force, asked))
+        raise typer.Exit(command.against(books[0], against, cases, cover, marked, as_json, force, witnesses))
     from workbook.commands.verify import verify as run
 
     raise typer.Exit(run(books, as_json, report, junit, sarif, force, witnesses, jobs, everything, scheduler))

@@ -20,7 +20,7 @@ from workbook.reports.terminal import ERR, OUT, print_or_write, say, say_json, s
 from workbook.witnesses.registry import WITNESSES as REGISTER
 from workbook.writing.output_files import refuse_existing, refuse_itself, replace
 
-WITNESSES = (FIRST, "formualizer")  # the evaluators asked by default
+WITNESSES = (FIRST, "formualizer")  # the evaluators asked by default, where they are there
 COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
 
 
@@ -45,7 +45,7 @@ def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) ->
 
 def against(
     path: Path, declarations: Path, number: int, cover: float | None, marked: Path | None, as_json: bool, force: bool,
-    witnesses: Sequence[str] = WITNESSES,
+    witnesses: Sequence[str] | None = None,
 ) -> int:  # fmt: skip
     """Compare a workbook with its oracle, print what came of it; return the exit code."""
     refuse_itself(marked, path)
@@ -53,7 +53,8 @@ def against(
         refuse_existing(marked, force)
     with ERR.status(shown(f"Comparing {path} with {declarations} …")):
         file = open_book(path)
-        names = [name for name in available_witnesses(witnesses)[0] if not REGISTER[name]().kept]
+        asked = witnesses or [name for name in WITNESSES if REGISTER[name]().version() is not None]
+        names = [name for name in available_witnesses(asked)[0] if not REGISTER[name]().kept]
         found = Judge(file, load_oracle(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
     if marked is not None:  # a copy in which the formula cells of each class have a colour of their own
         copy = load_workbook(path)

@@ -5,12 +5,21 @@ import sys
 from functools import partial
 from importlib.metadata import version
 
-import formualizer
+import openpyxl
 import pytest
 
+from workbook.witnesses import engines
 from workbook.witnesses.pycel import compiled, model
 from workbook.witnesses.registry import WITNESSES, load_witness
 
+formualizer = pytest.importorskip("formualizer")
+DECLARED = """from workbook.oracle import Oracle
+book = Oracle("Three times")
+x = book.input("A1", low=1, high=5)
+@book.output("B1")
+def y(x):
+    return 3 * x
+"""
 PYTHON = "Python {}.{}".format(*sys.version_info)
 
 
@@ -87,3 +96,13 @@ def test_a_failed_engine_spoils_no_input_that_holds_a_formula(press, motionbook,
     opened.save(path)
     monkeypatch.setattr(formualizer, "recalculate_xlsx_bytes", raises(PanicError("it panicked")))
     assert motionbook("verify", path)[0] == 0
+
+
+def test_a_book_is_compared_with_declarations_where_formualizer_is_not(press, motionbook, monkeypatch, tmp_path):
+    monkeypatch.setattr(engines.Formualizer, "version", lambda _: None)  # as on Windows on ARM
+    opened = openpyxl.Workbook()
+    opened.active.append([2.0, "=A1*3"])
+    opened.save(tmp_path / "b.xlsx")
+    (tmp_path / "d.py").write_text(DECLARED, encoding="utf-8")
+    code, out, err = motionbook("verify", tmp_path / "b.xlsx", "--against", tmp_path / "d.py")
+    assert (code, err) == (0, ""), out
