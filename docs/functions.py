@@ -12,7 +12,6 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import formulon
 import ironcalc
 import openpyxl
 from openpyxl.workbook.defined_name import DefinedName
@@ -22,7 +21,8 @@ from tests.functions.calc import Calc
 from workbook.book.address import Address
 from workbook.functions import publish
 from workbook.functions.names import definitions
-from workbook.witnesses.engines import Formulon, IronCalc, LibreOffice, formulon_values
+from workbook.witnesses.engine_process import formulon
+from workbook.witnesses.engines import Formulon, IronCalc, LibreOffice
 
 PAGE = Path(__file__).with_suffix(".md")
 HEAD = """\
@@ -77,9 +77,7 @@ def written_to(path: Path, names: bool, told: Callable[[str], str] = str) -> Pat
 
 def by_formulon(path: Path) -> list[Any]:
     """Return what the names answer, computed by formulon."""
-    with formulon.Workbook.load(written_to(path, True, all_required).read_bytes()) as book:
-        book.recalc()
-        held = formulon_values(book)
+    held = formulon(written_to(path, True, all_required).read_bytes())
     return [held.get(Address("Sheet", row, 7)) for row in range(1, len(ASKED) + 1)]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import re
 import shutil
 import subprocess
@@ -11,17 +12,12 @@ import tempfile
 from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from workbook.book.address import Address
 from workbook.errors import TooLargeError, WitnessError
 from workbook.reading.contents import Cells, plain_value
 from workbook.reading.files import BookFile
-from workbook.reading.rows import LAST_COLUMN, LAST_ROW
 from workbook.witnesses.witness import Witness, cached_values, evaluation_copy
-
-if TYPE_CHECKING:
-    from formulon import Value, Workbook
 
 ERRORS = {"Div": "#DIV/0!", "Na": "#N/A", "Name": "#NAME?", "Null": "#NULL!", "Num": "#NUM!", "Ref": "#REF!"}
 TIMEOUT = 300  # seconds
@@ -51,14 +47,12 @@ class Formualizer(Witness):
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell."""
-        import formualizer  # where it is asked: it takes long to load
-
         try:
-            filled = formualizer.recalculate_xlsx_bytes(file.path.read_bytes())["bytes"]
-        except Exception as error:
+            filled = ask_apart(self, file.path.read_bytes())
+        except WitnessError as error:
             if "cell count limit" in str(error):
                 raise TooLargeError("formualizer takes no workbook of so many formula cells") from error
-            raise WitnessError(f"formualizer cannot evaluate the file: {error}") from error
+            raise
         return cached_values(filled, file)
 
     def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
@@ -86,40 +80,8 @@ class Formulon(Witness):
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell, None where it is empty or no single value."""
-        import formulon  # optional
-
-        try:
-            with formulon.Workbook.load(file.path.read_bytes()) as book:
-                book.recalc()
-                found = formulon_values(book)
-        except formulon.FormulonError as error:
-            raise WitnessError(f"formulon cannot evaluate the file: {error}") from error
+        found = ask_apart(self, file.path.read_bytes())
         return {address: found.get(address) for address in file.contents.formula_cells}
-
-
-def formulon_values(book: Workbook) -> Cells:
-    """Return what every cell of a book holds."""
-    from formulon import MergeRange
-
-    found = {}
-    for number in range(book.sheet_count()):
-        title, more = book.sheet_name(number), True
-        cursor: int | None = None
-        while more:
-            some, cursor = book.get_cells_in_range(number, MergeRange(0, 0, LAST_ROW - 1, LAST_COLUMN - 1), cursor)
-            more = cursor is not None
-            found.update({Address(title, cell.row + 1, cell.col + 1): formulon_value(cell.value) for cell in some})
-    return found
-
-
-def formulon_value(value: Value) -> Any:
-    """Return a number, a truth value, a text or an error's name; None for anything else."""
-    from formulon import error_display_name
-
-    if value.error_code is not None:
-        return error_display_name(value.error_code)
-    made = value.to_python()
-    return made if isinstance(made, bool | float | str) else None
 
 
 class IronCalc(Witness):
@@ -129,17 +91,26 @@ class IronCalc(Witness):
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell."""
-        import ironcalc  # optional
+        cells = list(file.contents.formula_cells)
+        with evaluation_copy(file, bare=True) as copy:  # an empty cell with a style, and t="n", would be 0
+            found = ask_apart(self, str(copy.path), [tuple(cell) for cell in cells])
+        return dict(zip(cells, found, strict=True))
 
-        try:
-            with evaluation_copy(file, bare=True) as copy:  # an empty cell with a style, and t="n", would be 0
-                model = ironcalc.load_from_xlsx(str(copy.path), "en", "UTC", "en")
-            model.evaluate()
-        except Exception as error:  # what it cannot read comes up as any exception
-            raise WitnessError(f"IronCalc cannot evaluate the file: {error}") from error
-        numbers = {sheet["name"]: i for i, sheet in enumerate(model.get_worksheets_properties())}
-        return {cell: model.get_cell_value(numbers[cell.sheet], cell.row, cell.column)
-                for cell in file.contents.formula_cells}  # fmt: skip
+
+def ask_apart(witness: Witness, *given: Any) -> Any:
+    """Return what an evaluator answers in a process of its own; raise WitnessError where it has none."""
+    command = [sys.executable, "-P", str(Path(__file__).with_name("engine_process.py"))]
+    try:
+        request = pickle.dumps((witness.name, *given))
+        run = subprocess.run(command, input=request, capture_output=True, timeout=TIMEOUT, check=False)
+    except subprocess.TimeoutExpired:
+        raise WitnessError(f"{witness.name} gave no answer within {TIMEOUT} s") from None
+    if run.returncode:
+        raise WitnessError(f"{witness.name} ended with exit code {run.returncode}")
+    answered, answer = pickle.loads(run.stdout)
+    if not answered:
+        raise WitnessError(f"{witness.name} cannot evaluate the file: {answer}")
+    return answer
 
 
 def libreoffice_path() -> str | None:

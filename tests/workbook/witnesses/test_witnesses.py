@@ -99,10 +99,10 @@ def test_error_values_volatile_and_other_functions_in_own_cells_are_no_finding(p
 
 @pytest.mark.parametrize(("names", "kinds"), [(["pycel", "formualizer"], []), (["formualizer"], ["witness"])])
 def test_a_workbook_too_large_for_one_witness_is_compared_by_the_others(names, kinds, press, monkeypatch):
-    def refused(_: bytes) -> None:
-        raise RuntimeError("Unsupported feature: formula cell count limit in workbook")
+    def refused(*_):
+        raise WitnessError("Unsupported feature: formula cell count limit in workbook")
 
-    monkeypatch.setattr("formualizer.recalculate_xlsx_bytes", refused)
+    monkeypatch.setattr("workbook.witnesses.engines.ask_apart", refused)
     report = verify(press.path, names)
     assert [finding.kind for finding in report.findings] == kinds
     (ran,) = [one for one in report.witnesses if one.name == "formualizer"]
