@@ -67,7 +67,7 @@ def test_a_folder_that_is_gone_is_told_in_a_line(arguments, tmp_path):
 @posix
 @pytest.mark.parametrize(
     ("does", "asked", "code", "said"),
-    [(does, "libreoffice", 2, "libreoffice gave no values to compare") for does in ("exit 1", "kill -9 $$", VERSION)]
+    [(does, "libreoffice", 2, ") gave no values to compare: LibreOffice") for does in ("exit 1", "kill -9 $$", VERSION)]
     + [(VERSION, "all", 0, "Not compared by libreoffice")],
 )
 def test_a_witness_that_fails_is_no_verdict(does, asked, code, said, press, motionbook, monkeypatch, tmp_path):

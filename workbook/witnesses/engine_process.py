@@ -1,6 +1,6 @@
 """An evaluator in a process of its own: one that dies, or that does not end, takes nothing with it.
 
-Run as a script it reads a request from stdin, the evaluator's name and what it is given, and writes to stdout whether it
+Run as a script it reads a request from stdin, an evaluator's name and what it is given, and writes to stdout whether it
 answers, and the values, or else why there are none. Both are pickles.
 """
 
