@@ -1,157 +1,402 @@
-"""How much a drive uses of each limit, by the points of its cycle."""
+"""The rates at which a drive holds all its limits, by the points of its cycle: once estimated, once tried.
+
+With T_s the torque at standstill and I = T − T_s, a rate of √x times the present one takes T_s + x I: so a first range
+is estimated. Near its upper end the points are worked out anew, and between them and the present ones each limit's use
+is a straight line over x. Torques are convex in x where losses change sides, so that the line is on the safe side.
+"""
 
 import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
 from engine.drive import Motor
 from engine.drive.drive_points import DrivePoints
-from engine.drive.limits import ReducerLimits
+from engine.drive.limits import BELOW, CYCLES, NEAR, ReducerLimits
+from engine.drive.motor import LimitCheck
 from engine.laws.base import Array
 
-LEAST_USE = 1e-9  # a smaller use is rounding: the limit is reached beyond 30,000 times the present rate
+LEAST_USE = 1e-9  # a smaller share is rounding: the limit is reached beyond 30,000 times the present rate
+NEVER = 1.0 / LEAST_USE  # square of a rate's factor from which a limit is held that no rate holds
+TINY = 1e-30  # more than 0, so that a quotient has a value
+NO_LIMIT = 1.0 / TINY  # stands for an infinite one
+PEAK_TORQUE, REDUCER_TORQUE, SPEEDS = "peak torque", "reducer peak torque", ("motor speed", "reducer input speed")
+TARGET, TARGET_BETWEEN = 0.999, 0.998  # use of a limit at the ends of the range; where peaks lie between points
+HAIR = 1e-6  # by which the range ends before the rate at which a speed is at its limit
+BEYOND, ASTRAY = 0.02, 0.1  # by which the rate that is tried is beyond the estimate: of it, and of the way to it
 
 
-class LimitUse(NamedTuple):
-    """The use of a limit; all but ``use`` in the limit's unit."""
+class Estimate(NamedTuple):
+    """The estimate of a limit over x, the square of a rate's factor; limit and standing figure in the limit's unit."""
 
     limit: float  # at speed 0
     standing: float  # figure without inertia and viscous friction
-    present: float  # figure at the present rate
-    use: float  # the limit is reached at 1/√use times the present rate
+    forward: float  # 1/x up to which it is held, of torques forward; 0 of any
+    backward: float = 0.0  # likewise of torques backward
+    from_forward: float = 0.0  # x from which it is held, of torques forward
+    from_backward: float = 0.0  # likewise
 
-    def highest(self, rate: float) -> float:
-        """Return the highest rate that the limit allows, for the present one; infinite if there is none."""
-        if math.isinf(self.limit):
-            return math.inf
-        if self.standing >= self.limit:
-            return 0.0
-        return rate / math.sqrt(self.use) if self.use > LEAST_USE else math.inf
+    @property
+    def most(self) -> float:
+        """The factor of the rate up to which it is held; infinite if there is no limit."""
+        share = max(self.forward, self.backward)
+        return 1.0 / math.sqrt(share) if share > LEAST_USE else math.inf
+
+    @property
+    def least(self) -> float:
+        """The factor of the rate from which it is held; infinite if none holds it."""
+        least = max(self.from_forward, self.from_backward)
+        return math.sqrt(least) if least < NEVER else math.inf
+
+
+def by_points(torque: Array, standing: Array, limit: float) -> Estimate:
+    """Return the estimate of a limit of torque (Nm) at every point."""
+    grows, rises, falls, most = torque - standing, torque > standing, standing > torque, min(limit, NO_LIMIT)
+    return Estimate(
+        limit,
+        float(np.abs(standing).max()),
+        float((rises * grows / (np.maximum(0.0, most - standing) + TINY)).max()),
+        float((falls * -grows / (np.maximum(0.0, most + standing) + TINY)).max()),
+        clipped(float(((standing - most) / (falls * -grows + TINY)).max())),
+        clipped(float(((-standing - most) / (rises * grows + TINY)).max())),
+    )
+
+
+def clipped(x: float) -> float:
+    """Return x within 0 and :data:`NEVER`."""
+    return min(NEVER, max(0.0, x))
 
 
 def mean_squares(points: DrivePoints) -> tuple[float, float, float]:
-    """Return the means of S², S·I and I² over the points (N²m²); see :func:`limit_uses`."""
+    """Return the means of S², S·I and I² over the points (N²m²)."""
     standing, grows = points.standing, points.torque - points.standing
     return points.mean(standing**2), points.mean(standing * grows), points.mean(grows**2)
 
 
 class ContinuousTorqueLine(NamedTuple):
-    """The continuous torque as a straight line over the rate; see :func:`by_rms`."""
+    """The continuous torque over the rate; mean (S + x I)² = (M − D √x)² with √x ≤ (e + x/e)/2 is quadratic in x."""
 
     stall: float  # M, at speed 0 (Nm)
     fall: float  # D, from there to the present mean speed (Nm)
     near: float  # e, rate over the present one at which the bound of √x is exact
     half: float  # half of x's coefficient (N²m²)
+    left: float  # what S leaves (N²m²)
+    root: float  # square of the root in the quadratic's solution (N⁴m⁴)
 
 
 def continuous_line(points: DrivePoints, motor: Motor) -> ContinuousTorqueLine:
     """Return the line of a motor's continuous torque, constant if the mean speed is beyond the rated one."""
-    own, mixed, _ = mean_squares(points)
+    own, mixed, growing = mean_squares(points)
     now = float(motor.continuous(points.mean_speed))
     stall = motor.stall_torque if now > motor.rated_torque else motor.rated_torque
     if math.isinf(stall):
-        return ContinuousTorqueLine(stall, 0.0, 1.0, mixed)
+        return ContinuousTorqueLine(stall, 0.0, 1.0, mixed, math.inf, math.inf)
     fall = stall - now
-    near = min(1.0, (stall - math.sqrt(own)) / fall) if fall else 1.0
-    return ContinuousTorqueLine(stall, fall, near, mixed + (fall * (stall / near - fall) / 2.0 if near > 0.0 else 0.0))
+    near = min(1.0, (stall - math.sqrt(own)) / fall) if fall > 0.0 and stall > math.sqrt(own) else 1.0
+    half, left = mixed + fall * (stall / near - fall) / 2.0, stall * (stall - fall * near) - own
+    return ContinuousTorqueLine(stall, fall, near, half, left, half**2 + growing * left)
 
 
-def by_rms(points: DrivePoints, motor: Motor) -> LimitUse:
-    """Return the use of the continuous torque (Nm): mean (S + x I)² = (M − D √x)², x the square of the rate's factor.
-
-    √x ≤ (e + x/e)/2 makes this a quadratic in x that is exact at √x = e and on the safe side elsewhere. e is 1, or
-    less if S alone reaches the line before.
-    """
+def by_rms(points: DrivePoints, motor: Motor) -> Estimate:
+    """Return the estimate of the continuous torque (Nm)."""
     own, _, growing = mean_squares(points)
-    stall, fall, near, half = continuous_line(points, motor)
-    stands, use = math.sqrt(own), 0.0
-    if stands < stall < math.inf:
-        left = stall * (stall - fall * near) - own
-        use = (math.sqrt(half**2 + growing * left) + half) / left
-    return LimitUse(stall, stands, points.rms_torque, use)
+    stall, _, _, half, left, square = continuous_line(points, motor)
+    if math.isinf(stall) or not points.speed.any():
+        return Estimate(stall, math.sqrt(own), 0.0)
+    root = math.sqrt(max(0.0, square))
+    if left > 0.0:
+        return Estimate(stall, math.sqrt(own), (root + half) / left)
+    if half >= 0.0 or square < 0.0:
+        return Estimate(stall, math.sqrt(own), 0.0, from_forward=NEVER)
+    return Estimate(stall, math.sqrt(own), growing / (root - half), from_forward=clipped(-left / (root - half)))
 
 
-def _by_peak(points: DrivePoints, torque: Array, standing: Array, limit: float) -> LimitUse:
-    """Return the use of a torque limit (Nm), 0 of an infinite one: |I| over the limit less S in the direction of I."""
-    grows, use = torque - standing, 0.0
-    if not math.isinf(limit):
-        use = float(np.maximum(grows / (limit - standing), -grows / (limit + standing)).max())
-    return LimitUse(limit, float(np.abs(standing).max()), points.size(torque), use)
-
-
-def by_cycles(points: DrivePoints, reducer: ReducerLimits, rate: float) -> tuple[float, float, float]:
-    """Return three uses of a reducer: of its peak torque reduced by f_s, of ``full_rate``, of both.
-
-    The reduced torque is no limit up to ``full_rate``, so the smaller use counts; that of ``full_rate`` if S alone is
-    beyond the reduced torque. The use of an infinite torque is 0.
-
-    Parameters
-    ----------
-    points : DrivePoints
-    reducer : ReducerLimits
-    rate : float, 1/s
-
-    Returns
-    -------
-    tuple of three floats
-        As :func:`limit_uses` counts uses.
-    """
-    load = points.load
-    limit = reducer.peak_torque / reducer.cycle_factor
-    reduced = _by_peak(points, load.output_torque, load.output_torque_at_rest, limit)
-    of_rate = (rate / reducer.full_rate) ** 2
-    return reduced.use, of_rate, of_rate if reduced.standing >= reduced.limit else min(of_rate, reduced.use)
-
-
-def by_mean(points: DrivePoints, limit: float) -> LimitUse:
-    """Return the use of the reducer's mean torque (Nm), which is taken to grow linearly with the rate's square."""
+def by_mean(points: DrivePoints, limit: float) -> Estimate:
+    """Return the estimate of the reducer's mean torque (Nm), which is taken to grow linearly with x."""
     standing = points.cubic_mean(points.load.output_torque_at_rest)
-    present = points.cubic_mean(points.load.output_torque)
-    use = max(0.0, present - standing) / (limit - standing) if standing < limit < math.inf else 0.0
-    return LimitUse(limit, standing, present, use)
+    grows = points.cubic_mean(points.load.output_torque) - standing
+    if math.isinf(limit):
+        return Estimate(limit, standing, 0.0)
+    share, since = max(0.0, grows) / (max(0.0, limit - standing) + TINY), (standing - limit) / (max(0.0, -grows) + TINY)
+    return Estimate(limit, standing, share, from_forward=clipped(since))
 
 
-def by_speed(speed: float, limit: float) -> LimitUse:
-    """Return the use of a speed limit (rad/s)."""
-    return LimitUse(limit, 0.0, speed, (speed / limit) ** 2)
+def by_speed(speed: float, limit: float) -> Estimate:
+    """Return the estimate of a speed limit (rad/s), which is exact."""
+    return Estimate(limit, 0.0, (speed / limit) ** 2)
 
 
-def limit_uses(
-    points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits, rate: float
-) -> dict[str, LimitUse]:
-    """Return the use of each limit by its name.
+class Ends(NamedTuple):
+    """The rates (1/s) from and up to which a limit is held; infinite if there is no upper one."""
 
-    Torques of inertia grow with the square of the rate. With S, the torque without motion, and I = T − S, a limit is
-    reached at 1/√use times the present rate. This is exact for use = 1; elsewhere viscous friction and
-    reversals of power make errors of about 1 %. :func:`engine.drive.limits.highest_rate` is exact.
+    low: float
+    high: float
 
-    Parameters
-    ----------
-    points : DrivePoints
-    speed : float, rad/s
-        Largest speed of the motor.
-    motor : Motor
-    reducer : ReducerLimits
-    rate : float, 1/s
-        The present rate.
 
-    Returns
-    -------
-    dict of str to LimitUse
-    """
-    peak, fastest = motor.peak_torque, motor.max_speed
-    behind, standing = points.load.output_torque, points.load.output_torque_at_rest
-    whole = _by_peak(points, behind, standing, reducer.peak_torque)
-    found = {
-        "RMS torque": by_rms(points, motor),
-        "peak torque": _by_peak(points, points.torque, points.standing, peak),
-        "motor speed": by_speed(speed, fastest),
-        "reducer input speed": by_speed(speed, reducer.input_speed),
-        "reducer peak torque": whole._replace(use=max(whole.use, by_cycles(points, reducer, rate)[2])),
-        "reducer mean torque": by_mean(points, reducer.mean_torque),
-    }
-    if motor.falling.fall:
-        use = float(points.falling_use(motor).max())
-        found["torque below the curve"] = found["peak torque"]._replace(limit=motor.falling.corner(peak), use=use)
-    return found
+class RateRange(NamedTuple):
+    """The rates (1/s) between which all limits are held, 0 and 0 if none is, and the limits at either end."""
+
+    low: float
+    high: float  # infinite if there is no limit
+    low_limit: str  # empty at standstill
+    high_limit: str
+
+    def times(self, factor: float) -> "RateRange":
+        """Return the range in another unit."""
+        return self._replace(low=self.low * factor, high=self.high * factor)
+
+
+class Shares(NamedTuple):
+    """Inverse shares of the way from a rate to another after which a limit is reached, of torques either way."""
+
+    forward: float
+    backward: float = 0.0
+
+    @classmethod
+    def of_torques(cls, begin: Array, end: Array, limit: float) -> "Shares":
+        """Return those of a limit of torque (Nm) at every point."""
+        found = by_points(end, begin, limit)
+        return cls(found.forward, found.backward)
+
+    @classmethod
+    def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
+        """Return those of the use of a limit up to a target."""
+        return cls((end - begin) / max(TINY, target - begin))
+
+
+NO_RATE = RateRange(0.0, 0.0, "", "")
+
+
+@dataclass(frozen=True)
+class RateSearch:
+    """A drive at the points of its cycle, at the present rate and at another; limits are told by their names."""
+
+    points: DrivePoints
+    speed: float  # largest of the motor (rad/s)
+    motor: Motor
+    reducer: ReducerLimits
+    rate: float  # the present one (1/s)
+    sought: tuple[float, float] | None = None  # peak torques at the present rate, before and behind the reducer (Nm)
+
+    @cached_property
+    def estimates(self) -> dict[str, Estimate]:
+        """The estimate of each limit; of the reducer's peak torque in full, and beyond its cycles."""
+        points, motor, reducer = self.points, self.motor, self.reducer
+        peak, fastest, behind = motor.peak_torque, motor.max_speed, points.load.output_torque
+        standing = points.load.output_torque_at_rest
+        found = {
+            "RMS torque": by_rms(points, motor),
+            PEAK_TORQUE: by_points(points.torque, points.standing, peak),
+            "motor speed": by_speed(self.speed, fastest),
+            "reducer input speed": by_speed(self.speed, reducer.input_speed),
+            REDUCER_TORQUE: by_points(behind, standing, reducer.peak_torque),
+            CYCLES: by_points(behind, standing, reducer.peak_torque / reducer.cycle_factor),
+            "reducer mean torque": by_mean(points, reducer.mean_torque),
+        }
+        if motor.falling.fall:
+            forward, backward = points.falling_use(motor).max(axis=(1, 2)).tolist()
+            found[BELOW] = Estimate(motor.falling.corner(peak), found[PEAK_TORQUE].standing, forward, backward)
+        return found
+
+    @cached_property
+    def estimated(self) -> dict[str, Ends]:
+        """The estimated range of each limit; beyond its cycles a reducer's full torque is held up to these."""
+        found = {name: Ends(one.least * self.rate, one.most * self.rate) for name, one in self.estimates.items()}
+        one = self.estimates[CYCLES]
+        found[CYCLES] = Ends(0.0, self._beyond_full(found[CYCLES].high, one.standing / one.limit))
+        return found
+
+    def _beyond_full(self, high: float, use: float) -> float:
+        """Return up to which rate (1/s) the reducer's torque at its cycles is held, where it begins at a use of it."""
+        return max(self.reducer.full_rate, high if use < 1.0 else 0.0)
+
+    @property
+    def estimate(self) -> float:
+        """The estimated upper end (1/s); the present rate if there is none."""
+        most = min(ends.high for ends in self.estimated.values())
+        return most if math.isfinite(most) else self.rate
+
+    @cached_property
+    def holds(self) -> bool:
+        """Whether all limits are held at the present rate."""
+        return max(self.uses.values()) <= 1.0
+
+    @cached_property
+    def tried_holds(self) -> bool:
+        """Whether all limits are held at the tried rate."""
+        return max(self.uses_tried.values()) <= 1.0
+
+    def at(self, factor: float) -> "RateSearch":
+        """Return the drive at another rate, ``factor`` times the present one."""
+        points = DrivePoints(self.points.load.at_rate(factor))
+        return replace(self, points=points, speed=self.speed * factor, rate=self.rate * factor, sought=None)
+
+    @cached_property
+    def peaks(self) -> tuple[float, float]:
+        """The peak torques at the present rate, before and behind the reducer (Nm)."""
+        points = self.points
+        return self.sought or (points.size(points.torque), points.size(points.load.output_torque))
+
+    @cached_property
+    def over(self) -> tuple[float, float]:
+        """These peaks over the largest torque at a point."""
+        each = zip(self.peaks, (self.points.torque, self.points.load.output_torque), strict=True)
+        motor, behind = (peak / most if (most := largest(values)) else 1.0 for peak, values in each)
+        return motor, behind
+
+    @property
+    def astray(self) -> float:
+        """The rate by which the estimate may be off (1/s)."""
+        return BEYOND * self.estimate + ASTRAY * abs(self.estimate - self.rate)
+
+    @cached_property
+    def tried(self) -> float:
+        """The rate at which the points are worked out anew (1/s): beyond the estimate, or below if not all holds."""
+        return self.estimate + self.astray if self.holds else max(self.estimate - self.astray, 0.5 * self.estimate)
+
+    @cached_property
+    def factor(self) -> float:
+        """The tried rate over the present one."""
+        return self.tried / self.rate
+
+    @cached_property
+    def points_tried(self) -> DrivePoints:
+        """The points at the tried rate."""
+        return self.at(self.factor).points
+
+    @cached_property
+    def uses(self) -> dict[str, float]:
+        """The use of each limit at the present rate."""
+        return {name: check.use for name, check in self._checks(self.points, *self.peaks, 1.0).items()}
+
+    @cached_property
+    def uses_tried(self) -> dict[str, float]:
+        """The use of each limit at the tried rate; peaks are as far beyond those of the points as at the present."""
+        points, (motor, behind) = self.points_tried, self.over
+        peaks = largest(points.torque) * motor, largest(points.load.output_torque) * behind
+        return {name: check.use for name, check in self._checks(points, *peaks, self.factor).items()}
+
+    def _checks(self, points: DrivePoints, peak: float, behind: float, factor: float) -> Mapping[str, LimitCheck]:
+        """Return the figures of each limit by its name, with the peak torques (Nm) before and behind the reducer."""
+        motor, reducer, speed = self.motor, self.reducer, self.speed * factor
+        full, fall = reducer.peak_torque, motor.falling.fall
+        beyond = self.rate * factor > reducer.full_rate * (1.0 + NEAR)
+        found = [
+            LimitCheck("RMS torque", points.rms_torque, float(motor.continuous(points.mean_speed))),
+            LimitCheck(PEAK_TORQUE, peak, motor.peak_torque),
+            LimitCheck("motor speed", speed, motor.max_speed),
+            LimitCheck("reducer input speed", speed, reducer.input_speed),
+            LimitCheck(REDUCER_TORQUE, behind, full),
+            LimitCheck(CYCLES, behind if beyond else 0.0, full / reducer.cycle_factor),
+            LimitCheck("reducer mean torque", points.cubic_mean(points.load.output_torque), reducer.mean_torque),
+        ]
+        if fall:
+            used = np.abs(points.torque) + fall * np.abs(points.speed)
+            found.append(LimitCheck(BELOW, float(used.max()), motor.falling.corner(motor.peak_torque)))
+        return {check.name: check for check in found}
+
+    @property
+    def target(self) -> float:
+        """The use of a limit at the ends of the range, less than 1 for what lies between points."""
+        train = self.points.load.train
+        between = train.linkage is not None or train.by_angle is not None or train.viscous > 0.0
+        return TARGET_BETWEEN if between else TARGET
+
+    @cached_property
+    def begin(self) -> int:
+        """The rate to interpolate from: 0 the present one if it holds, else 1 the tried one, else 2 standstill."""
+        return 0 if self.holds else 1 if self.tried_holds else 2
+
+    @cached_property
+    def way(self) -> tuple[float, float]:
+        """The factors of the rate between which is interpolated."""
+        return ((1.0, self.factor), (self.factor, 1.0), (0.0, self.factor))[self.begin]
+
+    @cached_property
+    def caps(self) -> dict[str, float]:
+        """The largest torque (Nm) at a point, at the ends of the range, of each limit of torques at points."""
+        motor, behind = self.over
+        limits = {name: min(self.estimates[name].limit, NO_LIMIT) for name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES)}
+        return {name: self.target * one / (motor if name == PEAK_TORQUE else behind) for name, one in limits.items()}
+
+    @cached_property
+    def between(self) -> dict[str, tuple[Shares, ...]]:
+        """The shares of each limit: from the present rate to the tried one, from that back, from standstill to it."""
+        now, then = self.points, self.points_tried
+        torques = now.standing, now.torque, then.torque
+        behind = now.load.output_torque_at_rest, now.load.output_torque, then.load.output_torque
+        found = {}
+        for name, one in self.estimates.items():
+            rest, present, tried = torques if name == PEAK_TORQUE else behind
+            if name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES):
+                ways = (present, tried), (tried, present), (rest, tried)
+                found[name] = tuple(Shares.of_torques(*each, self.caps[name]) for each in ways)
+            else:
+                used = one.standing / one.limit, self.uses[name], self.uses_tried[name]
+                found[name] = tuple(Shares.of_uses(*each, self.target) for each in (used[1:], used[:0:-1], used[::2]))
+        return found
+
+    @cached_property
+    def ends(self) -> dict[str, Ends]:
+        """The range of each limit by lines between the points at both rates."""
+        return {name: self._ends(name) for name in self.estimates}
+
+    def met(self, name: str) -> float:
+        """Return the rate (1/s) at which a limit is reached by the line between both rates, or infinite."""
+        (begin, end), share = self.way, max(self.between[name][self.begin])
+        square = begin**2 + (end**2 - begin**2) / share if share > LEAST_USE else math.inf
+        met = self.rate * math.sqrt(max(0.0, square))
+        return self._beyond_full(met, self.cycles_use[self.begin]) if name == CYCLES else met
+
+    def _ends(self, name: str) -> Ends:
+        (begin, end), estimated, met = self.way, self.estimated[name], self.met(name)
+        if end < begin:
+            return Ends(met if math.isfinite(met) else 0.0, self.tried)
+        if name in SPEEDS or math.isinf(estimated.high):
+            met = estimated.high * (1.0 - HAIR)
+        return Ends(estimated.low, met)
+
+    @property
+    def cycles_use(self) -> tuple[float, float, float]:
+        """The use of the reducer's torque at its cycles: at the present rate, at the tried one, at standstill."""
+        stands, more = self.estimates[CYCLES], self.reducer.cycle_factor
+        return self.uses[REDUCER_TORQUE] * more, self.uses_tried[REDUCER_TORQUE] * more, stands.standing / stands.limit
+
+    @cached_property
+    def released(self) -> float:
+        """The rate (1/s) beyond which the first of the dwells that the brake holds is too short for it; or infinite."""
+        load = self.points.load
+        dwells = load.dwell[load.braked & (load.dwell > 0.0)]
+        time = load.train.drive.brake.time
+        return self.rate * float(dwells.min()) / time if dwells.size and time > 0.0 else math.inf
+
+    @cached_property
+    def limits_ends(self) -> Ends:
+        """The rates from and up to which all limits are held; of none the first is not below the second."""
+        low, high = max(ends.low for ends in self.ends.values()), min(ends.high for ends in self.ends.values())
+        if not self.holds:
+            return Ends(low, high)
+        if not self.tried_holds and math.isfinite(self.released):
+            high = min(high, self.released)
+        return Ends(low if math.isinf(low) else min(low, self.rate), max(high, self.rate))
+
+    @cached_property
+    def range(self) -> RateRange:
+        """The range that holds the present rate if one does, else the highest."""
+        low_limit = max(self.ends, key=lambda name: self.ends[name].low)
+        high_limit = min(self.ends, key=lambda name: self.ends[name].high)
+        low, high = self.limits_ends
+        high_limit = high_limit if math.isfinite(self.ends[high_limit].high) else ""
+        return (
+            RateRange(low, high, low_limit if low else "", high_limit)
+            if low < high
+            else NO_RATE._replace(low_limit=low_limit, high_limit=high_limit)
+        )
+
+
+def largest(values: Array) -> float:
+    """Return the largest absolute value."""
+    return float(np.abs(values).max())

@@ -1,10 +1,9 @@
-"""Limits of a motor and a reducer, a cycle checked against them, and the highest rate within all. SI units."""
+"""Limits of a motor and a reducer, and a cycle checked against them. SI units."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,7 +14,9 @@ from engine.drive.results import DriveResults
 from engine.drive.search import extremes
 from engine.laws.base import Array
 
-BELOW = "torque below the curve"
+BELOW, CYCLES = "torque below the curve", "reducer torque at its cycles"
+"""names of limits: of a peak torque that falls with speed, of a reducer's beyond its cycles an hour"""
+NAMES = ("RMS torque", BELOW, "motor speed", "reducer input speed", "reducer peak torque", "reducer mean torque")
 NEAR = 1e-9  # share by which equal rates may differ
 
 
@@ -78,9 +79,13 @@ class LimitChecks:
     @cached_property
     def checks(self) -> tuple[LimitCheck, ...]:
         """A check for each finite limit: RMS torque and torque below the curve (Nm), speed (rad/s), the reducer's."""
+        return self.of(NAMES)
+
+    def of(self, names: Iterable[str]) -> tuple[LimitCheck, ...]:
+        """Return the checks of the finite ones of some limits."""
         motor, reducer, found = self.motor, self.reducer, self.results
         asked: dict[str, tuple[float, Callable[[], float]]] = {
-            "RMS torque": (self.continuous, lambda: found.rms_torque),
+            "RMS torque": (motor.rated_torque, lambda: found.rms_torque),
             BELOW: (motor.peak_torque, lambda: found.torque.peak),
             "motor speed": (motor.max_speed, lambda: found.speed.peak),
             "reducer input speed": (reducer.input_speed, lambda: found.speed.peak),
@@ -88,10 +93,14 @@ class LimitChecks:
             "reducer mean torque": (reducer.mean_torque, lambda: found.mean_shaft_torque(1)),
         }
         return tuple(
-            self._below_curve if name == BELOW else LimitCheck(name, quantity(), limit)
-            for name, (limit, quantity) in asked.items()
+            self._below_curve if name == BELOW else LimitCheck(name, quantity(), self._limit(name, limit))
+            for name, (limit, quantity) in ((name, asked[name]) for name in names)
             if limit < math.inf
         )
+
+    def _limit(self, name: str, limit: float) -> float:
+        """Return a limit, of the RMS torque that at the mean speed."""
+        return self.continuous if name == "RMS torque" else limit
 
     @property
     def ok(self) -> bool:
@@ -127,37 +136,6 @@ class LimitChecks:
         for interval in self.drive_cycle.torque_intervals:
             over, torque = max((over, torque), worst(interval, over))
         return LimitCheck(BELOW, torque, torque - over)
-
-
-FAR = 1e6  # factor of the present rate up to which, and down to whose inverse, the highest rate is searched
-CLOSE = 1e-10  # relative tolerance of the highest rate
-
-
-class HighestRate(NamedTuple):
-    """The highest speed of the abscissa at which every check holds, and the limiting factor."""
-
-    speed: float  # units of the abscissa per s; 0 below a millionth of the present one, infinite above a million times
-    limit: str  # name of the limiting factor; empty if there is none
-
-
-def highest_rate(checks: LimitChecks) -> HighestRate:
-    """Return the highest rate of an axis.
-
-    The search goes from the speed of the cycle upwards if all checks hold, else downwards, to the first change. At the
-    speed found all checks hold; at 1 + 2e-10 times it the named one does not.
-    """
-    speed, way = checks.drive_cycle.speed, 2.0 if checks.ok else 0.5
-    known = speed
-    while at_speed(checks, way * known).ok == checks.ok:
-        known *= way
-        if not 1.0 / FAR < known / speed < FAR:
-            return HighestRate(math.inf, "") if checks.ok else HighestRate(0.0, at_speed(checks, known).worst.name)
-    from scipy.optimize import brentq  # slow to import, and most commands need no highest rate
-
-    met = brentq(
-        lambda rate: min(at_speed(checks, rate).worst.use, 2.0) - 1.0, *sorted((known, way * known)), rtol=CLOSE
-    )
-    return HighestRate(met * (1.0 - 2.0 * CLOSE), at_speed(checks, met * (1.0 + 2.0 * CLOSE)).worst.name)
 
 
 def at_speed(checks: LimitChecks, speed: float) -> LimitChecks:

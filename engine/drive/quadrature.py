@@ -8,7 +8,7 @@ are right to the bound that the sheets state. :class:`engine.drive.results.Drive
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -54,6 +54,11 @@ class LoadPoints:
     second: Array  # φ'' (rad/m² or 1/rad)
     share: Array  # weight of the point in a mean over the cycle; sum 1
     dwell: Array  # duration of the dwell that the point belongs to (s); 0 if it moves
+
+    def at_rate(self, factor: float) -> "LoadPoints":
+        """Return the points at another rate, ``factor`` times the present one."""
+        velocity, acceleration = self.velocity * factor, self.acceleration * factor**2
+        return replace(self, velocity=velocity, acceleration=acceleration, dwell=self.dwell / factor)
 
     @property
     def resisting(self) -> Array:

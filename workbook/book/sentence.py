@@ -65,13 +65,6 @@ def amount(cell: str, value: float, before: str, after: str) -> CheckSentence:
     return around(shown(cell), rounded(value), before, after)
 
 
-def bound(cell: str, value: float, before: str, after: str) -> CheckSentence:
-    """Return a sentence on an amount of at least 0 up to which something holds: to one decimal, rounded down."""
-    # less than 0.05 is taken off, so that a whole amount such as 200 lies at no edge of the rounding
-    said = f"{round(max(0.0, value - 0.0499), 1):.15g}"
-    return around(f"ROUND(MAX(0,{cell}-0.0499),1)", said, before, after)
-
-
 def around(shows: str, shown: str, before: str, after: str) -> CheckSentence:
     """Return a sentence of what a formula shows between words."""
     texts = [before and quoted(before), shows, after and quoted(after)]

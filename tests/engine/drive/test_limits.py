@@ -11,8 +11,9 @@ import pytest
 from engine.drive import KINDS, Drive, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
-from engine.drive.limits import BELOW, NO_LIMITS, LimitChecks, ReducerLimits, at_speed, highest_rate
+from engine.drive.limits import BELOW, NO_LIMITS, LimitChecks, ReducerLimits, at_speed
 from engine.drive.motor import LEVEL, TorqueFall
+from engine.drive.rate_range import rate_range
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
 from engine.motion import Motion
@@ -73,23 +74,23 @@ def test_beyond_the_largest_speed_the_speed_fails_and_not_the_curve():
     assert one.worst.name == "motor speed"
 
 
-# The highest rate
+# The range of rates
 
 
 def test_the_highest_rate_of_a_speed_and_of_an_inertia_in_closed_form():
     one = judged(Motor(1e-3, math.inf, math.inf, 500.0))
-    found = highest_rate(one)
-    assert found.speed == pytest.approx(20.0 * 500.0 / DriveResults(one.drive_cycle).speed.peak, rel=1e-9)
-    assert found.limit == "motor speed"
+    found = rate_range(one)
+    assert found.high == pytest.approx(20.0 * 500.0 / DriveResults(one.drive_cycle).speed.peak, rel=1e-9)
+    assert found.high_limit == "motor speed"
     other = judged(Motor(1e-3, 3.0))
     expected = 20.0 * math.sqrt(3.0 / DriveResults(other.drive_cycle).rms_torque)
-    assert highest_rate(other).speed == pytest.approx(expected, rel=1e-9)
+    assert rate_range(other).high == pytest.approx(expected, rel=1e-9)
 
 
 def test_where_nothing_binds_and_where_nothing_helps():
-    assert highest_rate(judged(Motor(1e-3))) == (math.inf, "")
+    assert rate_range(judged(Motor(1e-3))) == (0.0, math.inf, "", "")
     held = judged(Motor(1e-3, 1.0), load=Load(2.0, 500.0))
-    assert highest_rate(held) == (0.0, "RMS torque")
+    assert rate_range(held) == (0.0, 0.0, "RMS torque", "RMS torque")
 
 
 def limits_of(rng, drive_cycle):
@@ -117,27 +118,27 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, 
     told = seed(told) if request.node.get_closest_marker("nightly") else told
     drive_cycle = drive_cycle_of(told, kinds=list(SIZES) if number < 2 else [*SIZES, *LINKAGES])
     one = LimitChecks(drive_cycle, *limits_of(random.Random(told), drive_cycle))
-    found = highest_rate(one)
-    if found.speed == 0.0:
+    found = rate_range(one)
+    if found.high == 0.0:
         assert not at_speed(one, drive_cycle.speed * 1e-5).ok
         return
-    assert found.speed < math.inf
-    there, above = at_speed(one, found.speed), at_speed(one, found.speed * 1.001)
+    assert found.high < math.inf
+    there, above = at_speed(one, found.high), at_speed(one, found.high * 1.001)
     assert all(check.ok for check in there.checks)
-    assert not checked(above)[found.limit].ok
-    assert checked(there)[found.limit].use == pytest.approx(1.0, abs=1e-4)
+    assert not checked(above)[found.high_limit].ok
+    assert checked(there)[found.high_limit].use == pytest.approx(1.0, abs=1e-4)
 
 
 @pytest.mark.parametrize("full", [0.5, 1.2, 9.0])
 def test_beyond_its_cycles_a_reducer_s_torque_counts_over_the_factor(full):
     """S grows with the square of the rate, and meets T at N: T/4 at N/2. Up to ``full`` N no factor counts."""
     free = judged(Motor(1e-3), reducer=ReducerLimits(40.0))
-    meets = highest_rate(free).speed
+    meets = rate_range(free).high
     factored = ReducerLimits(40.0, full_rate=full * meets / TURN, cycle_factor=4.0)
-    found = highest_rate(judged(Motor(1e-3), reducer=factored))
-    assert (found.speed, found.limit) == (pytest.approx(min(1.0, full) * meets, rel=1e-8), "reducer peak torque")
+    found = rate_range(judged(Motor(1e-3), reducer=factored))
+    assert (found.high, found.high_limit) == (pytest.approx(min(1.0, full) * meets, rel=1e-8), "reducer peak torque")
     early = replace(factored, full_rate=0.3 * meets / TURN)
-    assert highest_rate(judged(Motor(1e-3), reducer=early)).speed == pytest.approx(meets / 2, rel=1e-8)
+    assert rate_range(judged(Motor(1e-3), reducer=early)).high == pytest.approx(meets / 2, rel=1e-8)
     assert (factored.peak_at(factored.full_rate), factored.peak_at(1.001 * factored.full_rate)) == (40.0, 10.0)
 
 

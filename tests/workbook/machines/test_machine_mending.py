@@ -21,13 +21,13 @@ def failing(rate):
     return {q.label: q.said for _, q in book.checks if q.value == "FAIL" and "Drive" in q.label}
 
 
-@pytest.mark.parametrize(("rate", "bound"), [(240.0, 1e-3), (600.0, 1e-2)])
+@pytest.mark.parametrize(("rate", "bound"), [(240.0, 2e-3), (600.0, 1e-2)])
 def test_a_limit_that_is_broken_tells_the_rate_at_which_all_hold(rate, bound):
-    """As the sheet says: exact at the rate entered, elsewhere to about 1 %."""
+    """Never more than the exact one, and at most 1 % less."""
     told = failing(rate)
     assert told
-    rates = {float(re.search(r"; the drive holds all up to ([\d.]+) cycles/min$", said)[1]) for said in told.values()}
+    rates = {float(re.search(r"; the drive holds from 0 to ([\d.]+) cycles/min$", said)[1]) for said in told.values()}
     (most,) = rates
     assert most < rate
-    assert failing(most * (1 - bound)) == {}
+    assert failing(most) == {}
     assert failing(most * (1 + bound))

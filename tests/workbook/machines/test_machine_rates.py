@@ -1,6 +1,5 @@
 """The highest rate in cells: against a search by the engine's other route, and by what it means."""
 
-import math
 import random
 
 import pytest
@@ -16,9 +15,9 @@ from tests.workbook.machines.test_machine_tables import table
 from tests.workbook.machines.test_machine_viscous import SCREW, lossy
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.view import DriveView, settled_highest
+from workbook.machines.machine.drive.view import AT_NO_RATE, DriveView
 from workbook.machines.machine.entries import Master
-from workbook.machines.machine.exact import exact_highest, rate_of
+from workbook.machines.machine.exact import exact_rates, rate_of
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView
 
@@ -77,7 +76,7 @@ def settled(made):
     rate = 100.0
     for _ in range(6):
         value = computed(TEMPLATE, made(rate))
-        if value("drive1_highest") == pytest.approx(rate, rel=1e-6):
+        if value("drive1_highest") == pytest.approx(rate, rel=1e-4):
             break
         rate = value("drive1_highest")
     return rate, value
@@ -90,8 +89,8 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_limit_fails(limit):
     assert found("drive1_binds") == limit
     assert found("about_highest") == found("drive1_highest")
     assert found("about_binds") == f"A1: {limit}"
-    assert set(verdicts(computed(TEMPLATE, machine(rate * (1 - 1e-5), *entered))).values()) == {"OK"}
-    above = verdicts(computed(TEMPLATE, machine(1.001 * rate, *entered)))
+    assert set(verdicts(computed(TEMPLATE, machine(rate, *entered))).values()) == {"OK"}
+    above = verdicts(computed(TEMPLATE, machine(1.003 * rate, *entered)))
     assert [name for name, verdict in above.items() if verdict == "FAIL"] == [limit]
 
 
@@ -102,17 +101,17 @@ def test_of_a_mechanism_too_all_hold_there_and_above_it_the_named_limit_fails(na
     entered = BINDING[limit]
     rate, found = settled(lambda rate: linked_machine(name, rate, *entered))
     assert found("drive1_binds") == limit
-    assert set(verdicts(computed(TEMPLATE, linked_machine(name, rate * (1 - 1e-3), *entered))).values()) == {"OK"}
-    above = verdicts(computed(TEMPLATE, linked_machine(name, 1.002 * rate, *entered)))
+    assert set(verdicts(computed(TEMPLATE, linked_machine(name, rate, *entered))).values()) == {"OK"}
+    above = verdicts(computed(TEMPLATE, linked_machine(name, 1.01 * rate, *entered)))
     assert [one for one, verdict in above.items() if verdict == "FAIL"] == [limit]
 
 
 def test_the_highest_rate_is_about_the_same_from_wherever_it_is_asked_for():
-    """To 1 %, as the sheet says, at a seventh and at seven times the rate."""
-    rates = [
-        computed(TEMPLATE, machine(rate, {"rated_torque": 10.0}, {}))("drive1_highest") for rate in (30.0, 100.0, 700.0)
-    ]
-    assert rates == pytest.approx([rates[1]] * 3, rel=0.01)
+    """To 1 % at 0.6 to 1.5 times it, to 4 % at a third and at three times it."""
+    most, _ = settled(lambda rate: machine(rate, {"rated_torque": 10.0}, {}))
+    for times, off in ((1 / 3, 0.04), (0.6, 0.01), (1.5, 0.01), (3.0, 0.04)):
+        value = computed(TEMPLATE, machine(times * most, {"rated_torque": 10.0}, {}))
+        assert value("drive1_highest") == pytest.approx(most, rel=off)
 
 
 def test_the_cells_agree_far_from_the_present_rate():
@@ -123,7 +122,10 @@ def test_the_cells_agree_far_from_the_present_rate():
 
 def test_a_load_that_the_motor_cannot_hold_has_no_rate():
     found = computed(TEMPLATE, machine(100.0, {"peak_torque": 0.01}, {}))
-    assert (found("drive1_highest"), found("drive1_binds")) == (0.0, "peak torque")
+    assert (found("drive1_highest"), found("drive1_lowest")) == (AT_NO_RATE, AT_NO_RATE)
+    assert found("drive1_binds") == "peak torque"
+    assert found("about_range") == "holds at no rate"
+    assert found("about_binds") == "A1: peak torque"
 
 
 def test_the_axis_that_binds_is_named():
@@ -141,16 +143,27 @@ def drives_of(given):
 
 
 @pytest.mark.parametrize("number", [*range(4), *nights(60)])
-def test_entered_and_read_again_the_rate_is_that_of_an_exact_search(request, number):
+def test_the_rate_of_the_sheet_is_at_most_a_per_cent_below_the_exact_one_and_never_above(request, number):
+    """At a machine's own rate that is 0.6 to 1.5 times it; entered, it is confirmed."""
     told = f"pace {number}"
     drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
-    (view,) = drives_of(drawn_machine(machine(200.0, {}, {}), drawn))
-    exact, _ = exact_highest(view)
-    found = settled_highest(view).rate
-    if math.isinf(exact):
-        assert found == "none"
-    else:
-        assert found == pytest.approx(exact, rel=1e-3, abs=1e-3 * view.rate)
+    given = drawn_machine(machine(200.0, {}, {}), drawn)
+    (view,) = drives_of(given)
+    exact = exact_rates(view)
+    if isinstance(exact.high, str):
+        assert view.rates.high == exact.high
+        return
+    (near,) = drives_of(at_rate(given, exact.high * drawn.uniform(0.6, 1.5)))
+    assert 0.99 * exact.high <= near.rates.high <= exact.high
+    (there,) = drives_of(at_rate(given, near.rates.high))
+    assert there.search.holds
+    assert there.driven.limit_checks.ok
+
+
+def at_rate(given, rate):
+    """A machine of one drive at another rate."""
+    axis = given.axes[0].model_copy(update={"rate": None})
+    return given.model_copy(update={"axes": [axis], "master": Master(rate=rate)})
 
 
 def test_a_drive_is_sized_at_a_rate_of_its_own():
@@ -170,12 +183,12 @@ def test_a_drive_is_sized_at_a_rate_of_its_own():
     assert both("drive2_rate") == 200.0
 
 
-@pytest.mark.parametrize(("rate", "lines"), [(200.0, 0), (0.05, 0), (0.01, 1)])
+@pytest.mark.parametrize(("rate", "lines"), [(200.0, 0), (0.01, 1)])
 def test_a_rate_is_told_where_the_sheet_has_none_for_it_is_beyond_rounding(rate, lines):
     (view,) = drives_of(small([driven(*RISE, load={"mass": 20.0, "friction": 0.1}) | {"rate": rate}]))
-    told = list(rate_of(view))
-    assert len(told) == lines
-    assert all("is 420.9082 cycles/min exactly (RMS torque); its sheet says none" in line for line in told)
+    found = list(rate_of(view))
+    assert len(found) == lines
+    assert all("holds from 0 to 420.9 cycles/min exactly; its sheet says no limit" in line for line in found)
 
 
 def test_a_rate_without_a_drive_is_refused():

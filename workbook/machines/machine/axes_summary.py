@@ -66,7 +66,10 @@ def motors(axes: Sequence[MovingAxis], drives: Mapping[int, DriveView]) -> list[
                lambda _, use: shown(use.speed.use, PERCENT), look="0", limit=WHOLE),
         column("sized", "sized at", "N", "cycles/min", f'IF({{0}}own_rate="","{MACHINES}",{{0}}own_rate)',
                lambda view, _: MACHINES if view.driven.entered.rate is None else view.rate),
-        column("highest", "highest rate", "N", "cycles/min", "{0}highest", lambda view, _: view.highest.rate,
-               "within all limits; approximate", "0.0"),
-        column("binds", "limiting factor", "", "", "{0}binds", lambda view, _: view.highest.limit),
+        column("lowest", "lowest rate", "N", "cycles/min", "{0}lowest", lambda view, _: view.rates.low,
+               "within all limits; 0: standstill", "0.0"),
+        column("binds_low", "limiting factor", "", "", "{0}binds_low", lambda view, _: view.rates.low_limit),
+        column("highest", "highest rate", "N", "cycles/min", "{0}highest", lambda view, _: view.rates.high,
+               "within all limits", "0.0"),
+        column("binds", "limiting factor", "", "", "{0}binds", lambda view, _: view.rates.high_limit),
     ]  # fmt: skip

@@ -3,23 +3,28 @@
 import math
 from collections.abc import Iterator
 
-from engine.drive.limits import BELOW, highest_rate
+from engine.drive.limit_use import PEAK_TORQUE, REDUCER_TORQUE
+from engine.drive.limits import BELOW, CYCLES, at_speed
 from engine.drive.motor import LimitCheck
+from engine.drive.rate_range import rate_range
 from workbook.book.sentence import rounded
 from workbook.book.summary import ZERO
-from workbook.fields.units import PER_MINUTE, RPM, shown
+from workbook.fields.units import RPM, shown
 from workbook.law_sheets.book_laws import BookLaws
-from workbook.machines.machine.drive.view import DriveView, drive_of, settled_highest
+from workbook.machines.machine.drive.max_rate import range_in_words
+from workbook.machines.machine.drive.view import DriveView, Rates, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.template_outputs import ExactJudgement, JudgedLimit
 
-RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 1e-3, 1e-3, 5e-4
+RMS, PEAK, ENERGY, RATE, GAP, MOTION = 1e-3, 5e-3, 0.03, 0.01, 1e-3, 5e-4
 """by which share the sheets state that T_rms, peaks, energies, the highest rate, a least gap and the extremes of phases
 that meet at speed may be off"""
 PAIRS_GAP = 0.25  # the same of a least gap by pairs, whose lines may turn between the points
+ROUNDING, NEARLY = 1e-9, 0.9  # of exact uses; of a use by points that may be one exactly
+EXACT_NAMES = {PEAK_TORQUE: BELOW, CYCLES: REDUCER_TORQUE}  # of limits that the exact engine calls otherwise
 
 
 def axes_of(machine: AnyMachine) -> list[AxisTables]:
@@ -35,22 +40,46 @@ def drives_of(machine: AnyMachine) -> Iterator[DriveView]:
 
 
 def rate_of(view: DriveView) -> Iterator[str]:
-    """Yield the line on the highest rate of a drive: the exact one is only searched where entering it again tells."""
-    told, most, says = view.highest.rate, math.inf, str(view.highest.rate)
-    if isinstance(told, float):
-        settled, most, says = settled_highest(view).rate, told, f"about {rounded(told)}"
-        if not told or (isinstance(settled, float) and abs(settled - told) <= RATE / 2.0 * told):
-            return
-    exact, limit = exact_highest(view)
-    if abs(exact - most) > RATE * min(exact, most):
-        found = f"the highest rate is {rounded(exact)} cycles/min exactly ({limit})"
-        yield f"{view.driven.called}: {found}; its sheet says {says}"
+    """Yield the line on the range of rates of a drive that is not as its sheet states, by the exact engine."""
+    if ends_exactly(view):
+        return
+    exact = exact_rates(view)
+    if not agree(view.rates, exact):
+        yield f"{view.driven.called}: {in_words(exact)} exactly; its sheet says {in_words(view.rates)}"
 
 
-def exact_highest(view: DriveView) -> tuple[float, str]:
-    """Return the exact highest rate of a drive (cycles/min) and the limiting factor."""
-    found = highest_rate(view.driven.limit_checks)
-    return shown(found.speed / math.tau, PER_MINUTE), found.limit
+def ends_exactly(view: DriveView) -> bool:
+    """Return whether, by the exact engine, limits are held at both ends of a range, and not RATE beyond the upper."""
+    low, high = view.search.range[:2]
+    if not 0.0 < high < math.inf:
+        return False
+    ends = [one for one in (low, high) if one > 0.0]
+    return all(held_exactly(view, one) for one in ends) and not held_exactly(view, high * (1.0 + RATE))
+
+
+def held_exactly(view: DriveView, rate: float) -> bool:
+    """Return whether all limits that are nearly used are held at a rate (1/s), by the exact engine."""
+    uses = view.search.at(rate / view.search.rate).uses
+    names = {EXACT_NAMES.get(name, name) for name, use in uses.items() if use > NEARLY}
+    checks = at_speed(view.driven.limit_checks, rate * math.tau)
+    return all(check.use <= 1.0 + ROUNDING for check in checks.of(names))
+
+
+def in_words(found: Rates) -> str:
+    """Return a range of rates in words."""
+    return range_in_words(found, "").said
+
+
+def agree(told: Rates, exact: Rates) -> bool:
+    """Return whether a sheet's highest rate is at most RATE below the exact one, and never above it."""
+    if isinstance(told.high, str) or isinstance(exact.high, str):
+        return told.high == exact.high
+    return (1.0 - RATE) * exact.high <= told.high <= exact.high * (1.0 + ROUNDING)
+
+
+def exact_rates(view: DriveView) -> Rates:
+    """Return the exact range of rates of a drive."""
+    return Rates.of(rate_range(view.driven.limit_checks).times(1.0 / math.tau))
 
 
 def judgement(machine: AnyMachine) -> ExactJudgement:

@@ -1,18 +1,17 @@
 """Any machine: laws, and the timing diagram of 1 to 24 axes at one rate, or over any abscissa."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
 from engine.cams.interpolation import FunctionValues, composed
 from engine.motion.profile import CamProfile, profile_of_motion
-from engine.timing import Switch, turn_time
+from engine.timing import Switch
 from workbook.book.declare import Book, Quantity, result
 from workbook.book.summary import group_verdict_column, summary_sheet
-from workbook.entries.abscissa import Abscissa
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
-from workbook.fields.units import DEGREE, PER_MINUTE, shown, si
+from workbook.fields.units import DEGREE, shown
 from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
@@ -21,7 +20,7 @@ from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reach import require_mechanisms
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.sheet import drive_sheet
-from workbook.machines.machine.drive.view import NONE_BINDS, DriveView, drive_of
+from workbook.machines.machine.drive.view import DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.file_layout import fixed, laid_out
@@ -29,6 +28,7 @@ from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
+from workbook.machines.machine.rates_summary import range_of_rates
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
@@ -51,7 +51,7 @@ def declare(given: AnyMachine) -> Book:
     drives = {one.axis.number: view for one in rows if (view := drive_of(one))}
     bus = Mains(list(drives.values()), given.power) if drives else None
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
-    told = [*pace(machine), *highest_rate(drives.values(), len(rows), machine.over), *(supply(bus) if bus else [])]
+    told = [*pace(machine), *range_of_rates(drives.values(), len(rows), machine.over), *(supply(bus) if bus else [])]
     sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", told)
     axes_summary(sheet, machine, drives)
     timing_sheet(book, machine, rows)
@@ -100,29 +100,6 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
         names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "Sm" if view.brakes else "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
     book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards
-
-
-def highest_rate(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:
-    """Return the results of the whole machine: the highest rate at which all drives hold all limits, and who binds."""
-    rates, column = [(one.driven.axis.given.name, one.highest) for one in drives], "[axes_short.highest]"
-    if not rates:
-        return []
-    known = [(one.rate, f"{name}: {one.limit}") for name, one in rates if isinstance(one.rate, float)]
-    least, said = min(known, key=lambda one: one[0], default=(NONE_BINDS, NONE_BINDS))
-    first = f"[axes_short.{{}}],MATCH(about_highest,{column},0)" if axes > 1 else ""
-    told = [f"INDEX({first.format(name)})" if first else f"[axes_short.{name}.1]" for name in ("axis", "binds")]
-    time = turn_time(si(least, PER_MINUTE)) if isinstance(least, float) and least > 0 else NO_DRIVE
-    shortest = f'=IF(ISNUMBER(about_highest),IF(about_highest>0,60/about_highest,"{NO_DRIVE}"),"{NO_DRIVE}")'
-    return [
-        result("about_highest", "Highest rate", "N_max", "cycles/min",
-               f'=IF(COUNT({column})=0,"{NONE_BINDS}",MIN({column}))', least, align="right",
-               source="of all drives; approximate"),
-        *([result("about_shortest", "Shortest cycle", "t_c,min", "s", shortest, time, align="right",
-                  source="all times scaled")] if over.measured else []),
-        result("about_binds", "Axis and limiting factor", "", "",
-               f'=IF(COUNT({column})=0,"{NONE_BINDS}",{told[0]}&": "&{told[1]})', said, align="right",
-               source="the first, of equal ones"),
-    ]  # fmt: skip
 
 
 SEVERAL, DWELL = "several", 1

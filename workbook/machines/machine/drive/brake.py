@@ -16,6 +16,12 @@ def held(view: DriveView) -> str:
     return "1-[free]" if view.brakes else "([dir]=0)*@brake"
 
 
+def held_at_tried(view: DriveView) -> str:
+    """Return the formula of 1 at a point where the brake holds the shaft at the rate that is tried, else 0."""
+    lasts = "INDEX([@iv.dwell],[iv])>=(@brake_least-check_zero)*@times"
+    return f"([dir]=0)*({lasts})*@brake" if view.brakes else held(view)
+
+
 def workings(view: DriveView) -> list[Quantity]:
     """Return the rows of the shortest dwell that it holds, and of the intervals in motion."""
     return [

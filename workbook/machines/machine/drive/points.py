@@ -43,6 +43,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         calc("share", "share of the cycle", "", "", "=[w]*INDEX([@iv.len],[iv])/360",
              view.by_point(view.load.share, 0.0), "what it counts in a mean", scale=1.0),
         *standing(view),
+        *tried(view),
         blank="[share]=0",
     )  # fmt: skip
 
@@ -68,11 +69,9 @@ def chain(view: DriveView, place: str) -> list[Quantity]:
     load, points, size = view.load, view.points, view.scales
     (resists, without), (drives, equation) = by_angle.forces(view)
     between = stages.between(view.driven)
-    inertia, motor_ratio, motor_inertia = (
-        ("@j1*[al]", f"@i1{between}*[g]", f"@j0*@i1{between}*[al]") if view.varies else ("@j1i2*[a]", "@i", "@j0i*[a]")
-    )
+    motor_ratio, (inertia, motor_inertia) = f"@i1{between}*[g]" if view.varies else "@i", by_inertia(view)
     before, output = stages.output(view, behind(view), inertia)
-    of, axis, unit = view.by_point, view.driven.axis, "N" if view.driven.axis.base == "m" else "Nm"
+    of, axis, unit = view.by_point, view.driven.axis, driven_unit(view)
     linked = [] if not view.varies else [
         *LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of),
         calc("al", "acceleration of the shaft", "φ̈", "rad/s²", "=[h]*[v]^2+[g]*[a]", of(load.shaft_acceleration),
@@ -99,6 +98,11 @@ def chain(view: DriveView, place: str) -> list[Quantity]:
         result("P", "power of the motor", "P", "kW", "=[T]*([n]*PI()/30000+@copper*[T])", of(shown(points.power, KW)),
                "T ω + P_Cu (T/T_N)²", scale=size.power),
     ]  # fmt: skip
+
+
+def by_inertia(view: DriveView) -> tuple[str, str]:
+    """Return the formulas of the torques of inertia on the mechanism's shaft, and at the motor's."""
+    return ("@j1*[al]", f"@j0*@i1{stages.between(view.driven)}*[al]") if view.varies else ("@j1i2*[a]", "@j0i*[a]")
 
 
 def behind(view: DriveView) -> str:
@@ -131,7 +135,7 @@ def motion(view: DriveView, place: str) -> list[Quantity]:
 def standing(view: DriveView) -> list[Quantity]:
     """Return the columns for the highest rate: torques without motion, what of the curve grows with the rate."""
     points, load, size, of, driven = view.points, view.load, view.scales, view.by_point, view.driven
-    before, output = stages.output(view, behind(view), "", "0")
+    before, output = stages.output(view, behind(view), "", "[R]", stages.REST)
     columns = [
         *before,
         calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", output,
@@ -159,6 +163,33 @@ def standing(view: DriveView) -> list[Quantity]:
         calc("ub", "share of the curve", "", "", use("[T0]-[T]", "@corner+[T0]"), of(backward), "of torques backward",
              scale=1.0),
     ]  # fmt: skip
+
+
+def tried(view: DriveView) -> list[Quantity]:
+    """Return the columns of the torques at the rate that is tried: forces of inertia grow with its square."""
+    then, of, size, driven = view.search.points_tried, view.by_point, view.scales, view.driven
+    force, resisted, (inertia, motor_inertia) = "([R]+([F]-[R])*@times^2)", [], by_inertia(view)
+    if driven.entered.load.viscous is not None:
+        speed = "[dx]*[vs]" if view.slides else "[v]"
+        formula = f"=[R]+([F]-[R])*@times^2+@viscous*{speed}*(@times-@times^2)"
+        resisted = [calc("FN", "force at the rate that is tried", "F_N", driven_unit(view), formula,
+                         of(then.load.force), "F_r + (F − F_r − c ẏ) x + c ẏ √x", scale=size.force)]  # fmt: skip
+        force = "[FN]"
+    held, (before, output) = brake.held_at_tried(view), stages.output(view, behind(view), inertia, force, stages.TRIED)
+    return [
+        *resisted,
+        *before,
+        calc("SN", "output torque of the reducer, at the rate that is tried", "T_1,N", "Nm", output,
+             of(then.load.output_torque), scale=size.behind),
+        calc("TN", "torque of the motor, at the rate that is tried", "T_N", "Nm",
+             f"=IF({held},0,{LOSS1.format('[SN]')}+{motor_inertia}*@times^2+@no_load*[dir])", of(then.torque),
+             scale=size.torque),
+    ]  # fmt: skip
+
+
+def driven_unit(view: DriveView) -> str:
+    """Return the unit of the force at the load."""
+    return "N" if view.driven.axis.base == "m" else "Nm"
 
 
 MIDDLE = POINTS // 2 + 1  # the number of the point in the middle of an interval

@@ -166,7 +166,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         result("@smean", "Output torque of the reducer, mean", "", "Nm", f"={max_rate.cubic('S')}", reducer[1].value,
                "³√(∫|n||T_1|³ dt/∫|n| dt)", scale=size.behind),
         *energies(view),
-        *max_rate.highest(view),
+        *max_rate.range_results(view),
     )  # fmt: skip
 
 
@@ -223,7 +223,7 @@ def checks(view: DriveView) -> list[Quantity]:
     """Return the checks of the drive: of its limits with what would mend them, and of what is entered."""
     driven, (torque, mean, speed) = view.driven, view.reducer_checks
     called, reducer = driven.called, driven.reducer
-    mends = CheckSentence('"; "&@mends', f"; {max_rate.mends(view).said}")
+    mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').said}")
     level = check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed", "@drop=0",
                   not driven.catalogued_falling.fall, says=CheckSentence(f'"{LEVEL}"', LEVEL))  # fmt: skip
     return [

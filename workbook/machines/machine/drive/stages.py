@@ -106,24 +106,33 @@ def own(driven: Driven) -> str:
     return f"+@s{count(driven)}_j_driven/10000" if count(driven) else ""
 
 
-def output(view: DriveView, behind: str, inertia: str, rest: str = "") -> tuple[list[Quantity], str]:
+def output(view: DriveView, behind: str, inertia: str, force: str = "[F]", end: str = "") -> tuple[list[Quantity], str]:
     """Return the columns of the torques on the shafts behind the stages, and the formula of the one before them all.
 
     ``behind`` is the formula of what the mechanism takes of a force, ``inertia`` that of the torque of its shaft's
-    inertia; of torques without inertia, whose columns end in ``rest``, it is empty.
+    inertia. The columns' names end in ``end``: 0 of torques without inertia, N of those at the rate that is tried.
     """
     last, moved = count(view.driven), "[al]" if view.varies else "[a]"
-    formula = f"={behind.format('[R]' if rest else '[F]')}" + (f"+{inertia}" if inertia else "")
-    torques, columns = view.load.shaft_torques_at_rest if rest else view.load.shaft_torques, list[Quantity]()
+    words, grows = {"": ("", ""), REST: (", without inertia", ""), TRIED: (", at the tried rate", "*@times^2")}[end]
+    torques = {"": view.load.shaft_torques, REST: view.load.shaft_torques_at_rest,
+               TRIED: view.search.points_tried.load.shaft_torques}[end]  # fmt: skip
+    formula = f"={behind.format(force)}" + ("" if end == REST else f"+{inertia}{grows}")
+    columns = list[Quantity]()
     for n in range(last, 0, -1):
         where = "on the mechanism's shaft" if n == last else f"before stage {n + 1}"
-        scale, name = max(float(np.abs(view.load.shaft_torques[n]).max()), LEAST), f"M{n}{rest}"
+        scale, name = max(float(np.abs(view.load.shaft_torques[n]).max()), LEAST), f"M{n}{end}"
+        symbol = f"T_{n + 1}{SYMBOLS[end]}"
         columns.append(
-            calc(name, f"torque {where}{', without inertia' if rest else ''}", f"T_{n + 1}{',s' if rest else ''}", "Nm",
-                 f"{formula}+@s{n}_friction*[dir]", view.by_point(torques[n]), "f T/i + J ω̇ ± T_f", scale=scale)
+            calc(name, f"torque {where}{words}", symbol, "Nm", f"{formula}+@s{n}_friction*[dir]",
+                 view.by_point(torques[n]), "f T/i + J ω̇ ± T_f", scale=scale)
         )  # fmt: skip
-        formula = LOSS.format(n, name) + ("" if rest else f"+@s{n}_ja*{moved}")
+        formula = LOSS.format(n, name) + ("" if end == REST else f"+@s{n}_ja*{moved}{grows}")
     return columns, formula
+
+
+REST, TRIED = "0", "N"
+SYMBOLS = {"": "", REST: ",s", TRIED: ",N"}
+"""ends of names of columns of torques, without inertia and at the rate that is tried; and of their symbols"""
 
 
 def checks(driven: Driven) -> list[Quantity]:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.drive_points import DrivePoints, Peak, peak
-from engine.drive.limit_use import limit_uses
+from engine.drive.limit_use import RateRange, RateSearch
 from engine.drive.limits import BELOW
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Interpolation, LoadPoints, QuadratureCycle
@@ -19,15 +19,14 @@ from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
-from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
+from workbook.fields.units import DEGREE, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.boundary.bends import bend_angles, polynomials
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.machines.machine.motion_tables import AxisTables
 
-NONE_BINDS = "none"
-SETTLING, NEAR = 8, 1e-6
-"""how often a highest rate is entered and read again, and by how little it changes where it has settled"""
+NONE_BINDS, AT_NO_RATE = "none", "at no rate"
+"""the words for a highest rate where no limit binds, and where none is held"""
 PEAKED: dict[str, Callable[[DrivePoints], Array]] = {
     "T": lambda points: points.torque, "S": lambda points: points.load.output_torque,
     "P": lambda points: points.power, "n": lambda points: points.speed,
@@ -49,11 +48,22 @@ class Scales(NamedTuple):
     turning: float  # the acceleration of the shaft behind the reducer (rad/s²)
 
 
-class Highest(NamedTuple):
-    """The highest rate (cycles/min) at which a drive holds all limits, or a word, and the limiting factor."""
+class Rates(NamedTuple):
+    """The rates (cycles/min) between which a drive holds all limits, or words, and the limits at either end."""
 
-    rate: float | str
-    limit: str
+    low: float | str
+    high: float | str
+    low_limit: str
+    high_limit: str
+
+    @classmethod
+    def of(cls, found: RateRange) -> "Rates":
+        """Return a range of rates (1/s)."""
+        if found.high == 0.0:
+            return cls(AT_NO_RATE, AT_NO_RATE, AT_NO_RATE, found.high_limit)
+        low, high = (shown(rate, PER_MINUTE) for rate in found[:2])
+        return cls(low, high if math.isfinite(high) else NONE_BINDS, found.low_limit or NONE_BINDS,
+                   found.high_limit or NONE_BINDS)  # fmt: skip
 
 
 class DriveView:
@@ -89,8 +99,12 @@ class DriveView:
         self.point_rows = self.rows * POINTS
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
         self.speed = self.size("n") if self.varies else turns  # the largest of the motor (rad/s)
-        limits = driven.motor, driven.reducer.limits, 1.0 / self.time
-        self.shares = limit_uses(self.points, self.speed, *limits)  # of each limit, by its name
+
+    @cached_property
+    def search(self) -> RateSearch:
+        """The search of the rates that hold all limits."""
+        driven, peaks = self.driven, (self.size("T"), self.size("S"))
+        return RateSearch(self.points, self.speed, driven.motor, driven.reducer.limits, 1.0 / self.time, peaks)
 
     @cached_property
     def peaks(self) -> dict[tuple[str, int], Peak]:
@@ -204,13 +218,10 @@ class DriveView:
                  "reducer input speed", BELOW)  # fmt: skip
         return dict(zip(named, (*self.reserve, *self.reducer_checks, below), strict=True))
 
-    @property
-    def highest(self) -> Highest:
-        """The highest rate of the sheet, and the limiting factor."""
-        each = {name: one.highest(self.rate) for name, one in self.shares.items()}
-        least = min(each.values())
-        name = next(name for name, one in each.items() if one == least)
-        return Highest(least, name) if math.isfinite(least) else Highest(NONE_BINDS, NONE_BINDS)
+    @cached_property
+    def rates(self) -> Rates:
+        """The range of rates of the sheet."""
+        return Rates.of(self.search.range)
 
     @property
     def spare(self) -> float:
@@ -241,15 +252,3 @@ def drive_of(tables: AxisTables) -> DriveView | None:
     """Return the drive of an axis, if it has one."""
     given = tables.axis.given
     return DriveView(tables, Driven(tables.axis, tables.machine.given)) if given.mechanism and given.motor else None
-
-
-def settled_highest(view: DriveView) -> Highest:
-    """Return the highest rate of a drive where it is entered and read again, until it stays."""
-    one, axis, found = view, view.driven.axis, view.highest
-    for _ in range(SETTLING):
-        found = one.highest
-        if not isinstance(found.rate, float) or found.rate <= 0.0 or abs(found.rate - one.rate) <= NEAR * one.rate:
-            break
-        moved = axis.at_speed(axis.speed, axis.given.model_copy(update={"rate": found.rate}))
-        one = DriveView(view.tables, Driven(moved, view.tables.machine.given))
-    return found

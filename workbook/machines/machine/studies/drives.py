@@ -204,10 +204,7 @@ class DriveStudy:
     @cached_property
     def highest(self) -> tuple[Array, Any]:
         """The highest rate of each design (cycles/min), and the limiting factor."""
-        found = {}
-        for one, view in self.views.items():
-            most, rate = view.highest, self.rates.values[one[2]]  # the machine's entries do not tell this rate
-            found[one] = (most.rate * rate / view.rate if isinstance(most.rate, float) else most.rate, most.limit)
+        found = {one: (view.rates.high, view.rates.high_limit) for one, view in self.views.items()}
         rates, limits = zip(*map(found.__getitem__, self.designs), strict=True)
         return np.array(rates), np.array(limits, dtype=object)
 

@@ -1,0 +1,96 @@
+"""The rates at which all drives of a machine hold all limits, for its first sheet."""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
+
+from engine.timing import turn_time
+from workbook.book.declare import Quantity, calc, result
+from workbook.book.sentence import Sentence, quoted
+from workbook.entries.abscissa import Abscissa
+from workbook.fields.units import PER_MINUTE, si
+from workbook.machines.machine.axes_summary import NO_DRIVE
+from workbook.machines.machine.drive.max_rate import range_in_words
+from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
+
+NO_RATE = quoted(AT_NO_RATE)
+
+
+class AxisRates(NamedTuple):
+    """The rates of the drive of an axis."""
+
+    number: int  # of the axis, from 1
+    name: str
+    rates: Rates
+
+
+class WholeRange(NamedTuple):
+    """The rates of all drives, whose limits have the names of their axes; the axes that have them, 0 if none has."""
+
+    rates: Rates
+    low_axis: int
+    high_axis: int
+
+
+def whole_range(each: Sequence[AxisRates]) -> WholeRange:
+    """Return the rates that all drives hold; of drives that hold none, or none together, the words for it."""
+    unmet = next((one for one in each if one.rates.high == AT_NO_RATE), None)
+    low = first(each, lambda one: one.rates.low, max)
+    high = unmet or first(each, lambda one: one.rates.high, min)
+    low = low if low and low.rates.low else None
+    low_limit = f"{low.name}: {low.rates.low_limit}" if low else NONE_BINDS
+    high_limit = f"{high.name}: {high.rates.high_limit}" if high else NONE_BINDS
+    ends = (low.rates.low if low else 0.0), (high.rates.high if high else NONE_BINDS)
+    if unmet or (isinstance(ends[0], float) and isinstance(ends[1], float) and ends[0] >= ends[1]):
+        ends = AT_NO_RATE, AT_NO_RATE
+    return WholeRange(Rates(*ends, low_limit, high_limit), low.number if low else 0, high.number if high else 0)
+
+
+def first(
+    each: Sequence[AxisRates], end: Callable[[AxisRates], float | str], best: Callable[..., float]
+) -> AxisRates | None:
+    """Return the first axis that has the best of the ends that are numbers, if any is."""
+    numbers = [value for one in each if isinstance(value := end(one), float)]
+    return next((one for one in each if end(one) == best(numbers)), None) if numbers else None
+
+
+def range_of_rates(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:
+    """Return the results of the whole machine: the rates at which all drives hold all limits, and who binds."""
+    each = [AxisRates(one.axis.number, one.axis.given.name, view.rates) for view in drives for one in [view.driven]]
+    if not each:
+        return []
+    found, most, least = whole_range(each), "[axes_short.highest]", "[axes_short.lowest]"
+
+    def binds(limit: str, row: str) -> str:
+        """Return the formula of an axis and of a limit of it, by its row, which is 0 if there is none."""
+        names = (f"[axes_short.{name}]" for name in ("axis", limit))
+        axis, what = (f"{name[:-1]}.1]" if axes == 1 else f"INDEX({name},{row})" for name in names)
+        return f'=IF({row}=0,"{NONE_BINDS}",{axis}&": "&{what})'
+
+    def row_of(value: str, column: str) -> str:
+        """Return the formula of the first row that has a value in a column."""
+        return "1" if axes == 1 else f"MATCH({value},{column},0)"
+
+    high, unmet = found.rates.high, f"COUNTIF({most},{NO_RATE})>0"
+    apart = f'IF(COUNT({most})=0,"{NONE_BINDS}",IF(MAX({least})<MIN({most}),MIN({most}),{NO_RATE}))'
+    words = range_in_words(found.rates, "about_")
+    return [
+        calc("about_range", "All drives together", "", "", f"={words.says}", Sentence(words.said), align="right"),
+        result("about_highest", "Highest rate", "N_max", "cycles/min", f"=IF({unmet},{NO_RATE},{apart})", high,
+               align="right", source="of all drives"),
+        *([result("about_shortest", "Shortest cycle", "t_c,min", "s",
+                  f'=IF(ISNUMBER(about_highest),60/about_highest,"{NO_DRIVE}")',
+                  turn_time(si(high, PER_MINUTE)) if isinstance(high, float) else NO_DRIVE, align="right",
+                  source="all times scaled")] if over.measured else []),
+        calc("about_first", "Number of the axis that has it", "", "",
+             f"=IF({unmet},{row_of(NO_RATE, most)},IF(COUNT({most})=0,0,{row_of(f'MIN({most})', most)}))",
+             found.high_axis, "the first, of equal ones", format="0"),
+        result("about_binds", "Axis and limiting factor", "", "", binds("binds", "about_first"), found.rates.high_limit,
+               align="right"),
+        result("about_lowest", "Lowest rate", "N_min", "cycles/min",
+               f"=IF(about_highest={NO_RATE},about_highest,MAX({least}))", found.rates.low,
+               "of all drives; 0: standstill", align="right"),
+        calc("about_first_low", "Number of the axis that has it", "", "",
+             f"=IF(MAX({least})>0,{row_of(f'MAX({least})', least)},0)", found.low_axis, "0: none", format="0"),
+        result("about_binds_low", "Axis and limiting factor", "", "", binds("binds_low", "about_first_low"),
+               found.rates.low_limit, align="right"),
+    ]  # fmt: skip
