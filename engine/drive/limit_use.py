@@ -24,7 +24,7 @@ NEVER = 1.0 / LEAST_USE  # square of a rate's factor from which a limit is held 
 TINY = 1e-30  # more than 0, so that a quotient has a value
 NO_LIMIT = 1.0 / TINY  # stands for an infinite one
 PEAK_TORQUE, REDUCER_TORQUE, SPEEDS = "peak torque", "reducer peak torque", ("motor speed", "reducer input speed")
-TARGET, TARGET_BETWEEN = 0.999, 0.998  # use of a limit at the ends of the range; where peaks lie between points
+TARGET, TARGET_BETWEEN = 0.999, 0.997  # use of a limit at the ends of the range; where peaks lie between points
 HAIR = 1e-6  # by which the range ends before the rate at which a speed is at its limit
 BEYOND, ASTRAY = 0.02, 0.1  # by which the rate that is tried is beyond the estimate: of it, and of the way to it
 
@@ -165,9 +165,6 @@ class Shares(NamedTuple):
     def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
         """Return those of the use of a limit up to a target."""
         return cls((end - begin) / max(TINY, target - begin))
-
-
-NO_RATE = RateRange(0.0, 0.0, "", "")
 
 
 @dataclass(frozen=True)
@@ -389,12 +386,9 @@ class RateSearch:
         low_limit = max(self.ends, key=lambda name: self.ends[name].low)
         high_limit = min(self.ends, key=lambda name: self.ends[name].high)
         low, high = self.limits_ends
-        high_limit = high_limit if math.isfinite(self.ends[high_limit].high) else ""
-        return (
-            RateRange(low, high, low_limit if low else "", high_limit)
-            if low < high
-            else NO_RATE._replace(low_limit=low_limit, high_limit=high_limit)
-        )
+        if low >= high:
+            return RateRange(0.0, 0.0, low_limit, low_limit)
+        return RateRange(low, high, low_limit if low else "", high_limit if math.isfinite(high) else "")
 
 
 def largest(values: Array) -> float:

@@ -26,7 +26,7 @@ from engine.drive.limit_use import (
 )
 from engine.drive.limits import BELOW, CYCLES
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
-from workbook.book.sentence import CheckSentence, Sentence
+from workbook.book.sentence import CheckSentence, Sentence, quoted
 from workbook.drive.motor import continuous_at
 from workbook.fields.units import PER_MINUTE, RPM, shown
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
@@ -40,7 +40,7 @@ ABOUT = (
 )
 TRIED = (
     "Near the upper end of that estimate the points have torques T_1,N and T_N too. From a rate that holds to the "
-    "other, each torque grows by a straight line over x: 1/σ of the way it is at 99.9 or 99.8 % of its limit."
+    "other, each torque grows by a straight line over x: 1/σ of the way it is at 99.9 or 99.7 % of its limit."
 )
 MEETS = (PEAK_TORQUE, REDUCER_TORQUE, CYCLES)  # the limits of torques at points
 RANGE_END = 0.0499
@@ -350,7 +350,7 @@ def ends(view: DriveView) -> list[Quantity]:
     if view.brakes:
         up_to = f"IF(AND(@holds=1,@holds_tried=0,ISNUMBER(@released)),MIN(@released,{up_to}),{up_to})"
     low, high = search.limits_ends
-    lows = [search.ends.get(name, Ends(0.0, math.inf)).low for name in names_of(view)]
+    lows, highs = zip(*(search.ends.get(name, Ends(0.0, math.inf)) for name in names_of(view)), strict=True)
     return [
         calc("@up_to", "All limits held up to", "", "cycles/min",
              f'=IF(COUNT([@between.high])=0,"{NOT_REACHED}",IF(@holds=1,MAX(@rate,{up_to}),{up_to}))', met(high),
@@ -358,19 +358,16 @@ def ends(view: DriveView) -> list[Quantity]:
         calc("@down_to", "All limits held from", "", "cycles/min",
              f'=IF(COUNTIF([@between.low],"{NEVER_HELD}")>0,"{NEVER_HELD}",'
              "IF(@holds=1,MIN(@rate,MAX([@between.low])),MAX([@between.low])))", met(low, NEVER_HELD), align="right"),
-        calc("@low_row", "Row of the limit that has it", "", "",
-             "=IF(COUNT([@between.low])=0,1,MATCH(MAX([@between.low]),[@between.low],0))", row_of_largest(lows),
-             format="0"),
+        calc("@high_row", "Row of the limit that has the upper end", "", "",
+             "=IF(COUNT([@between.high])=0,1,MATCH(MIN([@between.high]),[@between.high],0))",
+             highs.index(min(highs)) + 1, format="0"),
+        calc("@low_row", "Row of the limit that has the lower end", "", "",
+             f'=IF(COUNTIF([@between.low],{quoted(NEVER_HELD)})>0,MATCH({quoted(NEVER_HELD)},[@between.low],0),'
+             "MATCH(MAX([@between.low]),[@between.low],0))", lows.index(max(lows)) + 1, format="0"),
         calc("@some", "There is a rate at which all hold", "", "",
              "=IF(ISNUMBER(@down_to),IF(ISNUMBER(@up_to),IF(@down_to<@up_to,1,0),1),0)", int(search.range.high > 0.0),
              "1 yes, 0 no", format="0"),
     ]  # fmt: skip
-
-
-def row_of_largest(values: Sequence[float]) -> int:
-    """Return the row of the first of the largest finite values, 1 if there is none."""
-    finite = [value for value in values if math.isfinite(value)]
-    return values.index(max(finite)) + 1 if finite else 1
 
 
 def range_results(view: DriveView) -> Sequence[Quantity]:
@@ -381,7 +378,8 @@ def range_results(view: DriveView) -> Sequence[Quantity]:
         result("@highest", "Highest rate within all limits", "N_max", "cycles/min",
                f'={none},IF(ISNUMBER(@up_to),@up_to,"{NONE_BINDS}"))', found.high, NOTE, align="right"),
         result("@binds", "limiting factor", "", "",
-               f'=IF(COUNT({rates})=0,"{NONE_BINDS}",INDEX([@between.name],MATCH(MIN({rates}),{rates},0)))',
+               f'=IF(@some=0,INDEX([@between.name],@low_row),'
+               f'IF(COUNT({rates})=0,"{NONE_BINDS}",INDEX([@between.name],@high_row)))',
                found.high_limit, align="right"),
         result("@lowest", "Lowest rate within all limits", "N_min", "cycles/min", f"={none},@down_to)", found.low,
                "0: standstill", align="right"),
