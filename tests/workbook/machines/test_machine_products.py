@@ -2,8 +2,8 @@
 
 import pytest
 
-from engine.drive.limit_use import REDUCER_TORQUE
 from engine.drive.limits import CYCLES
+from engine.drive.rate_estimates import REDUCER_TORQUE
 from tests.workbook.cells import computed, entered
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_forces import small

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterator
 
-from engine.drive.limit_use import PEAK_TORQUE, REDUCER_TORQUE
 from engine.drive.limits import BELOW, CYCLES, at_speed
 from engine.drive.motor import LimitCheck
+from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
 from engine.drive.rate_range import rate_range
 from workbook.book.sentence import rounded
 from workbook.book.summary import ZERO

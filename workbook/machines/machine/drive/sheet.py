@@ -15,7 +15,7 @@ from workbook.drive.motor import (
 )
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
-from workbook.machines.machine.drive import brake, by_angle, in_use, max_rate, reducer_load, stages
+from workbook.machines.machine.drive import brake, by_angle, in_use, max_rate, rates_between, reducer_load, stages
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
@@ -75,7 +75,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         if driven.linkage:
             reach_table(sheet, view, driven.linkage)
         peaks_table(sheet, view)
-        max_rate.rates_table(sheet, view)
+        rates_between.rates_table(sheet, view)
         if view.for_selection:
             reducer_load.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")

@@ -1,0 +1,124 @@
+"""The estimate of the rates at which a drive holds its limits: T_s at standstill, and what grows with the square x."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.drive.drive_points import DrivePoints
+from engine.drive.motor import Motor
+from engine.laws.base import Array
+
+LEAST_USE = 1e-9  # a smaller share is rounding: the limit is reached beyond 30,000 times the present rate
+NEVER = 1.0 / LEAST_USE  # square of a rate's factor from which a limit is held that no rate holds
+TINY = 1e-30  # more than 0, so that a quotient has a value
+NO_LIMIT = 1.0 / TINY  # stands for an infinite one
+PEAK_TORQUE, REDUCER_TORQUE, SPEEDS = "peak torque", "reducer peak torque", ("motor speed", "reducer input speed")
+TARGET, TARGET_BETWEEN = 0.999, 0.997  # use of a limit at the ends of the range; where peaks lie between points
+HAIR = 1e-6  # by which the range ends before the rate at which a speed is at its limit
+BEYOND, ASTRAY = 0.02, 0.1  # by which the rate that is tried is beyond the estimate: of it, and of the way to it
+
+
+class Estimate(NamedTuple):
+    """The estimate of a limit over x, the square of a rate's factor; limit and standing figure in the limit's unit."""
+
+    limit: float  # at speed 0
+    standing: float  # figure without inertia and viscous friction
+    forward: float  # 1/x up to which it is held, of torques forward; 0 of any
+    backward: float = 0.0  # likewise of torques backward
+    from_forward: float = 0.0  # x from which it is held, of torques forward
+    from_backward: float = 0.0  # likewise
+
+    @property
+    def most(self) -> float:
+        """The factor of the rate up to which it is held; infinite if there is no limit."""
+        share = max(self.forward, self.backward)
+        return 1.0 / math.sqrt(share) if share > LEAST_USE else math.inf
+
+    @property
+    def least(self) -> float:
+        """The factor of the rate from which it is held; infinite if none holds it."""
+        least = max(self.from_forward, self.from_backward)
+        return math.sqrt(least) if least < NEVER else math.inf
+
+
+def by_points(torque: Array, standing: Array, limit: float) -> Estimate:
+    """Return the estimate of a limit of torque (Nm) at every point."""
+    grows, rises, falls, most = torque - standing, torque > standing, standing > torque, min(limit, NO_LIMIT)
+    return Estimate(
+        limit,
+        float(np.abs(standing).max()),
+        float((rises * grows / (np.maximum(0.0, most - standing) + TINY)).max()),
+        float((falls * -grows / (np.maximum(0.0, most + standing) + TINY)).max()),
+        clipped(float(((standing - most) / (falls * -grows + TINY)).max())),
+        clipped(float(((-standing - most) / (rises * grows + TINY)).max())),
+    )
+
+
+def clipped(x: float) -> float:
+    """Return x within 0 and :data:`NEVER`."""
+    return min(NEVER, max(0.0, x))
+
+
+def mean_squares(points: DrivePoints) -> tuple[float, float, float]:
+    """Return the means of S², S·I and I² over the points (N²m²)."""
+    standing, grows = points.standing, points.torque - points.standing
+    return points.mean(standing**2), points.mean(standing * grows), points.mean(grows**2)
+
+
+class ContinuousTorqueLine(NamedTuple):
+    """The continuous torque over the rate; mean (S + x I)² = (M − D √x)² with √x ≤ (e + x/e)/2 is quadratic in x."""
+
+    stall: float  # M, at speed 0 (Nm)
+    fall: float  # D, from there to the present mean speed (Nm)
+    near: float  # e, rate over the present one at which the bound of √x is exact
+    half: float  # half of x's coefficient (N²m²)
+    left: float  # what S leaves (N²m²)
+    root: float  # square of the root in the quadratic's solution (N⁴m⁴)
+
+
+def continuous_line(points: DrivePoints, motor: Motor) -> ContinuousTorqueLine:
+    """Return the line of a motor's continuous torque, constant if the mean speed is beyond the rated one."""
+    own, mixed, growing = mean_squares(points)
+    now = float(motor.continuous(points.mean_speed))
+    stall = motor.stall_torque if now > motor.rated_torque else motor.rated_torque
+    if math.isinf(stall):
+        return ContinuousTorqueLine(stall, 0.0, 1.0, mixed, math.inf, math.inf)
+    fall = stall - now
+    near = min(1.0, (stall - math.sqrt(own)) / fall) if fall > 0.0 and stall > math.sqrt(own) else 1.0
+    half, left = mixed + fall * (stall / near - fall) / 2.0, stall * (stall - fall * near) - own
+    return ContinuousTorqueLine(stall, fall, near, half, left, half**2 + growing * left)
+
+
+def by_rms(points: DrivePoints, motor: Motor) -> Estimate:
+    """Return the estimate of the continuous torque (Nm)."""
+    own, _, growing = mean_squares(points)
+    stall, _, _, half, left, square = continuous_line(points, motor)
+    if math.isinf(stall) or not points.speed.any():
+        return Estimate(stall, math.sqrt(own), 0.0)
+    root = math.sqrt(max(0.0, square))
+    if left > 0.0:
+        return Estimate(stall, math.sqrt(own), (root + half) / left)
+    if half >= 0.0 or square < 0.0:
+        return Estimate(stall, math.sqrt(own), 0.0, from_forward=NEVER)
+    return Estimate(stall, math.sqrt(own), growing / (root - half), from_forward=clipped(-left / (root - half)))
+
+
+def by_mean(points: DrivePoints, limit: float) -> Estimate:
+    """Return the estimate of the reducer's mean torque (Nm), which is taken to grow linearly with x."""
+    standing = points.cubic_mean(points.load.output_torque_at_rest)
+    grows = points.cubic_mean(points.load.output_torque) - standing
+    if math.isinf(limit):
+        return Estimate(limit, standing, 0.0)
+    share, since = max(0.0, grows) / (max(0.0, limit - standing) + TINY), (standing - limit) / (max(0.0, -grows) + TINY)
+    return Estimate(limit, standing, share, from_forward=clipped(since))
+
+
+def by_speed(speed: float, limit: float) -> Estimate:
+    """Return the estimate of a speed limit (rad/s), which is exact."""
+    return Estimate(limit, 0.0, (speed / limit) ** 2)
+
+
+def largest(values: Array) -> float:
+    """Return the largest absolute value."""
+    return float(np.abs(values).max())
