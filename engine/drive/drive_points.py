@@ -131,7 +131,7 @@ class DrivePoints:
         """Return at each point the use 1/r² of a motor's peak torque T that falls: |S + r² I| + f r |ω| = T + f ω_1.
 
         It has two rows, for positive and negative torque, of the first r that reaches the line; 0 if none does. See
-        :func:`limit_uses` for S and I.
+        :func:`engine.drive.rate_estimates.by_points` for S and I.
         """
         way = np.array([1.0, -1.0])[:, None, None]
         left = motor.falling.corner(motor.peak_torque) - way * self.standing
