@@ -234,9 +234,12 @@ def charts(sheet: Sheet, view: DriveView) -> None:
     """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
     sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=CHART_COLUMN, row=5, width=8, height=22)
     over, places = view.tables.machine.over, {"column": CHART_COLUMN, "width": 8, "height": 11}
-    drawn = [("Torque of the motor", "T [Nm]", "torque", "torque", " over the cycle", 28)]
-    drawn += [("Angle of the mechanism's shaft", "φ [rad]", "angle", "phi", "", 40)] if view.varies else []
-    for what, y, name, column, cycle, row in drawn:
-        line = Series(name, f"[cycle{view.driven.number}.{over.column}]", f"[@cycle.{column}]")
-        about = f"{what} over {over.cycle}"
-        sheet.chart(Chart(f"{what}{cycle}", over.title, y, (line,), about, over.axis(60)), row=row, **places)
+    lines = Series("torque", "[@pt.theta]", "[@pt.T]"), Series("peaks", "[@tops.theta]", "[@tops.T]", points=True)
+    about = "Torque of the motor at its points over a cycle, by the angle of its phases"
+    torque = Chart("Torque of the motor over the cycle", THETA, "T [Nm]", lines, about, ANGLE.axis(60))
+    sheet.chart(torque, row=28, **places)
+    if view.varies:
+        line = Series("angle", f"[cycle{view.driven.number}.{over.column}]", "[@cycle.phi]")
+        title = "Angle of the mechanism's shaft"
+        turned = Chart(title, over.title, "φ [rad]", (line,), f"{title} over {over.cycle}", over.axis(60))
+        sheet.chart(turned, row=40, **places)

@@ -2,6 +2,7 @@
 
 import math
 
+from engine.drive.bounds import stated_bounds
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
 from workbook.book.sentence import CheckSentence
 from workbook.drive.motor import (
@@ -44,7 +45,6 @@ END = "INDEX([motors.end],MAX(1,@motor_row))"
 LEVEL = (
     "its peak torque falls beyond a speed, and this book knows none that does: give it to the description, and build"
 )
-PEAKS = "to 0.5 %; exact at a constant ratio without viscous friction"
 
 
 def drive_sheet(book: Book, view: DriveView) -> None:
@@ -120,11 +120,19 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
         sheet.rows(*stages.entries(driven, key))
 
 
+UNDAMPED = "; exact without viscous friction"
+
+
+def to(bound: float, of: str = "") -> str:
+    """Return the words for a bound: as a share of the result, or ``of`` another."""
+    return f"to {100.0 * bound:g} %{f' of {of}' if of else ''}"
+
+
 def outcome(sheet: Sheet, view: DriveView) -> None:
     """Declare what the cycle asks of the motor, and the highest rate."""
     driven, points, size = view.driven, view.points, view.scales
     motor, reducer, own = view.reserve, view.reducer_checks, driven.entered.rate
-    limits = driven.limits
+    limits, bound = driven.limits, stated_bounds(driven.train)
     fastest = f"=MAX({top('n')},0-{top('n', 'low')})" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
     sheet.heading("Results")
     sheet.rows(
@@ -138,17 +146,17 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         result("@inertias", "Inertia ratio", "", "", "=IF(@jm>0,@jtot/10000/@jm,0)",
                view.inertia_ratio, "load at the motor's shaft / motor"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", view.top("T"),
-               "to 1 %" if driven.by_angle else PEAKS, scale=size.torque),
+               to(bound.peak_torque) + ("" if view.varies or driven.by_angle else UNDAMPED), scale=size.torque),
         result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -view.top("T", -1),
-               scale=size.torque),
+               to(bound.peak_torque), scale=size.torque),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
-               points.rms_torque, "√(Σ share T²), to 0.1 %", scale=size.torque),
+               points.rms_torque, f"√(Σ share T²), {to(bound.rms_torque, 'the peak')}", scale=size.torque),
         result("@t_hold", "Holding torque of the motor", "T_h", "Nm",
                "=MAX(SUMPRODUCT(MAX(([@pt.dir]=0)*[@pt.T])),SUMPRODUCT(MAX(([@pt.dir]=0)*(0-[@pt.T]))))",
                points.holding_torque, "the largest at rest, over η at standstill; without no-load torque",
                scale=size.torque),
         result("@speed", "Motor speed, largest", "n_max", "rpm", fastest, shown(view.speed, RPM),
-               "i_1 φ' ẏ" if view.varies else "C_v h/t, through the ratio", scale=size.rpm),
+               f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio", scale=size.rpm),
         result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
                shown(points.mean_speed, RPM), "of |n| over the cycle; with T_rms the RMS point", scale=size.rpm),
         continuous(view.driven.motor, points.mean_speed),
@@ -162,7 +170,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         *([result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])", view.spare,
                   "at its points", scale=size.torque)] if view.knows_falling else []),
         result("@smax", "Output torque of the reducer, peak", "", "Nm", f"=MAX({top('S')},0-{top('S', 'low')})",
-               reducer[0].value, scale=size.behind),
+               reducer[0].value, to(bound.peak_torque), scale=size.behind),
         result("@smean", "Output torque of the reducer, mean", "", "Nm", f"={max_rate.cubic('S')}", reducer[1].value,
                "³√(∫|n||T_1|³ dt/∫|n| dt)", scale=size.behind),
         *energies(view),
@@ -172,19 +180,22 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
 
 def energies(view: DriveView) -> list[Quantity]:
     """Return the results of the motor's energy and power over the cycle."""
-    size, (driving, returned) = view.scales, view.energy
+    size, (driving, returned), bound = view.scales, view.energy, stated_bounds(view.driven.train)
     return [
         result("@energy", "Energy of the motor, driving", "E", "J",
                "=SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]>0)*1)*60/@rate*1000", driving,
-               "with its copper losses, a cycle; to 3 %", scale=size.work),
+               f"with its copper losses, a cycle; {to(bound.energy, 'both energies')}", scale=size.work),
         result("@returned", "Energy of the motor, regenerated", "", "J",
-               "=0-SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]<0)*1)*60/@rate*1000", returned, scale=size.work),
+               "=0-SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]<0)*1)*60/@rate*1000", returned,
+               to(bound.energy, "both energies"), scale=size.work),
         result("@power", "Mean power of the motor", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
-               shown((driving - returned) / view.driven.drive_cycle.time, KW), scale=size.power),
+               shown((driving - returned) / view.driven.drive_cycle.time, KW), to(bound.mean_power, "the peak"),
+               scale=size.power),
         result("@pmax", "Motor power, highest", "P_max", "kW", f"=MAX(0,{top('P')})",
-               shown(max(0.0, view.top("P")), KW), scale=size.power),
+               shown(max(0.0, view.top("P")), KW), to(bound.peak_power), scale=size.power),
         result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
-               shown(min(0.0, -view.top("P", -1)), KW), "regenerated", scale=size.power),
+               shown(min(0.0, -view.top("P", -1)), KW), f"regenerated; {to(bound.peak_power, 'the larger')}",
+               scale=size.power),
         *([brake.torque(view)] if view.brakes else []),
     ]  # fmt: skip
 
