@@ -97,10 +97,11 @@ def rms_point(sheet: Sheet, speed: float, torque: float) -> None:
     )  # fmt: skip
 
 
-def plane(speed: str, torque: str) -> Chart:
+def plane(speed: str, torque: str, *more: Series) -> Chart:
     """Return the chart of torque against speed, from these columns, and the RMS point, within the limits."""
     lines = (
         Series("cycle", speed, torque),
+        *more,
         Series("RMS point", "[@point.rpm]", "[@point.torque]", points=True, marker="diamond", color=RMS_POINT),
         Series("peak torque and speed", "[@limits.rpm]", "[@limits.peak]", dashed=True, color=PEAK),
         Series("continuous torque", "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),

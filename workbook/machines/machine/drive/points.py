@@ -13,6 +13,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet, calc, constant, result
 from workbook.book.rows import LEAST, NOT_ZERO, SHARES, WEIGHTS, filled
 from workbook.drive.motor import plane
+from workbook.entries.abscissa import ANGLE
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.boundary.bends import bends_name
@@ -228,13 +229,15 @@ def line(column: str) -> str:
 
 
 CHART_COLUMN = 10
+THETA = "angle of its phases θ [°]"
 
 
 def charts(sheet: Sheet, view: DriveView) -> None:
     """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
-    sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=CHART_COLUMN, row=5, width=8, height=22)
+    peaks = [Series("peaks", f"[@tops.{x}]", "[@tops.T]", points=True, marker="circle") for x in ("n", "theta")]
+    sheet.chart(plane("[@pt.n]", "[@pt.T]", peaks[0]), column=CHART_COLUMN, row=5, width=8, height=22)
     over, places = view.tables.machine.over, {"column": CHART_COLUMN, "width": 8, "height": 11}
-    lines = Series("torque", "[@pt.theta]", "[@pt.T]"), Series("peaks", "[@tops.theta]", "[@tops.T]", points=True)
+    lines = Series("torque", "[@pt.theta]", "[@pt.T]"), peaks[1]
     about = "Torque of the motor at its points over a cycle, by the angle of its phases"
     torque = Chart("Torque of the motor over the cycle", THETA, "T [Nm]", lines, about, ANGLE.axis(60))
     sheet.chart(torque, row=28, **places)
