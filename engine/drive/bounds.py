@@ -15,7 +15,7 @@ class Bounds(NamedTuple):
     peak_torque: float = 5e-3  # highest and lowest, of motor and reducer
     rms_torque: float = 1e-3
     mean_torque: float = 1e-3  # cubic mean behind the reducer
-    speed: float = 1e-3  # the largest
+    speed: float = 5e-3  # the largest
     mean_speed: float = 1e-3
     peak_power: float = 0.05  # highest and lowest
     mean_power: float = 0.01
@@ -23,8 +23,8 @@ class Bounds(NamedTuple):
 
 
 CONSTANT = Bounds()  # without viscous friction peaks are exact, if the acceleration is monotone in each piece
-CHANGING = Bounds(speed=5e-3)
-TABLE = Bounds(rms_torque=5e-3, mean_torque=5e-3, speed=5e-3, peak_power=0.1)  # its ratio bends at each of its points
+CHANGING = Bounds()
+TABLE = Bounds(rms_torque=5e-3, mean_torque=5e-3, peak_power=0.1)  # its ratio bends at each of its points
 BY_ANGLE = Bounds(peak_torque=1e-2)
 
 

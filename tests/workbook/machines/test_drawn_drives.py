@@ -12,13 +12,14 @@ from math import pi
 import openpyxl
 import pytest
 
+from engine.drive.bounds import CHANGING
 from tests.tiers import seed
 from tests.workbook.cells import disagreeing, disagreeing_in
 from tests.workbook.machines.drawn_drives import TEMPLATE, drawn_machine
 from tests.workbook.machines.simulated import Simulated, bus_of
 from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
-from workbook.machines.machine.exact import ENERGY, PEAK, drives_of, limits_of, results_of
+from workbook.machines.machine.exact import drives_of, limits_of, results_of
 from workbook.machines.machine.power import Mains
 from workbook.reading.descriptions import read_machine, write_machine
 
@@ -139,9 +140,9 @@ def test_no_sheet_says_ok_where_the_equation_of_motion_says_fail(drawn):
 def test_a_common_bus_takes_no_more_than_its_bounds(drawn):
     if len(drawn.views) > 1:
         bus, found = Mains(drawn.views, drawn.machine.power), bus_of(drawn.simulated, drawn.machine.power.efficiency)
-        assert found.peak <= bus.cuts.most * (1.0 + PEAK)
-        assert found.burnt_peak <= bus.cuts.most_back * (1.0 + PEAK) + 1e-6 * bus.cuts.most
-        known = ENERGY * bus.without.mains
+        assert found.peak <= bus.cuts.most * (1.0 + CHANGING.peak_torque)
+        assert found.burnt_peak <= bus.cuts.most_back * (1.0 + CHANGING.peak_torque) + 1e-6 * bus.cuts.most
+        known = CHANGING.energy * bus.without.mains
         assert bus.without.mains - bus.saved_most - known <= found.mean <= bus.without.mains + known
 
 
