@@ -17,7 +17,7 @@ from workbook.fields.units import KG_CM2, KW, PER_HOUR, PER_MINUTE, RPM, shown, 
 from workbook.machines.machine.drive import in_use
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reducer_load import load_of
-from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive.view import AT_NO_RATE, DriveView
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MovingAxis
@@ -203,10 +203,10 @@ class DriveStudy:
 
     @cached_property
     def highest(self) -> tuple[Array, Any]:
-        """The highest rate of each design (cycles/min), and the limiting factor."""
-        found = {one: (view.rates.high, view.rates.high_limit) for one, view in self.views.items()}
-        rates, limits = zip(*map(found.__getitem__, self.designs), strict=True)
-        return np.array(rates), np.array(limits, dtype=object)
+        """The highest rate of each design (cycles/min), 0 of one that holds at no rate, and the limiting factor."""
+        ranges = [self.views[design].rates for design in self.designs]
+        rates = [0.0 if each.high == AT_NO_RATE else each.high for each in ranges]
+        return np.array(rates), np.array([each.high_limit for each in ranges], dtype=object)
 
 
 def cycles(rate: Column) -> Any:
