@@ -32,7 +32,7 @@ USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook
 {0} start.py test --quick              tests in a minute: engine, printed figures, one book built and verified
 {0} start.py test [PYTEST ARGUMENTS]   the tests of every day, as CI runs them
 {0} start.py test --all [...]          and the long random and mutation runs, for a night
-{0} start.py test --share [...]        every fourth test of the night: another quarter by each commit's hash
+{0} start.py test --share [...]        every 16th test of the night, another part by each commit's hash
 {0} start.py check                     format, lint, types, import rule, templates up to date
 The first run sets motionbook up in the folder .venv beside start.py."""
 

@@ -4,7 +4,7 @@ from collections import defaultdict
 
 import pytest
 
-PARTS = 4
+PARTS = 16
 """of a night, one of which runs with every change"""
 
 night = 0
@@ -41,6 +41,6 @@ def sampled(items):
 
 
 def shared(items, commit):
-    """Return the nightly tests of a share: every fourth, from one on that the hash of a commit chooses."""
+    """Return the nightly tests of a share: every sixteenth, from one on that the hash of a commit chooses."""
     nightly = [item for item in items if item.get_closest_marker("nightly")]
     return nightly[int(commit[:8], 16) % PARTS :: PARTS]
