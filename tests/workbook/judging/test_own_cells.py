@@ -117,7 +117,7 @@ def test_own_cells_are_no_finding_by_any_witness(name, filled):
 def test_own_cells_are_no_finding_after_libreoffice(name, filled, tmp_path):
     saved = convert(filled(name).path, "xlsx", tmp_path)
     report = verify(saved, present(*QUICK_WITNESSES))
-    own = "with conditionalFormattings for newer programs"  # as it writes the bars in own cells: a notice says so
+    own = "conditionalFormattings"  # as it writes the bars in own cells: a notice says so
     told = report.findings + [f for f in report.notices if f.computed != own]
     assert [f"{f.sheet}!{f.cell} {f.kind} {f.computed}" for f in told] == []
     assert report.not_evaluated == len(report.own) > 500

@@ -68,7 +68,7 @@ def compare_charts(
     """Enter what of a chart is not as in a fresh build."""
 
     def enter(attribute: str, expected: object, found: object, misleads: bool) -> None:
-        differences.add(held.at, attribute, expected, found, what, misleads)
+        differences.add(held.at, attribute, expected, found, what, misleads, group=held.at.a1)
 
     if fresh.kinds != held.kinds:
         misleads = set(fresh.kinds) != set(held.kinds) or not all(axis.is_shown for axis in held.other_axes)

@@ -198,6 +198,7 @@ def plain_number(sections: tuple[str, ...], unit: str = "") -> tuple[str, ...]:
     for part in sections[:3]:
         bare = re.sub(r"(?<=[#?0])\0 (?=[#?0])", "", INK.sub("", part))
         bare = NUMBER.sub("N", bare, count=1).replace("\0+", "").replace("\0(N\0)", "\0-N").replace("\0−", "\0-")
+        bare = re.sub(r"^(?:\0≈|\0~|\0c\0a\0\.)(?:\0 )?(?=N)", "", bare)
         parts.append("N" if unit and re.fullmatch(rf"N(?:\0 )?{re.escape(suffix)}", bare) else bare)
     negative = parts[1:2] in ([], ["\0-N"])  # as programs show it by themselves
     zero = not parts[2:] or parts[2] == "N" or re.fullmatch(r"(?:\0 |\?)*\0[-–—](?:\0 |\?)*", parts[2])

@@ -39,6 +39,7 @@ SETTINGS = (  # elements and attributes of a book and its views, what programs t
     ("pane", "ySplit", "0", False),
     ("pane", "xSplit", "0", False),
 )
+ZOOMS = frozenset(map(str, (0, *range(30, 401))))  # of page layouts, for which each program has its own; 0: usual
 # the elements of a worksheet that are compared elsewhere, or draw nothing; all others are told
 PAGE = frozenset(["AlternateContent", "autoFilter", "cellWatches", "colBreaks", "cols", "conditionalFormatting",
     "dataValidations", "dimension", "drawing", "extLst", "headerFooter", "hyperlinks", "ignoredErrors", "legacyDrawing",
@@ -218,7 +219,9 @@ def compare_settings(
         for element in (child for child in root.iter() if tag(child) == name):
             held = element.get(attribute, usual)
             held = {"true": "1", "false": "0"}.get(held, held.removesuffix(".0"))
-            if held != expected and (usual, held) != ("100", "0"):  # a zoom of 0 is the usual one
+            held = "100" if (usual, held) == ("100", "0") else held
+            is_readable = attribute.endswith("LayoutView") and held in ZOOMS
+            if held != expected and not is_readable:
                 differences.add(at, f"{name} {attribute}", expected, held, what, misleads)
 
 
