@@ -17,7 +17,7 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert
 from workbook.writing.style import BEYOND
 
-PAGES = {"cutting-machine": 18, "machine": 29, "motion-composer": 16}
+PAGES = {"cutting-machine": 19, "machine": 29, "motion-composer": 16}
 """sheets of A4 at most"""
 
 

@@ -125,8 +125,8 @@ def means(view: DriveView) -> list[Quantity]:
 ESTIMATES = (
     ("forward", "share that grows with the square of the rate", "1/x", "forward"),
     ("backward", "the same, torques backward", "1/x", "backward"),
-    ("from", "held from the square of the rate's factor on", "x", "from_forward"),
-    ("from_back", "the same, torques backward", "x", "from_backward"),
+    ("from", "held from the square of the rate's factor on", "x_N", "from_forward"),
+    ("from_back", "the same, torques backward", "x_N", "from_backward"),
 )
 
 

@@ -95,9 +95,9 @@ def tried(view: DriveView) -> list[Quantity]:
         calc("@cycles_use", "Use of the reducer's torque at its cycles", "", "",
              f"=IF(@reducer_peak=0,0,{CYCLES_USE.format(list(LIMITS).index(CYCLES) + 1)})",
              search.cycles_use[search.begin], "where is interpolated from"),
-        calc("@x_from", "Squares of rates between which is interpolated: from", "x", "",
+        calc("@x_from", "Squares of rates between which is interpolated: from", "x_N", "",
              "=IF(@holds=1,1,IF(@holds_tried=1,@times^2,0))", search.way[0] ** 2, "one that holds, or 0"),
-        calc("@x_to", "… to", "x", "", "=IF(@holds=1,@times^2,IF(@holds_tried=1,1,@times^2))", search.way[1] ** 2),
+        calc("@x_to", "… to", "x_N", "", "=IF(@holds=1,@times^2,IF(@holds_tried=1,1,@times^2))", search.way[1] ** 2),
         target(view),
         *([calc("@released", "Rate beyond which the brake has no time to hold", "N", "cycles/min",
                 f'=IF({RELEASED}>0,@rate/{RELEASED},"{NOT_REACHED}")', met(search.released), align="right")]
