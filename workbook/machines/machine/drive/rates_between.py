@@ -115,7 +115,7 @@ def target(view: DriveView) -> Quantity:
 
 
 CYCLES_USE = "IF(@holds=1,@smax,IF(@holds_tried=1,@SN_max,[@held.stands.{}]))*@reducer_fs/@reducer_peak"
-RELEASED = "SUMPRODUCT(MAX([@iv.held]*@brake_least/([@iv.dwell]+tiny)))"
+RELEASED = "SUMPRODUCT(MAX([@iv.held]*([@iv.dwell]>0)*@brake_least/([@iv.dwell]+tiny)))"  # spare rows have no dwell
 
 
 def way(names: list[str], begin: int, sign: int) -> list[str]:
