@@ -281,7 +281,7 @@ class RateSearch:
 
     @cached_property
     def limits_ends(self) -> Ends:
-        """The rates from and up to which all limits are held; of none the first is not below the second."""
+        """Return the lowest and the highest rate at which all limits are held; where no rate is, they cross."""
         low, high = max(ends.low for ends in self.ends.values()), min(ends.high for ends in self.ends.values())
         if not self.holds:
             return Ends(low, high)

@@ -45,7 +45,7 @@ def _key(name: str) -> str:
 
 
 _KNOWN = {_key(name): family for family in CATALOGUE for name in (family.code, family.name, *family.aliases)}
-"""the families by their names, of which letters and digits count"""
+"""the families by their names in letters and digits"""
 
 
 def family_named(name: str) -> type[Law] | None:
