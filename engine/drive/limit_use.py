@@ -22,6 +22,7 @@ from engine.drive.rate_estimates import (
     BEYOND,
     HAIR,
     LEAST_USE,
+    NEVER,
     NO_LIMIT,
     PEAK_TORQUE,
     REDUCER_TORQUE,
@@ -74,7 +75,7 @@ class Shares(NamedTuple):
     @classmethod
     def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
         """Return those of the use of a limit up to a target."""
-        return cls((end - begin) / max(TINY, target - begin))
+        return cls(min(NEVER, (end - begin) / max(TINY, target - begin)))
 
 
 @dataclass(frozen=True)
@@ -263,6 +264,8 @@ class RateSearch:
             return Ends(met if math.isfinite(met) else 0.0, self.tried)
         if name in SPEEDS or math.isinf(estimated.high):
             met = estimated.high * (1.0 - HAIR)
+        if name == BELOW:  # the speed's share grows with the root of x: a straight line over x lies below it
+            met = min(met, estimated.high)
         return Ends(estimated.low, met)
 
     @property

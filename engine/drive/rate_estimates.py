@@ -10,7 +10,7 @@ from engine.drive.motor import Motor
 from engine.laws.base import Array
 
 LEAST_USE = 1e-9  # a smaller share is rounding: the limit is reached beyond 30,000 times the present rate
-NEVER = 1.0 / LEAST_USE  # square of a rate's factor from which a limit is held that no rate holds
+NEVER = 1.0 / LEAST_USE  # of shares, and of squares of a rate's factor: as good as infinite
 TINY = 1e-30  # more than 0, so that a quotient has a value
 NO_LIMIT = 1.0 / TINY  # stands for an infinite one
 PEAK_TORQUE, REDUCER_TORQUE, SPEEDS = "peak torque", "reducer peak torque", ("motor speed", "reducer input speed")
@@ -48,8 +48,8 @@ def by_points(torque: Array, standing: Array, limit: float) -> Estimate:
     return Estimate(
         limit,
         float(np.abs(standing).max()),
-        float((rises * grows / (np.maximum(0.0, most - standing) + TINY)).max()),
-        float((falls * -grows / (np.maximum(0.0, most + standing) + TINY)).max()),
+        clipped(float((rises * grows / (np.maximum(0.0, most - standing) + TINY)).max())),
+        clipped(float((falls * -grows / (np.maximum(0.0, most + standing) + TINY)).max())),
         clipped(float(((standing - most) / (falls * -grows + TINY)).max())),
         clipped(float(((-standing - most) / (rises * grows + TINY)).max())),
     )
@@ -111,7 +111,7 @@ def by_mean(points: DrivePoints, limit: float) -> Estimate:
     if math.isinf(limit):
         return Estimate(limit, standing, 0.0)
     share, since = max(0.0, grows) / (max(0.0, limit - standing) + TINY), (standing - limit) / (max(0.0, -grows) + TINY)
-    return Estimate(limit, standing, share, from_forward=clipped(since))
+    return Estimate(limit, standing, clipped(share), from_forward=clipped(since))
 
 
 def by_speed(speed: float, limit: float) -> Estimate:

@@ -38,7 +38,7 @@ def grown(begin: str, end: str, limit: str, forward: bool) -> str:
     """Return the formula of the largest share 1/x of a limit by torques that grow from a column to another."""
     begin, end = f"[@pt.{begin}]", f"[@pt.{end}]"
     more, less, left = (end, begin, f"{limit}-{begin}") if forward else (begin, end, f"{limit}+{begin}")
-    return f"SUMPRODUCT(MAX(({more}>{less})*({more}-{less})/(({left}>0)*({left})+tiny)))"
+    return f"MIN(1/@least_use,SUMPRODUCT(MAX(({more}>{less})*({more}-{less})/(({left}>0)*({left})+tiny))))"
 
 
 def shrunk(begin: str, end: str, limit: str, forward: bool) -> str:
@@ -83,7 +83,8 @@ LIMITS: dict[str, tuple[str, ...]] = {
     REDUCER_TORQUE: ("@reducer_peak", *at_points("S0", "S", "[cap]")),
     CYCLES: ("@reducer_peak/@reducer_fs", *at_points("S0", "S", "[cap]")),
     "reducer mean torque": (
-        "@reducer_mean", "@smean0", "IF([limit]=0,0,MAX(0,@smean-[stands])/(MAX(0,[limit]-[stands])+tiny))", "0",
+        "@reducer_mean", "@smean0",
+        "IF([limit]=0,0,MIN(1/@least_use,MAX(0,@smean-[stands])/(MAX(0,[limit]-[stands])+tiny)))", "0",
         "IF([limit]=0,0,MIN(1/@least_use,MAX(0,([stands]-[limit])/(MAX(0,[stands]-@smean)+tiny))))", "0"),
 }  # fmt: skip
 """of each limit in cells: the limit itself, what stands at any rate, the shares 1/x of torques forward and backward,
