@@ -75,7 +75,7 @@ class Shares(NamedTuple):
     @classmethod
     def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
         """Return those of the use of a limit up to a target."""
-        return cls(min(NEVER, (end - begin) / max(TINY, target - begin)))
+        return cls(min(NEVER, max(0.0, end - begin) / max(TINY, target - begin)))
 
 
 @dataclass(frozen=True)
@@ -208,9 +208,14 @@ class RateSearch:
     @property
     def target(self) -> float:
         """The use of a limit at the ends of the range, less than 1 for what lies between points."""
-        train = self.points.load.train
-        between = train.linkage is not None or train.by_angle is not None or train.viscous > 0.0
+        between = not self.has_constant_ratio or self.points.load.train.viscous > 0.0
         return TARGET_BETWEEN if between else TARGET
+
+    @property
+    def has_constant_ratio(self) -> bool:
+        """Whether the load moves in step with its shaft."""
+        train = self.points.load.train
+        return train.linkage is None and train.by_angle is None
 
     @cached_property
     def begin(self) -> int:
@@ -264,8 +269,8 @@ class RateSearch:
             return Ends(met if math.isfinite(met) else 0.0, self.tried)
         if name in SPEEDS or math.isinf(estimated.high):
             met = estimated.high * (1.0 - HAIR)
-        if name == BELOW:  # the speed's share grows with the root of x: a straight line over x lies below it
-            met = min(met, estimated.high)
+        if name == BELOW and self.has_constant_ratio:  # speed grows with the root of x: a line over x lies below it
+            met = min(met, self.target * estimated.high)
         return Ends(estimated.low, met)
 
     @property

@@ -44,7 +44,8 @@ class Estimate(NamedTuple):
 
 def by_points(torque: Array, standing: Array, limit: float) -> Estimate:
     """Return the estimate of a limit of torque (Nm) at every point."""
-    grows, rises, falls, most = torque - standing, torque > standing, standing > torque, min(limit, NO_LIMIT)
+    grows, most = torque - standing, min(limit, NO_LIMIT)
+    rises, falls = grows > LEAST_USE * most, -grows > LEAST_USE * most
     return Estimate(
         limit,
         float(np.abs(standing).max()),

@@ -38,14 +38,16 @@ def grown(begin: str, end: str, limit: str, forward: bool) -> str:
     """Return the formula of the largest share 1/x of a limit by torques that grow from a column to another."""
     begin, end = f"[@pt.{begin}]", f"[@pt.{end}]"
     more, less, left = (end, begin, f"{limit}-{begin}") if forward else (begin, end, f"{limit}+{begin}")
-    return f"MIN(1/@least_use,SUMPRODUCT(MAX(({more}>{less})*({more}-{less})/(({left}>0)*({left})+tiny))))"
+    grows = f"({more}-{less}>@least_use*{limit})*({more}-{less})"
+    return f"MIN(1/@least_use,SUMPRODUCT(MAX({grows}/(({left}>0)*({left})+tiny))))"
 
 
 def shrunk(begin: str, end: str, limit: str, forward: bool) -> str:
     """Return the formula of the x from which torques that shrink hold a limit."""
     begin, end = f"[@pt.{begin}]", f"[@pt.{end}]"
     more, less, over = (begin, end, f"{begin}-{limit}") if forward else (end, begin, f"0-{begin}-{limit}")
-    return f"MIN(1/@least_use,MAX(0,SUMPRODUCT(MAX(({over})/(({more}>{less})*({more}-{less})+tiny)))))"
+    shrinks = f"({more}-{less}>@least_use*{limit})*({more}-{less})"
+    return f"MIN(1/@least_use,MAX(0,SUMPRODUCT(MAX(({over})/({shrinks}+tiny)))))"
 
 
 def largest(column: str) -> str:

@@ -115,7 +115,7 @@ def target(view: DriveView) -> Quantity:
 
 
 CYCLES_USE = "IF(@holds=1,@smax,IF(@holds_tried=1,@SN_max,[@held.stands.{}]))*@reducer_fs/@reducer_peak"
-RELEASED = "SUMPRODUCT(MAX([@iv.held]*([@iv.dwell]>0)*@brake_least/([@iv.dwell]+tiny)))"  # spare rows have no dwell
+RELEASED = "SUMPRODUCT(MAX([@iv.held]*@brake_least/([@iv.dwell]+tiny)))"
 
 
 def way(names: list[str], begin: int, sign: int) -> list[str]:
@@ -132,7 +132,7 @@ def way(names: list[str], begin: int, sign: int) -> list[str]:
         else:
             low, high = (use.format(row, row) for use in uses)
             limit = f"[@held.limit.{row}]=0"
-            found.append(f"=IF({limit},0,MIN(1/@least_use,({high}-{low})/MAX(tiny,@target-{low})))")
+            found.append(f"=IF({limit},0,MIN(1/@least_use,MAX(0,{high}-{low})/MAX(tiny,@target-{low})))")
     return found
 
 
@@ -150,7 +150,8 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
         rate = f"[@held.rate.{row}]"
         if name in SPEEDS:
             return f'=IF(@x_to<@x_from,@tried,IF(ISNUMBER({rate}),{rate}*(1-1E-6),"{NOT_REACHED}"))'
-        held = f"MIN([met],{rate})" if name == BELOW else "[met]"
+        is_curved = name == BELOW and search.has_constant_ratio
+        held = f"MIN([met],@target*{rate})" if is_curved else "[met]"
         return f'=IF(@x_to<@x_from,@tried,IF(ISNUMBER({rate}),{held},"{NOT_REACHED}"))'
 
     at = "SQRT(MAX(0,@x_from+(@x_to-@x_from)/([share]+tiny)))"
