@@ -16,11 +16,11 @@ from workbook.laws.sampling import Pieces
 
 OWN_ENTRIES = ("d", "c0", "c1", "c2", "c3", "P", "omega", "phi")  # what is entered of a piece
 CREST = (
-    "=IF([part]=0,0,[{f}]+IF([share]=0,0,IF([{g}-1]*[{g}]<0,"
+    "=IF([part]=0,0,[{f}]+IF([share]=0,0,IF([{g}-1]*[{g}]<0-check_zero^2,"
     "[{g}]*([{f}]-[{f}-1]-[{g}-1]*([u]-[u-1])/2)/([{g}-1]-[{g}]),0)))"
 )
 WORDS = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk", "va": "v·a"}
-PLACE = "[xi]-IF([share]=0,0,IF([a-1]*[a]<0,([u]-[u-1])*[a]/([a]-[a-1]),0))"
+PLACE = "[xi]-IF([share]=0,0,IF([a-1]*[a]<0-check_zero^2,([u]-[u-1])*[a]/([a]-[a-1]),0))"
 FAST = f"=IF([part]=0,1,IF([top_v]<@v_most-check_zero,1,{PLACE}))"
 BACK = "=IF([part]*[share]=0,0,MAX(0,(MAX([v-1],[top_v])-[v])*IF([xi]<=@v_at+check_zero,1,-1)))"
 BEND = "=2*INDEX(piece_c2,[q])+6*INDEX(piece_c3,[q])*[u]-INDEX(piece_P,[q])*INDEX(piece_omega,[q])^2*SIN([x])"
