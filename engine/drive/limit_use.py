@@ -69,8 +69,8 @@ class Shares(NamedTuple):
     @classmethod
     def of_torques(cls, begin: Array, end: Array, limit: float) -> "Shares":
         """Return those of a limit of torque (Nm) at every point."""
-        found = by_points(end, begin, limit)
-        return cls(found.forward, found.backward)
+        estimate = by_points(end, begin, limit)
+        return cls(estimate.forward, estimate.backward)
 
     @classmethod
     def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
@@ -95,7 +95,7 @@ class RateSearch:
         points, motor, reducer = self.points, self.motor, self.reducer
         peak, fastest, behind = motor.peak_torque, motor.max_speed, points.load.output_torque
         standing = points.load.output_torque_at_rest
-        found = {
+        estimates = {
             "RMS torque": by_rms(points, motor),
             PEAK_TORQUE: by_points(points.torque, points.standing, peak),
             "motor speed": by_speed(self.speed, fastest),
@@ -106,16 +106,19 @@ class RateSearch:
         }
         if motor.falling.fall:
             forward, backward = points.falling_use(motor).max(axis=(1, 2)).tolist()
-            found[BELOW] = Estimate(motor.falling.corner(peak), found[PEAK_TORQUE].standing, forward, backward)
-        return found
+            estimates[BELOW] = Estimate(motor.falling.corner(peak), estimates[PEAK_TORQUE].standing, forward, backward)
+        return estimates
 
     @cached_property
     def estimated(self) -> dict[str, Ends]:
         """The estimated range of each limit; beyond its cycles a reducer's full torque is held up to these."""
-        found = {name: Ends(one.least * self.rate, one.most * self.rate) for name, one in self.estimates.items()}
-        one = self.estimates[CYCLES]
-        found[CYCLES] = Ends(0.0, self._beyond_full(found[CYCLES].high, one.standing / one.limit))
-        return found
+        ends = {
+            name: Ends(estimate.least * self.rate, estimate.most * self.rate)
+            for name, estimate in self.estimates.items()
+        }
+        cycles = self.estimates[CYCLES]
+        ends[CYCLES] = Ends(0.0, self._beyond_full(ends[CYCLES].high, cycles.standing / cycles.limit))
+        return ends
 
     def _beyond_full(self, high: float, use: float) -> float:
         """Return up to which rate (1/s) the reducer's torque at its cycles is held, where it begins at a use of it."""
@@ -191,7 +194,7 @@ class RateSearch:
         motor, reducer, speed = self.motor, self.reducer, self.speed * factor
         full, fall = reducer.peak_torque, motor.falling.fall
         beyond = self.rate * factor > reducer.full_rate * (1.0 + NEAR)
-        found = [
+        checks = [
             LimitCheck("RMS torque", points.rms_torque, float(motor.continuous(points.mean_speed))),
             LimitCheck(PEAK_TORQUE, peak, motor.peak_torque),
             LimitCheck("motor speed", speed, motor.max_speed),
@@ -202,8 +205,8 @@ class RateSearch:
         ]
         if fall:
             used = np.abs(points.torque) + fall * np.abs(points.speed)
-            found.append(LimitCheck(BELOW, float(used.max()), motor.falling.corner(motor.peak_torque)))
-        return {check.name: check for check in found}
+            checks.append(LimitCheck(BELOW, float(used.max()), motor.falling.corner(motor.peak_torque)))
+        return {check.name: check for check in checks}
 
     @property
     def target(self) -> float:
@@ -232,24 +235,26 @@ class RateSearch:
         """The largest torque (Nm) at a point, at the ends of the range, of each limit of torques at points."""
         motor, behind = self.over
         limits = {name: min(self.estimates[name].limit, NO_LIMIT) for name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES)}
-        return {name: self.target * one / (motor if name == PEAK_TORQUE else behind) for name, one in limits.items()}
+        return {
+            name: self.target * limit / (motor if name == PEAK_TORQUE else behind) for name, limit in limits.items()
+        }
 
     @cached_property
     def between(self) -> dict[str, tuple[Shares, ...]]:
-        """The shares of each limit: from the present rate to the tried one, from that back, from standstill to it."""
+        """The shares of each limit: from the present rate to the tried one, back, and from standstill."""
         now, then = self.points, self.points_tried
         torques = now.standing, now.torque, then.torque
         behind = now.load.output_torque_at_rest, now.load.output_torque, then.load.output_torque
-        found = {}
-        for name, one in self.estimates.items():
+        shares = {}
+        for name, estimate in self.estimates.items():
             rest, present, tried = torques if name == PEAK_TORQUE else behind
             if name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES):
                 ways = (present, tried), (tried, present), (rest, tried)
-                found[name] = tuple(Shares.of_torques(*each, self.caps[name]) for each in ways)
+                shares[name] = tuple(Shares.of_torques(*each, self.caps[name]) for each in ways)
             else:
-                used = one.standing / one.limit, self.uses[name], self.uses_tried[name]
-                found[name] = tuple(Shares.of_uses(*each, self.target) for each in (used[1:], used[:0:-1], used[::2]))
-        return found
+                used = estimate.standing / estimate.limit, self.uses[name], self.uses_tried[name]
+                shares[name] = tuple(Shares.of_uses(*each, self.target) for each in (used[1:], used[:0:-1], used[::2]))
+        return shares
 
     @cached_property
     def ends(self) -> dict[str, Ends]:

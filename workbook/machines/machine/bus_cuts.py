@@ -82,8 +82,8 @@ class BusCuts:
 
 def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
     """Declare what each drive takes and returns at most in each half of its intervals, and all between cuts."""
-    each = [(row, one.driven.number) for row, one in enumerate(cuts.drives, 1) for _ in range(2 * one.rows)]
-    first = [1 + POINTS * k + side for one in cuts.drives for k in range(one.rows) for side in (0, HALF)]
+    each = [(row, drive.driven.number) for row, drive in enumerate(cuts.drives, 1) for _ in range(2 * drive.rows)]
+    first = [1 + POINTS * k + side for drive in cuts.drives for k in range(drive.rows) for side in (0, HALF)]
     numbers = [number for _, number in each]
     acts = "(([bus_cuts.from]<[at]+eps/2)*([at]+eps/2<[bus_cuts.to])+([at]+360+eps/2<[bus_cuts.to]))"
     at = "INDEX(drive{0}_at,[k])+[axes_taken.late.{0}]"

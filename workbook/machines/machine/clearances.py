@@ -47,39 +47,39 @@ SIZE = f"ABS([offset])+ABS([factor1])*{HIGH.format('{i}')}+ABS([factor2])*{HIGH.
 PRINTED = 12  # columns: what is entered, and the least gaps
 
 
-def clearances_sheet(book: Book, apart: list[ClearanceView]) -> None:
+def clearances_sheet(book: Book, gaps: list[ClearanceView]) -> None:
     """Declare the sheet, where there are clearances."""
-    if not apart:
+    if not gaps:
         return
-    period = apart[0].over.period
+    period = gaps[0].over.period
     sheet = book.sheet("Clearances", f"Axes that must stay apart: the least gap over a {period}, and where it is.")
     sheet.heading("Enter", "gap = offset + factor · position + factor · position, in the unit of the first axis.")
-    if any(one.table for one in apart):
+    if any(gap.table for gap in gaps):
         sheet.note(BY_TABLE)
-    table(sheet, apart)
-    for one in apart:
-        if one.table:
-            pairs(sheet, one, one.table)
-    sheet.checks(*map(clearance_check, apart), *(covered_check(one, one.table) for one in apart if one.table))
+    table(sheet, gaps)
+    for gap in gaps:
+        if gap.table:
+            pairs(sheet, gap, gap.table)
+    sheet.checks(*map(clearance_check, gaps), *(covered_check(gap, gap.table) for gap in gaps if gap.table))
     sheet.heading("The gap over the cycle")
-    for k in range(0, len(apart), 2):
-        sheet.chart_row(*map(gap_chart, apart[k : k + 2]), width=PRINTED // 2)
+    for k in range(0, len(gaps), 2):
+        sheet.chart_row(*map(gap_chart, gaps[k : k + 2]), width=PRINTED // 2)
     sheet.not_printed_below()
-    for one in apart:
-        sheet.heading(f"Workings: clearance {one.number}", ABOUT)
-        least(sheet, one)
-        points(sheet, one)
-        cuts(sheet, one)
+    for gap in gaps:
+        sheet.heading(f"Workings: clearance {gap.number}", ABOUT)
+        least(sheet, gap)
+        points(sheet, gap)
+        cuts(sheet, gap)
     sheet.print_columns, sheet.folded = PRINTED, PRINTED + 1
 
 
-def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
+def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
     """Declare what is entered, and the least gaps."""
-    over, units, axes = apart[0].over, {one.unit for one in apart}, [[rows.axis for rows in one.rows] for one in apart]
+    over, units, axes = gaps[0].over, {gap.unit for gap in gaps}, [[rows.axis for rows in gap.rows] for gap in gaps]
     unit = units.pop() if len(units) == 1 else "mm, °"
 
     def entry(column: str, label: str, unit: str, name: str) -> Quantity:
-        values = [getattr(one.given, name) for one in apart]
+        values = [getattr(gap.given, name) for gap in gaps]
         return given(column, label, "", unit, values, f"clearances.*.{name}", format="0.0##")
 
     def named(end: int, column: str, label: str) -> Quantity:
@@ -89,32 +89,32 @@ def table(sheet: Sheet, apart: list[ClearanceView]) -> None:
     def scale(end: int, label: str, which: str) -> Quantity:
         factor, at = f"[factor{end + 1}]", f"k{end + 1}"
         formulas = [f"={factor}*1000" if both[end].given.unit == "mm" else f"=DEGREES({factor})" for both in axes]
-        return calc(at, label, "", "", formulas, [one.scales[end] for one in apart], source=f"times the {which} factor")
+        return calc(at, label, "", "", formulas, [gap.scales[end] for gap in gaps], source=f"times the {which} factor")
 
     def each(formula: str, by_table: str = "") -> list[str]:
-        numbers = zip(apart, axes, strict=True)
-        return [f"={((one.table and by_table) or formula).format(n=one.number, i=i.number, j=j.number)}"
-                for one, (i, j) in numbers]  # fmt: skip
+        numbers = zip(gaps, axes, strict=True)
+        return [f"={((gap.table and by_table) or formula).format(n=gap.number, i=i.number, j=j.number)}"
+                for gap, (i, j) in numbers]  # fmt: skip
 
     entered = sheet.table(
-        "clearances", "Clearances", len(apart),
-        given("name", "clearance", "", "", [one.given.name for one in apart], "clearances.*.name"),
-        constant("k", "number", "k", "", [one.number for one in apart]),
+        "clearances", "Clearances", len(gaps),
+        given("name", "clearance", "", "", [gap.given.name for gap in gaps], "clearances.*.name"),
+        constant("k", "number", "k", "", [gap.number for gap in gaps]),
         named(0, "first", "axis"), entry("factor1", "factor", "", "first_factor"),
         named(1, "second", "and axis"), entry("factor2", "factor", "", "second_factor"),
         entry("offset", "offset", unit, "offset"), entry("least", "gap to be left", unit, "least"),
-        result("gap", "least gap", "", unit, each("MIN([clear{n}_least.gap])"), [one.least for one in apart],
-               scale=max(one.size for one in apart), source=STATED),
+        result("gap", "least gap", "", unit, each("MIN([clear{n}_least.gap])"), [gap.least for gap in gaps],
+               scale=max(gap.size for gap in gaps), source=STATED),
         result("at", "at", over.symbol, over.unit, each(over.shown_formula(PLACE)),
-               [over.shown(one.place) for one in apart], scale=over.length, format=over.format),
+               [over.shown(gap.place) for gap in gaps], scale=over.length, format=over.format),
     )  # fmt: skip
     sheet.workings(
         entered, "gaps", "Workings", PRINTED + 2,
-        calc("size", "size of the gap, at most", "", unit, each(SIZE, SIZE_BY_TABLE), [one.size for one in apart]),
+        calc("size", "size of the gap, at most", "", unit, each(SIZE, SIZE_BY_TABLE), [gap.size for gap in gaps]),
         scale(0, "its own unit in 1 m or rad", "first"), scale(1, "likewise of the other axis", "second"),
     )  # fmt: skip
-    sheet.rows(*(calc(one.name, f"Clearance {one.number}", "", "", f"=[clearances.name.{one.number}]",
-                      one.given.name, align="left") for one in apart))  # fmt: skip
+    sheet.rows(*(calc(gap.name, f"Clearance {gap.number}", "", "", f"=[clearances.name.{gap.number}]",
+                      gap.given.name, align="left") for gap in gaps))  # fmt: skip
 
 
 def gap_chart(gap: ClearanceView) -> Chart:

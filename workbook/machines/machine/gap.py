@@ -73,16 +73,16 @@ class ClearanceView:
 
     def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisTables]) -> None:
         self.given, self.number = given, number
-        names = [one.axis.given.name for one in rows]
+        names = [row.axis.given.name for row in rows]
         places = [(place_of(name, names), name) for name in (given.first, given.second)]
         self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]  # a file's layout tells numbers
         at, free = (np.array([getattr(pair, name) for pair in given.pairs]) for name in ("at", "free"))
         self.table = FreePositions(at, free) if given.pairs else None
         self.over, self.unit = self.rows[0].machine.over, self.rows[1 if self.table else 0].axis.given.unit
-        self.name = clearance_name(number, *(one.axis.number for one in self.rows))
+        self.name = clearance_name(number, *(row.axis.number for row in self.rows))
         self.factors = (given.first_factor, given.second_factor)
-        self.scales = [shown(factor, one.axis.unit) for factor, one in zip(self.factors, self.rows, strict=True)]
-        self.terms = [(scale, one.axis.shifted) for scale, one in zip(self.scales, self.rows, strict=True)]
+        self.scales = [shown(factor, row.axis.unit) for factor, row in zip(self.factors, self.rows, strict=True)]
+        self.terms = [(scale, row.axis.shifted) for scale, row in zip(self.scales, self.rows, strict=True)]
         self.size = gap_size(self.terms[1:] if self.table else self.terms, given.offset)
         if self.table:
             self.size += abs(given.first_factor) * float(np.abs(self.table.free).max())
@@ -107,7 +107,7 @@ class ClearanceView:
     @property
     def change(self) -> float:
         """By how much both axes together can change the gap."""
-        moved = [abs(scale) * np.ptp(one.motion.reach) for scale, one in self.terms]
+        moved = [abs(scale) * np.ptp(shifted.motion.reach) for scale, shifted in self.terms]
         if self.table:
             reach = shown(np.array(self.rows[0].axis.motion.reach), self.rows[0].axis.unit)
             inner = self.table.at[(self.table.at > reach.min()) & (self.table.at < reach.max())]
@@ -141,7 +141,7 @@ class ClearanceView:
 
     def positions(self, angles: Array) -> list[Array]:
         """Return the position of each axis at angles, in its own unit."""
-        return [shown(one.axis.at(si(angles, DEGREE)).y, one.axis.unit) for one in self.rows]
+        return [shown(row.axis.at(si(angles, DEGREE)).y, row.axis.unit) for row in self.rows]
 
     def gaps(self, angles: Array) -> Array:
         """Return the gap at angles."""
@@ -152,7 +152,7 @@ class ClearanceView:
     @cached_property
     def velocities(self) -> list[Array]:
         """The geometric velocity of each axis at each point (m or rad per rad)."""
-        return [one.axis.at(si(self.angles, DEGREE)).y1 for one in self.rows]
+        return [row.axis.at(si(self.angles, DEGREE)).y1 for row in self.rows]
 
     @property
     def slopes(self) -> Array:

@@ -15,45 +15,45 @@ from workbook.machines.machine.boundary.handover import AxisHandover
 BENT_FROM = 5  # degree from which on the acceleration of a polynomial may bend
 
 
-def bends_name(one: AxisHandover) -> str:
+def bends_name(handover: AxisHandover) -> str:
     """Return the name of the table of an axis."""
-    return f"{one.entries}_bends"
+    return f"{handover.entries}_bends"
 
 
-def rows_of_phases(one: AxisHandover) -> int:
+def rows_of_phases(handover: AxisHandover) -> int:
     """Return the number of rows for phases: each stands in every second row of the table of steps."""
-    return one.room // 2
+    return handover.room // 2
 
 
-def polynomials(one: AxisHandover) -> int:
+def polynomials(handover: AxisHandover) -> int:
     """Return how many phases are carried out as a polynomial whose acceleration may bend."""
-    return sum(step.mode >= BENT_FROM for _, step in one.phases)
+    return sum(step.mode >= BENT_FROM for _, step in handover.phases)
 
 
-def bend_angles(one: AxisHandover) -> list[float]:
+def bend_angles(handover: AxisHandover) -> list[float]:
     """Return where the acceleration of each phase bends first, and then where second (°); 360 for none."""
-    rows = [step for _, step in one.phases]
-    begins = [phase.start for phase in one.axis.given.phases]
-    spans = [phase.stop - phase.start for phase in one.axis.given.phases]
-    found = []
+    rows = [step for _, step in handover.phases]
+    begins = [phase.start for phase in handover.axis.given.phases]
+    spans = [phase.stop - phase.start for phase in handover.axis.given.phases]
+    bends = []
     for i in (0, 1):
         shares = [step.bends[i] for step in rows]
         angles = [
             begin + span * share if 0.0 < share < 1.0 else TURN
             for begin, span, share in zip(begins, spans, shares, strict=True)
         ]
-        found += filled(angles, rows_of_phases(one), TURN)
-    return found
+        bends += filled(angles, rows_of_phases(handover), TURN)
+    return bends
 
 
-def bends_table(sheet: Sheet, one: AxisHandover) -> None:
+def bends_table(sheet: Sheet, handover: AxisHandover) -> None:
     """Declare the table, a row for each phase."""
-    room, at, phases = rows_of_phases(one), one.rows.at, [step for _, step in one.phases]
-    ends, steps, size = f"[{at.ends}.{{}}]", at.phases, one.motion.size(0)
-    angles = bend_angles(one)
+    room, at, phases = rows_of_phases(handover), handover.rows.at, [step for _, step in handover.phases]
+    ends, steps, size = f"[{at.ends}.{{}}]", at.phases, handover.motion.size(0)
+    angles = bend_angles(handover)
 
     def e(n: int) -> str:
-        return f"INDEX({ends.format(f'e{n}')},2*[k])" if n < one.rows.powers else "0"
+        return f"INDEX({ends.format(f'e{n}')},2*[k])" if n < handover.rows.powers else "0"
 
     def by_degree(quintic: str, septic: str) -> str:
         return f"=IF([mode]=5,{quintic},IF([mode]=7,{septic},0))"
@@ -74,9 +74,9 @@ def bends_table(sheet: Sheet, one: AxisHandover) -> None:
                     angles[k * room : (k + 1) * room], "360: nowhere", scale=TURN, format="0.0##")  # fmt: skip
 
     sheet.table(
-        bends_name(one), f"Where the acceleration of phases of axis {one.axis.number} bends", room,
+        bends_name(handover), f"Where the acceleration of phases of axis {handover.axis.number} bends", room,
         constant("k", "row", "k", "", list(range(1, room + 1))),
-        one.number("mode", "is carried out", f"=INDEX({ends.format('mode')},2*[k])",
+        handover.number("mode", "is carried out", f"=INDEX({ends.format('mode')},2*[k])",
                    filled([step.mode for step in phases], room, 0)),
         power("a", by_degree(f"6*{e(3)}", f"24*{e(4)}"), lambda step: step.jerk_powers[0]),
         power("b", by_degree(f"24*{e(4)}", f"60*{e(5)}+24*{e(4)}"), lambda step: step.jerk_powers[1]),

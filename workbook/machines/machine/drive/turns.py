@@ -21,16 +21,16 @@ ABOUT = (
 
 def turns_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the places at which the motion turns round inside a piece."""
-    of, found, rows, room = view.tables.turning, view.turns, view.tables.pieces, view.turn_rows
+    of, turns, rows, room = view.tables.turning, view.turns, view.tables.pieces, view.turn_rows
     size, spare = view.driven.axis.motion.size, rows.pieces[0]
-    pieces = filled([rows.pieces[one.piece] for one in found], room, spare)
-    u = np.array(filled([one.u for one in found], room, 0.0))
+    pieces = filled([rows.pieces[turn.piece] for turn in turns], room, spare)
+    u = np.array(filled([turn.u for turn in turns], room, 0.0))
     none = [float(curve(0.0)) for curve in spare.curves[1:]]
     v, a, j = (
-        filled([getattr(one, name) for one in found], room, none[k])
+        filled([getattr(turn, name) for turn in turns], room, none[k])
         for k, name in enumerate(("velocity", "acceleration", "jerk"))
     )
-    at = filled([shown(one.at, DEGREE) for one in found[: view.turns_cut]], room, TURN)
+    at = filled([shown(turn.at, DEGREE) for turn in turns[: view.turns_cut]], room, TURN)
     ff, fb, lf, lb = (f"INDEX([{of.name}.{name}],[q])" for name in ("ff", "fb", "lf", "lb"))
     begin, half = f"INDEX({rows.at.named('at')},[q])", 0.5 / PARTS
 
@@ -48,14 +48,14 @@ def turns_table(sheet: Sheet, view: DriveView) -> None:
         "@turns", "Where it turns round inside a piece", room,
         constant("k", "turn", "k", "", list(range(1, room + 1))),
         calc("q", "piece", "q", "", among(f'COUNTIF([{of.name}.turns],"<"&[k])+1', 1),
-             filled([one.piece + 1 for one in found], room, 1), format="0"),
+             filled([turn.piece + 1 for turn in turns], room, 1), format="0"),
         calc("again", "second of its piece", "", "", among("IF([k]=1,0,IF([q]=[q-1],1,0))"),
-             filled([int(one.again) for one in found], room), "1 yes, 0 no", format="0"),
+             filled([int(turn.again) for turn in turns], room), "1 yes, 0 no", format="0"),
         calc("after", "direction after it", "", "", among(f"IF([again]=1,SIGN({lf}-{lb}),SIGN({ff}-{fb}))"),
-             filled([one.after for one in found], room), format="0"),
+             filled([turn.after for turn in turns], room), format="0"),
         calc("s", "beside it: share of the piece", "", "",
              among(f"IF([again]=1,MIN({lf},{lb})+{half},MAX({ff},{fb})-{half})"),
-             filled([one.share for one in found], room), scale=1.0),
+             filled([turn.share for turn in turns], room), scale=1.0),
         calc("u", "within piece", "u", "rad", f"=[s]*INDEX([{rows.at.pieces}.d],[q]){NOT_ZERO}", u + LEAST, FROM_START),
         *arguments(rows, "", "[q]", turned(pieces, u)),
         *(calc(name, what, symbol, rows.at.unit(order), f"={at_place(rows, order, '', '[q]')}", values,

@@ -13,12 +13,12 @@ from workbook.machines.machine.studies.drives import DriveStudy
 from workbook.template_outputs import Computations
 
 LIMITED: dict[str, Callable[[DriveStudy], tuple[Any, Any]]] = {
-    "ok_rms": lambda one: (one.rms, one.continuous),
-    "ok_peak": lambda one: (one.extremes.peak, one.motors_used["peak_torque"]),
-    "ok_speed": lambda one: (one.speed, one.motors_used["max_speed"]),
-    "ok_reducer_peak": lambda one: (one.behind(0), one.reducer_held),
-    "ok_reducer_mean": lambda one: (one.behind(1), one.reducers_used["mean_torque"]),
-    "ok_reducer_speed": lambda one: (one.speed, one.reducers_used["max_speed"]),
+    "ok_rms": lambda study: (study.rms, study.continuous),
+    "ok_peak": lambda study: (study.extremes.peak, study.motors_used["peak_torque"]),
+    "ok_speed": lambda study: (study.speed, study.motors_used["max_speed"]),
+    "ok_reducer_peak": lambda study: (study.behind(0), study.reducer_held),
+    "ok_reducer_mean": lambda study: (study.behind(1), study.reducers_used["mean_torque"]),
+    "ok_reducer_speed": lambda study: (study.speed, study.reducers_used["max_speed"]),
 }
 """of each check what is asked, and the limit, 0 for none"""
 ASKED = 0.9  # share of a limit from which the exact engine is asked too: of all bounds that sheets state the tenfold
@@ -36,7 +36,7 @@ def below_curve(study: DriveStudy) -> Any:
 
 
 CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {
-    "ok_curve": below_curve, "ok_inertia": lambda one: one.inertias <= one.limits.inertia_ratio,
+    "ok_curve": below_curve, "ok_inertia": lambda study: study.inertias <= study.limits.inertia_ratio,
 }  # fmt: skip
 
 
@@ -50,11 +50,11 @@ def judged_exactly(study: DriveStudy) -> Computations:
         uses.append(1.0 - study.extremes.spare / study.motors_used["peak_torque"])
         near = np.maximum.reduce(np.broadcast_arrays(*uses, study.rates.places)[:-1]) >= ASKED
         some = {study.designs[k] for k in np.flatnonzero(near).tolist()}
-        found = {one: {limit.check: limit.ok for limit in limits_of(study.view(*one))} for one in some}
-        return [found.get(one, {}) for one in study.designs]
+        found = {design: {limit.check: limit.ok for limit in limits_of(study.view(*design))} for design in some}
+        return [found.get(design, {}) for design in study.designs]
 
     def judge(check: str) -> Any:
-        return ok_texts(np.array([one.get(check, True) for one in limits()]))
+        return ok_texts(np.array([verdicts.get(check, True) for verdicts in limits()]))
 
     return {name: partial(judge, name) for name in (f"drive{study.axis.number}_{check}" for check in CHECKS)}
 
@@ -67,8 +67,10 @@ def ok_texts(ok: Any) -> Any:
 def checks(study: DriveStudy) -> Computations:
     """Return the checks of its sheet that entries do not decide."""
     driven = study.bases[0].driven
-    found = CHECKS | ({"ok_back": lambda study: study.axis.motion.closes} if driven.given.kind in LINKED else {})
-    found |= {"ok_brake": lambda study: study.brake_load <= driven.brake.torque} if study.bases[0].brakes else {}
-    found |= {"ok_turned": lambda study: len(study.bases[0].tables.turning.turns) == study.bases[0].turns_cut}
-    found |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
-    return {f"drive{study.axis.number}_{key}": partial(lambda ok: ok_texts(ok(study)), ok) for key, ok in found.items()}
+    judged = CHECKS | ({"ok_back": lambda study: study.axis.motion.closes} if driven.given.kind in LINKED else {})
+    judged |= {"ok_brake": lambda study: study.brake_load <= driven.brake.torque} if study.bases[0].brakes else {}
+    judged |= {"ok_turned": lambda study: len(study.bases[0].tables.turning.turns) == study.bases[0].turns_cut}
+    judged |= {"ok_turns": lambda _: ends_in_place(driven)} if driven.by_angle else {}
+    return {
+        f"drive{study.axis.number}_{key}": partial(lambda ok: ok_texts(ok(study)), ok) for key, ok in judged.items()
+    }
