@@ -10,7 +10,7 @@ from tests.mutation.draw_selection import drawn_limits
 from tests.mutation.machines import shares, vary_laws
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.entries import Closes
-from workbook.machines.machine.entries_beside import TIMES
+from workbook.machines.machine.entries_beside import STOPS, TIMES
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.time_based import in_units_of
 from workbook.motion.requirements import Smoothness, dwells_for_room
@@ -58,6 +58,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
 def place(axis: dict[str, Any], drawn: random.Random) -> None:
     """Draw where an axis begins, but of what only reaches so far, and whether one without a drive is open."""
     begin = drawn.choice((0.0, drawn.uniform(-300, 300)))
+    axis["stops"] = axis["stops"] and {end: drawn.choice((None, drawn.uniform(-400, 400))) for end in STOPS}
     axis["position"] = 0.0 if axis["motor"] and axis["mechanism"]["kind"] in LINKED else begin
     if axis["motor"] is None:
         axis["closes"] = drawn.choice(get_args(Closes))

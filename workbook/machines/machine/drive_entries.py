@@ -122,7 +122,7 @@ class Reducer(Model):
     max_speed: Positive | None = None  # rpm, of the input
 
 
-STAGED = "neither a ratio nor teeth of both wheels, or both: one of the two"
+STAGED = "expected either a ratio or the teeth of both wheels"
 
 
 class StageEntry(Model):

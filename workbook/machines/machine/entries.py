@@ -58,6 +58,7 @@ class Axis(Model):
     smoothness: Smoothness = "acceleration"
     shift: Number = 0.0  # degrees by which it is later than its phases say
     position: Number = 0.0  # where it begins, in its unit
+    stops: beside.HardStops | None = None
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
     rate: Positive | None = Field(
         default=None, description="Rate that its drive is sized at, in cycles/min, if not the machine's"

@@ -1,4 +1,4 @@
-"""Entries of a machine beside its axes: switches, and clearances between axes."""
+"""Entries of a machine beside its axes: switches, clearances between axes, and the hard stops of an axis."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
@@ -17,7 +17,7 @@ from workbook.fields.types import ANGLE_TOLERANCE, Angle, DesignError, EntryErro
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 TIMES, MOST_SWITCHES, MOST_CLEARANCES = 6, 24, 12  # of being on, that a switch has room for
 PAIRS = 12  # of a clearance's table
-KEYS, ENDS, PAIR = ("start", "stop"), ("first", "second"), ("at", "free")
+KEYS, ENDS, PAIR, STOPS = ("start", "stop"), ("first", "second"), ("at", "free"), ("low", "high")
 PAIRED = ",".join(f"COUNT([start{t}],[stop{t}])<>1" for t in range(1, TIMES + 1))
 HALF = RowRule("paired", f"AND({PAIRED})", "", "a time on without its begin, or without its end")
 """a row of switches of which a time has but one of its ends"""
@@ -87,6 +87,18 @@ def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError
         yield DesignError("on", f"{turned.name} {said[0]}", "apart", [UNUSED for _ in turned.on])
 
 
+class HardStops(Model):
+    """The hard stops of an axis, in its unit: [low, high], or { low } or { high } alone; it stays between them."""
+
+    low: Number | None = Field(default=None, description="Position of its lower stop", examples=[-5.0])
+    high: Number | None = Field(default=None, description="Position of its upper stop", examples=[325.0])
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Take [low, high] too, as editors see it."""
+        return {"anyOf": [TWO_NUMBERS, handler(core)]}
+
+
 class FreePosition(Model):
     """How far the second axis of a clearance is free where the first one is at a position, each in its axis' unit."""
 
@@ -151,7 +163,8 @@ def require_axes(clearances: Sequence[ClearanceEntry], names: Sequence[str]) -> 
 def spelled(told: Any) -> Any:
     """Return a description whose switches tell the keys of their times, and whose clearances the names of axes.
 
-    Times may be told as [from, to], and axes by their numbers, from 1, as a book's layout does.
+    Times may be told as [from, to], hard stops as [low, high], and axes by their numbers, from 1, as a book's layout
+    does.
     """
     if not isinstance(told, Mapping):
         return told
@@ -171,8 +184,11 @@ def spelled(told: Any) -> Any:
         ends = {end: names[one[end]] for end in ENDS if type(one.get(end)) is int and one[end] in names}
         return {**one, **ends, **told}
 
+    def stopped(one: Mapping[str, Any]) -> Any:
+        return {**one, "stops": keyed(one["stops"], STOPS)} if "stops" in one else one
+
     found = dict(told)
-    for key, spell in (("switches", switch), ("clearances", clearance)):
+    for key, spell in (("axes", stopped), ("switches", switch), ("clearances", clearance)):
         if isinstance(told.get(key), list):
             found[key] = [spell(one) if isinstance(one, Mapping) else one for one in told[key]]
     return found

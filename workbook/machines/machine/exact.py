@@ -17,6 +17,7 @@ from workbook.machines.machine.drive.view import DriveView, Rates, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables
+from workbook.machines.machine.timing.stops import HardStop, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.template_outputs import ExactJudgement, JudgedLimit
 
@@ -90,27 +91,37 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     lines = [line for view in views for line in (*results_of(view), *rate_of(view))]
     gaps = [ClearanceView(one, k, rows) for k, one in enumerate(machine.clearances, 1)]
     lines += [*filter(None, map(gap_of, gaps)), *(line for one in rows for line in extremes_of(one.axis))]
-    return ExactJudgement([*(limit for view in views for limit in limits_of(view)), *map(limit_of_gap, gaps)], lines)
+    stops = [limit_of_stop(stop) for one in rows for stop in stops_of(one.axis)]
+    limits = [*(limit for view in views for limit in limits_of(view)), *map(limit_of_gap, gaps), *stops]
+    return ExactJudgement(limits, lines)
 
 
-class GapCheck(LimitCheck):
-    """A gap against the least that must be left."""
+class AtLeast(LimitCheck):
+    """A gap or a position against the least that it must be."""
 
     @property
     def ok(self) -> bool:
-        """Whether it is left."""
+        """Whether it is as much."""
         return self.value >= self.limit
 
     @property
     def use(self) -> float:
-        """No share: a gap may be 0, or what must be left."""
+        """No share: it may be 0, or its limit."""
         return math.inf
 
 
 def limit_of_gap(gap: ClearanceView) -> JudgedLimit:
     """Return the least gap of a clearance as its sheet and as the exact engine have it; rounding breaks none."""
-    sheet, truth = (GapCheck("least gap", value + ZERO * gap.size, gap.given.least) for value in (gap.least, gap.exact))
+    sheet, truth = (AtLeast("least gap", value + ZERO * gap.size, gap.given.least) for value in (gap.least, gap.exact))
     return JudgedLimit(f"clear{gap.number}_kept", gap.given.name, "least gap", gap.unit, sheet, truth, 0.0)
+
+
+def limit_of_stop(stop: HardStop) -> JudgedLimit:
+    """Return how far an axis goes towards a hard stop as its sheet and as the exact engine have it."""
+    what, kind = ("lowest position", AtLeast) if stop.end == "low" else ("highest position", LimitCheck)
+    limit = stop.position + stop.outwards * stop.tolerance
+    sheet, exact = (kind(what, reached, limit) for reached in (stop.reached, stop.reached_exactly))
+    return JudgedLimit(f"{stop.name}_kept", stop.axis.given.name, what, stop.axis.given.unit, sheet, exact, 0.0)
 
 
 SIZES = {"rpm": RPM, "kW": KW}  # of units that are not the engine's

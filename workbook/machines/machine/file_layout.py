@@ -15,6 +15,7 @@ from workbook.machines.machine.entries_beside import (
     MOST_SWITCHES,
     ClearanceEntry,
     FreePosition,
+    HardStops,
     SwitchEntry,
 )
 from workbook.machines.machine.mechanism import MECHANISMS, some_mechanism
@@ -43,6 +44,11 @@ def unit_name(number: int, unit: str) -> str:
 def kind_name(number: int, kind: str) -> str:
     """Return the name of the cell with the mechanism of an axis; from the name alone a file's layout is known."""
     return f"drive{number}_{kind.replace(' ', '_').replace('-', '_')}"
+
+
+def stop_name(number: int, end: str) -> str:
+    """Return the name of the cell with the lower (``low``) or the upper stop (``high``) of an axis."""
+    return f"axis{number}_stop_{end}"
 
 
 def stage_name(number: int, stage: int) -> str:
@@ -92,7 +98,8 @@ def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -
     brake = drive_entries.MotorBrake(torque=1.0) if f"drive{number}_brake_torque" in names else None
     motor = drive_entries.AxisMotor(brake=brake, inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
     return axis.model_copy(update={
-        "unit": unit, "load": drive_entries.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}), "parts": [],
+        "unit": unit, "stops": HardStops() if stop_name(number, "low") in names else None,
+        "load": drive_entries.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}), "parts": [],
         "stages": [*told], "rate": None, "printed": "S4" if f"drive{number}_printed" in names else None,
         "mechanism": mechanism, "motor": motor if kinds else None,
     })  # fmt: skip
@@ -103,6 +110,7 @@ def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     found: dict[str, Any] = {"master": {"cycle": None, "unit": machine.over.unit} if machine.over.measured else {}}
     for i, axis in enumerate(machine.axes):
         found[f"axes.{i}.unit"] = axis.unit
+        found |= {f"axes.{i}.stops": {}} if axis.stops else {}
         if axis.mechanism:
             found |= {f"axes.{i}.mechanism.kind": axis.mechanism.kind, f"axes.{i}.motor": {}, f"axes.{i}.reducer": {}}
         found |= {f"axes.{i}.motor.brake": {}} if axis.motor and axis.motor.brake else {}

@@ -53,6 +53,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         axis |= {"closes": "feed" if (i + k) % 2 else "position", "smoothness": smoothness_for(turn + i),
                  "shift": SHIFTS[(i + k) % SIX], "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
                  "phases": dwells_for_room(made, laws, sizes["motion_pieces"] - len(made) - 1 - cuts)}  # fmt: skip
+        axis["stops"] = axis["stops"] and {"low": (None, -200.0, 30.0)[(i + k) % 3], "high": (60.0, None, 500.0)[k % 3]}
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])

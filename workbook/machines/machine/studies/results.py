@@ -15,13 +15,14 @@ from workbook.law_sheets.library import laws, named_laws
 from workbook.laws.family import COEFFICIENTS
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.exact import axes_of, limit_of_gap
+from workbook.machines.machine.exact import axes_of, limit_of_gap, limit_of_stop
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.power import KWH
 from workbook.machines.machine.studies import drives as each_drive
 from workbook.machines.machine.studies import limits
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles
 from workbook.machines.machine.studies.limits import ok_texts
+from workbook.machines.machine.timing.stops import stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.selection.pair_selection import PairSelection
 from workbook.template_outputs import Column, Computations, Results, Scaling
@@ -53,6 +54,8 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     for axis in whole.axes:
         of_one, checks_of_one = of_axis(axis, faster)
         found, checks = found | of_one, checks | checks_of_one
+        for stop in stops_of(axis):
+            checks[f"{stop.name}_kept"] = partial(lambda stop: ok_texts(limit_of_stop(stop).ok), stop)
         if machine.laws.of("LIN") and (ends := rows()[axis.number - 1].ends):
             checks |= {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")}
         if axis.given.mechanism and axis.given.motor:

@@ -15,6 +15,7 @@ from workbook.laws import sampling
 from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
 from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion_tables import AxisTables
+from workbook.machines.machine.timing.stops import stop_check, stops_of
 from workbook.motion.cells import RAISED
 from workbook.motion.pieces import room_check
 from workbook.motion.requirements import rate_columns
@@ -212,6 +213,7 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
               says=amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}")),
         room_check(f"{t}_room", tables.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
         *(tables.ends.checks(t, f"{label}: ") if tables.ends else []),
+        *map(stop_check, stops_of(axis)),
         tables.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
         check(f"{t}_closes", f"{label}: the cycle closes",
               f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{lift})', axis.closes,

@@ -10,6 +10,7 @@ from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.file_layout import switch_name, unit_name
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.phases import axis_checks, phases_table
+from workbook.machines.machine.timing.stops import stop_cell, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.exported import Exportable, ShiftCells
 from workbook.motion.pieces import POSITION, finding, sampled
@@ -48,6 +49,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
         sheet.rows(
             calc(f"axis{i}_name", "Name", "", "", f"=[axes.name.{i}]", one.axis.given.name, align="left"),
             constant(unit_name(i, one.axis.given.unit), "Moves in", "", "", one.axis.given.unit, align="left"),
+            *map(stop_cell, stops_of(one.axis)),
         )
         phases_table(sheet, one)
         axis_checks(sheet, one)

@@ -1,0 +1,104 @@
+"""The hard stops of an axis on the Timing sheet: where they are entered, and the checks that it stays between them."""
+
+import math
+from typing import NamedTuple
+
+from engine.motion import Motion
+from workbook.book.declare import Quantity, check, given
+from workbook.book.sentence import CheckSentence, amount
+from workbook.book.summary import ZERO
+from workbook.fields.units import shown
+from workbook.machines.machine.entries_beside import STOPS
+from workbook.machines.machine.file_layout import stop_name
+from workbook.machines.machine.view import MovingAxis
+
+FEEDS_ON = "it feeds on, cycle by cycle"
+CALLED = {"low": "lower", "high": "upper"}
+
+
+class HardStop(NamedTuple):
+    """One of both stops of an axis; positions are in its unit."""
+
+    axis: MovingAxis
+    end: str  # low or high
+
+    @property
+    def name(self) -> str:
+        """The name of its cell."""
+        return stop_name(self.axis.number, self.end)
+
+    @property
+    def entered(self) -> float | None:
+        """Where it is, if it is entered."""
+        position: float | None = getattr(self.axis.given.stops, self.end)
+        return position
+
+    @property
+    def outwards(self) -> float:
+        """The sign of the direction in which the axis meets it."""
+        return -1.0 if self.end == "low" else 1.0
+
+    @property
+    def position(self) -> float:
+        """Where it is, infinitely far where none is entered."""
+        return self.outwards * math.inf if self.entered is None else self.entered
+
+    @property
+    def lift(self) -> float:
+        """The greatest lift of a phase."""
+        return shown(max(abs(phase.lift) for phase in self.axis.motion.phases), self.axis.unit)
+
+    @property
+    def tolerance(self) -> float:
+        """By how much rounding may carry the axis beyond it."""
+        return ZERO * (self.lift + abs(self.entered or 0.0))
+
+    @property
+    def feeds_on(self) -> bool:
+        """Whether the axis goes on towards it, cycle by cycle."""
+        travel = shown(self.axis.motion.lifts_sum, self.axis.unit)
+        return self.axis.given.closes == "feed" and self.outwards * travel > ZERO * self.lift
+
+    @property
+    def reached(self) -> float:
+        """How far towards it the axis goes, as the sheet has it."""
+        return self.reached_by(self.axis.motion)
+
+    @property
+    def reached_exactly(self) -> float:
+        """The same by the exact engine."""
+        return self.reached_by(self.axis.joined.motion)
+
+    def reached_by(self, motion: Motion) -> float:
+        """Return how far towards it a motion goes."""
+        return self.outwards * math.inf if self.feeds_on else shown(motion.reach[STOPS.index(self.end)], self.axis.unit)
+
+    def is_kept(self, reached: float) -> bool:
+        """Return whether an axis that goes so far does not go beyond it."""
+        return self.outwards * reached <= self.outwards * self.position + self.tolerance
+
+
+def stops_of(axis: MovingAxis) -> list[HardStop]:
+    """Return both stops of an axis that has any."""
+    return [HardStop(axis, end) for end in STOPS] if axis.given.stops else []
+
+
+def stop_cell(stop: HardStop) -> Quantity:
+    """Return the row in which a stop is entered."""
+    return given(stop.name, f"{CALLED[stop.end].capitalize()} stop", "", stop.axis.given.unit, stop.entered,
+                 f"axes.{stop.axis.number - 1}.stops.{stop.end}", format="0.0##", source="empty: none")  # fmt: skip
+
+
+def stop_check(stop: HardStop) -> Quantity:
+    """Return the check that an axis, its overshoot included, does not go beyond a stop."""
+    i, unit, called, entered = stop.axis.number, stop.axis.given.unit, CALLED[stop.end], stop.name
+    reached, travel, lift = f"[axes.{stop.end}.{i}]", f"[axes.travel.{i}]", f"[axes_taken.lift.{i}]"
+    beyond, onwards = (f"{entered}-{reached}", f"0-{travel}") if stop.end == "low" else (f"{reached}-{entered}", travel)
+    says = amount(reached, stop.reached, "it goes to ", f" {unit}, ")
+    says = says.then(amount(beyond, abs(stop.reached - stop.position), "", f" {unit} beyond its {called} stop"))
+    feeds_on = f'AND([axes.closes.{i}]="feed",{onwards}>check_zero*{lift})'
+    says = CheckSentence(f'IF({feeds_on},"{FEEDS_ON}",{says.says})', FEEDS_ON if stop.feeds_on else says.said)
+    stays = f'OR([axes.closes.{i}]<>"feed",{onwards}<=check_zero*{lift})'
+    check_formula = f'OR({entered}="",AND({stays},{beyond}<=check_zero*({lift}+ABS({entered}))))'
+    label = f"Axis {i}: it stays within its {called} stop"
+    return check(f"{entered}_kept", label, check_formula, stop.is_kept(stop.reached), says=says)
