@@ -148,7 +148,7 @@ def test_a_self_locking_stage_holds_the_load_at_rest():
         assert (max(map(abs, resting)) == 0.0) == holds
 
 
-NEITHER = "neither a ratio nor teeth"
+NEITHER = "expected either a ratio or the teeth"
 LIMITS = [({"efficiency": 1.2}, "efficiency"), ({"friction_torque": -1.0}, "friction_torque")]
 
 
