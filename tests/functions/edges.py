@@ -165,6 +165,7 @@ def phases():
     yield from handed_over()
     yield from own_phases()
     yield from dated()
+    yield from later()
     for name in ("POS", "VEL", "ACC"):
         yield from (Case(name, (x, TABLE), NUM) for x in (-0.1, 8.1, -1e-9, 8.0 + 1e-9))
         yield from (Case(name, (x, TABLE), error) for x, error in (("abc", VALUE), (FAILED, DIV0), (MISSING, NA)))
@@ -241,6 +242,32 @@ def dated():
         yield from (Case(name, (11.0, table), error) for name in ("POS", "VEL", "ACC"))
     yield Case("POS", ("abc", jumps), VALUE)
     yield Case("POS", (MISSING, jumps), NA)
+
+
+def later():
+    """A motion that is later by a shift, once or cycle by cycle, as an axis of a workbook goes."""
+    book = ((40.0, 43.0, 3.2, "PO5"), (43.0, 45.0, 4.0, "LIN"), (45.0, 47.0, 2.0, "CIC"), (50.0, 52.0, -8.0, "TVP"))
+    for x, shift, cycle, y, v in (
+        (44.0, None, None, 5.2, 2.0), (344.0, 300.0, None, 5.2, 2.0), (10.0, 300.0, 0.0, 0.0, 0.0),
+        (344.0, 300.0, 360.0, 5.2, 2.0), (340.0, 300.0, 360.0, 0.0, 0.0), (352.0, 300.0, 360.0, 1.2, 0.0),
+        (10.0, 300.0, 360.0, 0.0, 0.0), (-16.0, 300.0, 360.0, 4.0, 2.0), (704.0, 300.0, 360.0, 6.4, 2.0),
+        (44.0, -360.0, 360.0, 6.4, 2.0), (4.0, 12.0, 52.0, 4.0, 2.0), (96.0, None, 52.0, 6.4, 2.0),
+    ):  # fmt: skip
+        yield Case("POS", (x, book, shift, cycle), y, 1e-9)
+        yield Case("VEL", (x, book, shift, cycle), v, 1e-9)
+    there = (("ACS", 2.0, 4.0), ("ACS", 2.0, -4.0))
+    yield from (
+        Case("POS", (x, there, 1.0), y) for x, y in ((1.0, 0.0), (3.0, 4.0), (5.0, 0.0), (0.5, NUM), (5.5, NUM))
+    )
+    for x, y, v, a in ((0.0, 2.0, -4.0, 4.0), (0.25, 1.125, -3.0, 4.0), (2.0, 2.0, 4.0, -4.0), (7.0, 4.0, 0.0, -4.0)):
+        yield from (Case(n, (x, there, 1.0, 4.0), value, 1e-9) for n, value in (("POS", y), ("VEL", v), ("ACC", a)))
+    yield Case("POS", (5.0, there, None, 4.0), 2.0, inline=True)
+    for table, shift, cycle, error in (
+        (there, 1.0, 10.0, NUM), (there, 1.0, 3.0, NUM), (there, 0.0, -4.0, NUM), (book, 0.0, 51.0, NUM),
+        (((-1.0, 2.0, 1.0, "CUB"),), 0.0, 360.0, NUM), (book, "abc", 360.0, VALUE), (book, 0.0, "abc", VALUE),
+        (book, ((1.0,), (2.0,)), 360.0, VALUE), (book, 0.0, ((1.0, 2.0),), VALUE),
+    ):  # fmt: skip
+        yield from (Case(name, (0.0, table, shift, cycle), error) for name in ("POS", "VEL", "ACC"))
 
 
 def own_phases():

@@ -40,7 +40,7 @@ class Argument(NamedTuple):
 
 
 class Function(NamedTuple):
-    """A function: the last part of its name, what it returns, its arguments; the last of them may be optional."""
+    """A function: the last part of its name, what it returns, its arguments; the last of them may be optional ones."""
 
     key: str
     help: Text

@@ -42,7 +42,7 @@ P = f"{CHOSEN}0{''.join(')' for _ in RANGES)}"
 PHASES = f"[phases.law.first]:[phases.p{WIDTH}.last]"
 ARGUMENTS = {
     "law": LAW, "xi": XI, "s": S, "x": X, "parameters": P, "phases": PHASES, "inertias": "[shafts.inertia]",
-    "ratios": "[shafts.ratio]", "values": "[profile.value]", "durations": "[profile.span]",
+    "ratios": "[shafts.ratio]", "values": "[profile.value]", "durations": "[profile.span]", "shift": "0", "cycle": "0",
 }  # fmt: skip
 PIECE = {"duration": "duration", **{f"c{i}": f"c{i}" for i in range(4)}, "amplitude": "P", "omega": "ω", "phase": "φ"}
 DERIVATIVES = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}

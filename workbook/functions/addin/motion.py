@@ -8,7 +8,7 @@ from typing import Callable
 
 import unohelper
 from com.sun.star.lang import XServiceInfo
-from motion_functions.cells import Cells, motion, named, pairs, reflected, root_mean_square
+from motion_functions.cells import Cells, motion, named, pairs, reflected, root_mean_square, single
 from motion_functions.law import NUM, Refused
 from motionbook import XMotionFunctions
 
@@ -35,7 +35,8 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
        for n, name in enumerate(("S", "V", "A", "J"))},
     **{name: partial(lambda n, law, parameters: named(law, parameters).coefficients[n], n)
        for n, name in enumerate(("CV", "CA", "CARMS", "CJ"))},  # C_j is infinite, so #NUM!, where a jumps
-    **{name: partial(lambda n, x, phases: motion(phases).at(x)[n], n) for n, name in enumerate(("POS", "VEL", "ACC"))},
+    **{name: partial(lambda n, x, phases, shift, cycle: motion(phases).later(x, single(shift), single(cycle))[n], n)
+       for n, name in enumerate(("POS", "VEL", "ACC"))},
     "XI": inverse,
     "JRED": lambda inertias, ratios: reflected(*pairs(inertias, ratios)),
     "RMS": lambda values, durations: root_mean_square(*pairs(values, durations)),

@@ -58,6 +58,19 @@ class Motion:
         self.positions = list(accumulate([0.0, *(row.lift for row, _ in phases)]))
         self.rests_from = rests_from
 
+    def later(self, x: float, shift: float, cycle: float) -> tuple[float, float, float]:
+        """Return the same of the motion later by a shift, repeated after each cycle; a cycle of 0: it runs once."""
+        if not cycle:
+            return self.at(x - shift)
+        first, last = 0.0, self.total
+        if self.rests_from is not None:
+            first, last = (self.rests_from + part * self.total / 3.0 for part in (1, 2))
+        if cycle < 0.0 or first < -AGREES * self.total or last > cycle * (1.0 + AGREES):
+            raise Refused(NUM)
+        cycles = math.floor((x - shift) / cycle + TOLERANCE)
+        y, v, a = self.at(max(x - shift - cycles * cycle, 0.0))
+        return y + cycles * self.positions[-1], v, a
+
     def at(self, x: float) -> tuple[float, float, float]:
         """Return position, velocity per unit of x, acceleration per unit of x²; at a joint of the later phase."""
         if self.rests_from is not None:
@@ -169,6 +182,14 @@ def phase(row: tuple[Cell, ...]) -> Row:
     if duration <= 0.0 or (code == "DWL" and lift):
         raise Refused(NUM)
     return Row(code, found, duration, lift)
+
+
+def single(cells: Cells) -> float:
+    """Return the number of a single cell, 0 of an argument that is left out; refuses several cells."""
+    found = ((0.0,),) if cells is None else rows(cells)
+    if len(found) != 1 or len(found[0]) != 1:
+        raise Refused(VALUE)
+    return found[0][0]
 
 
 def pairs(one: Cells, other: Cells) -> tuple[list[float], list[float]]:
