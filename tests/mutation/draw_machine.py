@@ -103,6 +103,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     } if travels else {
         "inertia": drawn.choice((0.0, 1e4 * often)), "torque": drawn.choice((0.0, force)), "friction_torque": often,
     }  # fmt: skip
+    axis["load"]["windows"] = []
     axis["load"]["viscous"] = None if viscous is None else drawn.choice((0.0, drawn.uniform(0, 200)))
     axis["load"]["arm"] = arm and {"mass": drawn.uniform(0, 50), "radius": drawn.uniform(0, 900),
                                    "angle": drawn.uniform(-400, 400)}  # fmt: skip

@@ -186,10 +186,10 @@ def phase(row: tuple[Cell, ...]) -> Row:
 
 def single(cells: Cells) -> float:
     """Return the number of a single cell, 0 of an argument that is left out; refuses several cells."""
-    found = ((0.0,),) if cells is None else rows(cells)
-    if len(found) != 1 or len(found[0]) != 1:
+    table = ((0.0,),) if cells is None else rows(cells)
+    if len(table) != 1 or len(table[0]) != 1:
         raise Refused(VALUE)
-    return found[0][0]
+    return table[0][0]
 
 
 def pairs(one: Cells, other: Cells) -> tuple[list[float], list[float]]:
