@@ -32,7 +32,8 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> Plac
             names = [getattr(row, "name", None) for row in entry]
             counted = number or (part not in names and part.isdecimal())  # axes.2.phases.1, as messages have it
             row = str(int(part) - 1) if counted else str(names.index(part)) if part in names else ""
-            entry, part = child(entry, row), row or part
+            entry = child(entry, row)
+            part = part if entry is MISSING else row
         else:
             entry = MISSING if number else child(entry, part)
         if entry is MISSING:
