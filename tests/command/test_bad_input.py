@@ -74,9 +74,9 @@ def small(layout, tmp_path):
 
 
 DESCRIPTIONS = {
-    "TOML syntax": ("rate = 200.0", "rate = = 100", ["not valid TOML", "line"]),
+    "TOML syntax": ("rate = 100.0", "rate = = 100", ["not valid TOML", "line"]),
     "unknown entry": (
-        "rate = 200.0",
+        "rate = 100.0",
         "rate = 100.0\nspeed = 3",
         ["master.speed", "unknown", "expected one of rate"],
     ),
@@ -84,11 +84,11 @@ DESCRIPTIONS = {
     "unknown template": ('"machine"', '"saw"', ["template", "'saw'", "machine"]),
     "no template": ('template = "machine"', "", ["template", "empty", "machine"]),
     "unknown law": ('law = "ACS" },', 'law = "MPT" },', ["axes[1].phases[1].law", "'MPT'", "MTP"]),
-    "text for a number": ("rate = 200.0", 'rate = "fast"', ["master.rate", "'fast'", "expected a number"]),
-    "logical value for a number": ("rate = 200.0", "rate = true", ["master.rate", "TRUE", "expected a number"]),
-    "date for a number": ("rate = 200.0", "rate = 2020-01-02", ["master.rate", "2020-01-02", "expected a number"]),
-    "not a number": ("rate = 200.0", "rate = nan", ["master.rate", "nan", "expected a number"]),
-    "infinite": ("rate = 200.0", "rate = inf", ["master.rate", "inf", "expected a number"]),
+    "text for a number": ("rate = 100.0", 'rate = "fast"', ["master.rate", "'fast'", "expected a number"]),
+    "logical value for a number": ("rate = 100.0", "rate = true", ["master.rate", "TRUE", "expected a number"]),
+    "date for a number": ("rate = 100.0", "rate = 2020-01-02", ["master.rate", "2020-01-02", "expected a number"]),
+    "not a number": ("rate = 100.0", "rate = nan", ["master.rate", "nan", "expected a number"]),
+    "infinite": ("rate = 100.0", "rate = inf", ["master.rate", "inf", "expected a number"]),
     "two axes of one name": ('name = "MC02"', 'name = "MC01"', ["axes[2].name", "'MC01'", "a name of its own"]),
     "drive of no kind": ('kind = "feed rollers"', 'kind = "feed roller"', ["axes[1].mechanism.kind", "'feed roller'"]),
     "drive without a kind": (

@@ -61,7 +61,7 @@ def cutting_machine() -> Iterator[Figure]:
         "rad/s",
         "20.944",
         shaft_speed(200 / 60),
-        cell="cutting-machine omega",
+        cell="cutting-machine omega_compared",
     )
     yield Figure(
         section, "MC01, geometric velocity, peak", "m/rad", "0.43", rise.of.y1_max, cell="cutting-machine axis1.y1.1"
@@ -75,8 +75,8 @@ def cutting_machine() -> Iterator[Figure]:
         "cut off, not rounded",
         cell="cutting-machine axis1.y2.1",
     )
-    yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max, cell="cutting-machine axis1.v.1")
-    yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max, cell="cutting-machine axis1.a.1")
+    yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max, cell="cutting-machine axes.vc.1")
+    yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max, cell="cutting-machine axes.ac.1")
     load, feed = reduced(s1.feeding_group().mechanism), s1.results(s1.MTP)
     yield Figure(
         "Feeding group", "total inertia J_tot", "kg m²", "1.164", load.inertia, cell="cutting-machine drive1_j1"

@@ -120,7 +120,7 @@ def test_the_first_page_tells_the_rate_that_the_drives_figures_hold_at():
     data = cutting.small(cycle=12, law=4).model_dump()
     data["axes"][0]["rate"] = 80.0
     book = TEMPLATES["machine"].declare(TEMPLATES["machine"].model.model_validate(data))
-    assert book.blocks["about_rate"].quantities[0].value == 200.0
+    assert book.blocks["about_rate"].quantities[0].value == 100.0
     sized = next(q for q in book.blocks["axes_short"].quantities if q.name == "sized")
     assert sized.value == [80.0, "–", "–"]
 

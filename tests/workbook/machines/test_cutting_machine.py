@@ -135,8 +135,8 @@ def test_the_committed_book_shows_the_figures_of_s1_without_edits():
     def figure(name, column=None):
         return next(q.value for q in book.blocks[name].quantities if column in (None, q.name))
 
-    assert [figure("axes", "v")[0], figure("axes", "a")[0]] == pytest.approx([9.0, 270.0], rel=1e-12)
-    assert (figure("timing_rate"), figure("drive1_rate")) == (MOVEMENTS, DRIVE)
+    assert [figure("axes", "vc")[0], figure("axes", "ac")[0]] == pytest.approx([9.0, 270.0], rel=1e-12)
+    assert (figure("timing_compared"), figure("drive1_rate")) == (MOVEMENTS, DRIVE)
     assert (figure("drive1_j_shaft"), figure("drive1_cr")) == pytest.approx((1.164, 67.0), rel=1e-12)
     texts = [text for sheet in book.sheets if sheet.title == "Drive MC01" for text in map(str, sheet.texts)]
     assert any("C_m = J_m/τ ω̇ + τ (C_r + J_tot ω̇)" in text for text in texts)

@@ -12,7 +12,7 @@ from workbook.cli import main
 TEXT = cutting.DESCRIPTION.read_text(encoding="utf-8")
 BEFORE = TEXT.split("[master]")[0]
 SELECTION = "[selection]\n"
-RATE = "rate = 200.0"
+RATE = "rate = 100.0"
 HEAD = 'template = "machine"\n'
 MOTORS = "name,inertia_kgcm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm\n"
 SECONDS = 20  # of one hostile file
@@ -58,9 +58,9 @@ DESCRIPTIONS = {
     "50,000 dotted keys in one": (HEAD + "a." * 50_000 + "a = 1", "deep"),
     "a header of 50,000 dotted keys": (HEAD + "[" + "a." * 50_000 + "a]", "deep"),
     "50,000 quoted keys in one": (HEAD + '"a" . ' * 50_000 + "a = 1", "deep"),
-    "an integer of 5,000 digits": (TEXT.replace("200.0", "9" * 5_000), "digits"),
-    "an integer of 4,300 digits": (TEXT.replace("200.0", "9" * 4_300), "master.rate"),
-    "an integer of 100,000 hexadecimal digits": (TEXT.replace("200.0", "0x" + "f" * 100_000), "master.rate"),
+    "an integer of 5,000 digits": (TEXT.replace(RATE, "rate = " + "9" * 5_000), "digits"),
+    "an integer of 4,300 digits": (TEXT.replace(RATE, "rate = " + "9" * 4_300), "master.rate"),
+    "an integer of 100,000 hexadecimal digits": (TEXT.replace(RATE, "rate = " + "0x" + "f" * 100_000), "master.rate"),
     "an integer of 2,000 digits as a size": (TEXT.replace("[sizes]", "[sizes]\nlaw = " + "9" * 2_000), "sizes.law"),
     "two million characters": (TEXT + "#" * 2_000_000, "2,00"),
     "a list as the template": (TEXT.replace('"machine"', '["machine"]'), "template"),

@@ -40,6 +40,9 @@ class Master(Model):
     """
 
     rate: Positive  # cycles/min
+    compare_rate: NotNegative | None = Field(
+        default=None, description="Rate in cycles/min at which the sheet Timing shows each axis' extremes too"
+    )
 
 
 class AxisPhase(TurnPhase, Passing):
@@ -61,7 +64,9 @@ class Axis(Model):
     stops: beside.HardStops | None = None
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
     rate: Positive | None = Field(
-        default=None, description="Rate that its drive is sized at, in cycles/min, if not the machine's"
+        default=None,
+        examples=[100.0],
+        description="Rate that its drive is sized at, in cycles/min, if not the machine's",
     )
     printed: Literal["S4"] | None = Field(
         default=None, description="A document whose printed figures a sheet of its own has beside those of the drive"

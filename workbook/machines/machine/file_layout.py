@@ -27,6 +27,8 @@ CHOSEN = "sel_axis"
 """the name of the cell with the axis that the sheet Selection is for; a file with that name has the sheet"""
 
 
+COMPARED = "timing_compared"
+"""the name of the cell with the rate to compare at; a file with that name has columns of extremes there"""
 clearance_name = "clear{}_{}_{}".format
 """names the cell of a clearance by its number and those of its axes, which a file so tells"""
 pairs_name = "clear{}_pairs_used".format
@@ -83,6 +85,8 @@ def laid_out(machine: entered.AnyMachine, names: Container[str]) -> entered.AnyM
     if told_in:
         entries = {name: getattr(machine, name) for name in type(machine).model_fields}
         return TimedMachine.model_construct(**entries | found | {"master": Cycle(cycle=TURN, unit=told_in[0])})
+    compared = 0.0 if COMPARED in names else None
+    found["master"] = machine.master.model_copy(update={"compare_rate": compared})
     return machine.model_copy(update=found)
 
 
@@ -108,6 +112,7 @@ def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:
     """Return the entries that follow from a book's layout, without a cell; and tables whose cells may all be empty."""
     found: dict[str, Any] = {"master": {"cycle": None, "unit": machine.over.unit} if machine.over.measured else {}}
+    found |= {"master.compare_rate": 0.0} if getattr(machine.master, "compare_rate", None) is not None else {}
     for i, axis in enumerate(machine.axes):
         found[f"axes.{i}.unit"] = axis.unit
         found |= {f"axes.{i}.stops": {}} if axis.stops else {}

@@ -46,6 +46,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     vary_laws(laws, k, scale, sizes["pieces"])
     choose(data, k)
     master[pace] *= next(scale)
+    master |= {"compare_rate": 41.0 * k} if master.get("compare_rate") is not None else {}
     for i, axis in enumerate(data["axes"]):
         kind = axis["mechanism"]["kind"] if axis["motor"] else None
         made = phases(i, turn, sizes["phases"], suited_to(kind)(laws))

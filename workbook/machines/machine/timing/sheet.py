@@ -1,13 +1,14 @@
 """The sheets Timing and Cycle: the axes over one turn of the master shaft or a cycle, and each sample by sample."""
 
+import math
 from typing import Any
 
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
 from workbook.entries.abscissa import TAKEN, Abscissa, unit_cell_name
 from workbook.fields.texts import sheet_title
-from workbook.fields.units import DEGREE, shown, si
-from workbook.machines.machine.file_layout import switch_name, unit_name
+from workbook.fields.units import DEGREE, PER_MINUTE, shown, si
+from workbook.machines.machine.file_layout import COMPARED, switch_name, unit_name
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.phases import axis_checks, phases_table
 from workbook.machines.machine.timing.stops import stop_cell, stops_of
@@ -77,6 +78,7 @@ def pace(machine: MachineView) -> list[Quantity]:
             calc("timing_cycle", "Time of one turn", "t_c", "s", "=60/timing_rate", machine.time, source="60 / n"),
             calc("omega", "Speed of the master shaft", "ω", "rad/s", "=2*PI()*timing_rate/60", machine.speed,
                  source="2π n / 60"),
+            *rate_to_compare(machine),
         ]  # fmt: skip
     what, symbol, forces = ("Time", "t_c", " and process forces") if over.timed else ("Length", f"{over.symbol}_c", "")
     return [
@@ -127,6 +129,7 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
                  [f"=MAX([axis{axis.number}.{name}])" for axis in axes], values)
           for order, (name, word, values) in enumerate((("v", "velocity", [a.max_velocity for a in axes]),
                                                         ("a", "acceleration", [a.max_acceleration for a in axes])), 1)),
+        *extremes_compared(machine),
     )  # fmt: skip
     last = over.degrees_formula("MAX([{0}.stop])")
     gap = f"(SUM([{{0}}.h])-IF(360-{last}>check_zero,0,INDEX([{{0}}.lack],COUNT([{{0}}.stop]))))"
@@ -143,6 +146,36 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
         calc("gap", "ends from its begin", "", unit, each(axes, gap), [shown(a.motion.gap, a.unit) for a in axes],
              scale=max(most) or 1.0),
     )  # fmt: skip
+
+
+def compared_rate(machine: MachineView) -> float | None:
+    """Return the rate (cycles/min) at which extremes are shown too, of a machine that has one."""
+    return None if machine.over.measured else machine.given.master.compare_rate
+
+
+def rate_to_compare(machine: MachineView) -> list[Quantity]:
+    """Return the rows of the rate at which extremes are shown too, if one is entered."""
+    rate = compared_rate(machine)
+    return [] if rate is None else [
+        given(COMPARED, "Compare at a rate of", "N_c", "cycles/min", rate, "master.compare_rate", format="0.0##",
+              source="velocity and acceleration of each axis there, below"),
+        calc("omega_compared", "Speed of the master shaft there", "ω_c", "rad/s", f"=2*PI()*{COMPARED}/60",
+             math.tau * si(rate, PER_MINUTE), source="2π N_c / 60"),
+    ]  # fmt: skip
+
+
+def extremes_compared(machine: MachineView) -> list[Quantity]:
+    """Return the columns of the greatest velocity and acceleration at the rate to compare at, if one is entered."""
+    rate, axes, symbols = compared_rate(machine), machine.axes, machine.over.symbols
+    if rate is None:
+        return []
+    faster = rate / machine.given.per_minute
+    return [
+        result("vc", "greatest velocity, at the rate to compare", symbols[1], units(machine, 1),
+               f"=[v]*{COMPARED}/timing_rate", [a.max_velocity * faster for a in axes]),
+        result("ac", "greatest acceleration, at the rate to compare", symbols[2], units(machine, 2),
+               f"=[a]*({COMPARED}/timing_rate)^2", [a.max_acceleration * faster**2 for a in axes]),
+    ]  # fmt: skip
 
 
 def each(axes: list[MovingAxis], formula: str) -> list[str]:
