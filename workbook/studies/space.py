@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, model_validator
 
-from workbook.fields.paths import Place, join
 from workbook.fields.texts import Text
 from workbook.fields.types import EntryError, Model, Number
 from workbook.template_outputs import Column
@@ -161,12 +160,12 @@ class Dimension:
     """
 
     label: str
-    paths: tuple[Place, ...]
+    paths: tuple[tuple[str, ...], ...]
     values: tuple[Any, ...] = ()
     low: float = 0.0
     high: float = 0.0
     steps: int = 0
-    takes: Place = ()
+    takes: tuple[str, ...] = ()
     part: str = ""
 
     @property
@@ -177,7 +176,7 @@ class Dimension:
     @property
     def key(self) -> str:
         """The key of its first entry."""
-        return join(self.paths[0])
+        return ".".join(self.paths[0])
 
     def at(self, indices: NDArray[np.intp]) -> Column:
         """Return its values at places among them."""

@@ -124,7 +124,7 @@ def test_a_load_that_the_motor_cannot_hold_has_no_rate():
     found = computed(TEMPLATE, machine(100.0, {"peak_torque": 0.01}, {}))
     assert (found("drive1_highest"), found("drive1_lowest")) == (AT_NO_RATE, AT_NO_RATE)
     assert found("drive1_binds") == "peak torque"
-    assert found("about_range") == "holds at no rate"
+    assert found("about_range") == "hold at no rate"
     assert found("about_binds") == "A1: peak torque"
 
 

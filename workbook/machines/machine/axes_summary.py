@@ -6,6 +6,7 @@ from typing import Any
 from engine.drive.motor import Reserve
 from workbook.book.declare import Quantity, Sheet, calc, result
 from workbook.fields.units import PERCENT, RPM, shown
+from workbook.machines.machine.drive.max_rate import RATE_LOOK
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.timing.sheet import units
 from workbook.machines.machine.view import MachineView, MovingAxis
@@ -67,7 +68,7 @@ def motors(axes: Sequence[MovingAxis], drives: Mapping[int, DriveView]) -> list[
         column("sized", "sized at", "N", "cycles/min", f'IF({{0}}own_rate="","{MACHINES}",{{0}}own_rate)',
                lambda view, _: MACHINES if view.driven.entered.rate is None else view.rate),
         column("lowest", "lowest rate", "N", "cycles/min", "{0}lowest", lambda view, _: view.rates.low,
-               "within all limits; 0: standstill", "0.0"),
+               "within all limits; 0: standstill", RATE_LOOK),
         column("binds_low", "limiting factor", "", "", "{0}binds_low", lambda view, _: view.rates.low_limit),
         column("highest", "highest rate", "N", "cycles/min", "{0}highest", lambda view, _: view.rates.high,
                "within all limits", "0.0"),

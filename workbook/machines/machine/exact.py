@@ -1,7 +1,8 @@
 """Judge limits by the exact engine too, and report results by points that are farther off than a sheet states."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import chain
 
 from engine.drive.bounds import stated_bounds
 from engine.drive.limits import BELOW, CYCLES, at_speed
@@ -10,13 +11,14 @@ from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
 from engine.drive.rate_range import rate_range
 from workbook.book.sentence import rounded
 from workbook.book.summary import ZERO
-from workbook.fields.units import KW, RPM, shown
+from workbook.fields.units import KW, PER_MINUTE, PERCENT, RPM, shown, si
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.max_rate import range_in_words
 from workbook.machines.machine.drive.view import DriveView, Rates, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables
+from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.timing.stops import HardStop, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.template_outputs import ExactJudgement, JudgedLimit
@@ -92,8 +94,25 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     gaps = [ClearanceView(one, k, rows) for k, one in enumerate(machine.clearances, 1)]
     lines += [*filter(None, map(gap_of, gaps)), *(line for one in rows for line in extremes_of(one.axis))]
     stops = [limit_of_stop(stop) for one in rows for stop in stops_of(one.axis)]
-    limits = [*(limit for view in views for limit in limits_of(view)), *map(limit_of_gap, gaps), *stops]
-    return ExactJudgement(limits, lines)
+    limits = [list(limits_of(view)) for view in views]
+    rates = [limit_of_rate(*both, machine.per_minute) for both in zip(views, limits, strict=True)]
+    rates = [max(rates, key=lambda one: one.exact.use)] if rates else []
+    return ExactJudgement([*chain(*limits), *rates, *map(limit_of_gap, gaps), *stops], lines)
+
+
+def limit_of_rate(view: DriveView, limits: Sequence[JudgedLimit], rate: float) -> JudgedLimit:
+    """Return the limit of a drive that is used most at the machine's rate (cycles/min), of its ``limits`` at its own.
+
+    It is told for the check of the rate: near a limit, that of the drive tells so.
+    """
+    if view.driven.entered.rate is None:
+        return max(limits, key=lambda one: one.exact.use)._replace(check=RATE_CHECK, bound=0.0)
+    exact = at_speed(view.driven.limit_checks, si(rate, PER_MINUTE) * math.tau).worst
+    uses = view.search.at(rate / view.rate).uses
+    sheet, truth = (LimitCheck(exact.name, shown(use, PERCENT), shown(1.0, PERCENT))
+                    for use in (max(uses.values()), exact.use))  # fmt: skip
+    what = f"at {rounded(rate)} cycles/min the most used limit, {exact.name},"
+    return JudgedLimit(RATE_CHECK, view.driven.called, what, "%", sheet, truth, 0.0)
 
 
 class AtLeast(LimitCheck):

@@ -4,15 +4,21 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 from engine.timing import turn_time
-from workbook.book.declare import Quantity, calc, result
-from workbook.book.sentence import Sentence, quoted
+from workbook.book.declare import Quantity, calc, check, result
+from workbook.book.sentence import CheckSentence, Sentence, amount, quoted
+from workbook.book.summary import ZERO
 from workbook.entries.abscissa import Abscissa
 from workbook.fields.units import PER_MINUTE, si
 from workbook.machines.machine.axes_summary import NO_DRIVE
-from workbook.machines.machine.drive.max_rate import range_in_words
+from workbook.machines.machine.drive.max_rate import RATE_LOOK, range_in_words
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
 
 NO_RATE = quoted(AT_NO_RATE)
+RATE_CHECK = "about_held"
+WITHIN = (
+    "AND(IF(ISNUMBER(about_lowest),about_rate>=about_lowest*(1-check_zero),FALSE),"
+    "IF(ISNUMBER(about_highest),about_rate<=about_highest*(1+check_zero),TRUE))"
+)
 
 
 class AxisRates(NamedTuple):
@@ -31,8 +37,9 @@ class WholeRange(NamedTuple):
     high_axis: int
 
 
-def whole_range(each: Sequence[AxisRates]) -> WholeRange:
+def whole_range(drives: Iterable[DriveView]) -> WholeRange:
     """Return the rates that all drives hold; of drives that hold none, or none together, the words for it."""
+    each = [AxisRates(one.axis.number, one.axis.given.name, view.rates) for view in drives for one in [view.driven]]
     unmet = next((one for one in each if one.rates.high == AT_NO_RATE), None)
     low = first(each, lambda one: one.rates.low, max)
     high = unmet or first(each, lambda one: one.rates.high, min)
@@ -45,6 +52,25 @@ def whole_range(each: Sequence[AxisRates]) -> WholeRange:
     return WholeRange(Rates(*ends, low_limit, high_limit), low.number if low else 0, high.number if high else 0)
 
 
+def hold_at(rate: float, found: Rates) -> bool:
+    """Return whether a range holds a rate (cycles/min), to a rounding."""
+    if isinstance(found.low, str) or rate < found.low * (1.0 - ZERO):
+        return False
+    return isinstance(found.high, str) or rate <= found.high * (1.0 + ZERO)
+
+
+def rate_check(found: Rates, rate: float) -> Quantity:
+    """Return the check that the machine's rate (cycles/min) is within the range of all drives."""
+    slow = isinstance(found.low, float) and rate < found.low
+    limit, words = found.low_limit if slow else found.high_limit, range_in_words(found, "about_", "hold")
+    shows = "IF(AND(ISNUMBER(about_lowest),about_rate<about_lowest),about_binds_low,about_binds)"
+    return check(
+        RATE_CHECK, "The machine's rate is within the range of all drives", WITHIN, hold_at(rate, found),
+        says=amount("about_rate", rate, "runs at ", "; the drives ").then(
+            CheckSentence(f'about_range&" ("&{shows}&")"', f"{words.said} ({limit})")),
+    )  # fmt: skip
+
+
 def first(
     each: Sequence[AxisRates], end: Callable[[AxisRates], float | str], best: Callable[..., float]
 ) -> AxisRates | None:
@@ -53,12 +79,9 @@ def first(
     return next((one for one in each if end(one) == best(numbers)), None) if numbers else None
 
 
-def range_of_rates(drives: Iterable[DriveView], axes: int, over: Abscissa) -> list[Quantity]:
+def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantity]:
     """Return the results of the whole machine: the rates at which all drives hold all limits, and who binds."""
-    each = [AxisRates(one.axis.number, one.axis.given.name, view.rates) for view in drives for one in [view.driven]]
-    if not each:
-        return []
-    found, most, least = whole_range(each), "[axes_short.highest]", "[axes_short.lowest]"
+    most, least = "[axes_short.highest]", "[axes_short.lowest]"
 
     def binds(limit: str, row: str) -> str:
         """Return the formula of an axis and of a limit of it, by its row, which is 0 if there is none."""
@@ -72,7 +95,7 @@ def range_of_rates(drives: Iterable[DriveView], axes: int, over: Abscissa) -> li
 
     high, unmet = found.rates.high, f"COUNTIF({most},{NO_RATE})>0"
     apart = f'IF(COUNT({most})=0,"{NONE_BINDS}",IF(MAX({least})<MIN({most}),MIN({most}),{NO_RATE}))'
-    words = range_in_words(found.rates, "about_")
+    words = range_in_words(found.rates, "about_", "hold")
     return [
         calc("about_range", "All drives together", "", "", f"={words.says}", Sentence(words.said), align="right"),
         result("about_highest", "Highest rate", "N_max", "cycles/min", f"=IF({unmet},{NO_RATE},{apart})", high,
@@ -88,7 +111,7 @@ def range_of_rates(drives: Iterable[DriveView], axes: int, over: Abscissa) -> li
                align="right"),
         result("about_lowest", "Lowest rate", "N_min", "cycles/min",
                f"=IF(about_highest={NO_RATE},about_highest,MAX({least}))", found.rates.low,
-               "of all drives; 0: standstill", align="right"),
+               "of all drives; 0: standstill", align="right", format=RATE_LOOK),
         calc("about_first_low", "Number of the axis that has it", "", "",
              f"=IF(MAX({least})>0,{row_of(f'MAX({least})', least)},0)", found.low_axis, "0: none", format="0"),
         result("about_binds_low", "Axis and limiting factor", "", "", binds("binds_low", "about_first_low"),

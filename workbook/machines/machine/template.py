@@ -28,7 +28,7 @@ from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
-from workbook.machines.machine.rates_summary import range_of_rates
+from workbook.machines.machine.rates_summary import range_of_rates, rate_check, whole_range
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
@@ -51,8 +51,13 @@ def declare(given: AnyMachine) -> Book:
     drives = {one.axis.number: view for one in rows if (view := drive_of(one))}
     bus = Mains(list(drives.values()), given.power) if drives else None
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
-    told = [*pace(machine), *range_of_rates(drives.values(), len(rows), machine.over), *(supply(bus) if bus else [])]
+    told = pace(machine)
+    if bus:
+        rates = whole_range(drives.values())
+        told += [*range_of_rates(rates, len(rows), machine.over), *supply(bus)]
     sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", told)
+    if bus:
+        sheet.checks(rate_check(rates.rates, given.per_minute))
     axes_summary(sheet, machine, drives)
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)

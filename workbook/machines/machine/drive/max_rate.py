@@ -23,13 +23,15 @@ from workbook.fields.units import PER_MINUTE, RPM, shown
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
 
 NOT_REACHED, NEVER_HELD = "–", "never"
-NOTE = "at most 1 % below the exact one from 0.6 to 1.5 times it; never above"
+NOTE = "as a rule less than 1 % below the exact one; build and verify tell the exact range where not"
 ABOUT = (
     "At rest a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times it the "
     "torque is T_s + x I; of each limit, 1/x is the share that grows so and is used. T_rms is at its limit where "
     "A_s + 2 B_s x + C_s x² = (M − ΔM √x)², with √x ≤ (x_s + x/x_s)/2."
 )
 MEETS = (PEAK_TORQUE, REDUCER_TORQUE, CYCLES)  # the limits of torques at points
+RATE_LOOK = "0.0##;-0.0##;0"
+"""the format of a lowest rate: from standstill on it is 0"""
 RANGE_END = 0.0499
 """what is taken off an end of a range, before it is rounded: a whole amount such as 200 lies at no edge"""
 
@@ -190,7 +192,7 @@ def range_results(view: DriveView) -> Sequence[Quantity]:
                f'IF(COUNT({rates})=0,"{NONE_BINDS}",INDEX([@between.name],@high_row)))',
                found.high_limit, align="right"),
         result("@lowest", "Lowest rate within all limits", "N_min", "cycles/min", f"={none},@down_to)", found.low,
-               "0: standstill", align="right"),
+               "0: standstill", align="right", format=RATE_LOOK),
         result("@binds_low", "limiting factor", "", "",
                f'={none},IF(@down_to>0,INDEX([@between.name],@low_row),"{NONE_BINDS}"))', found.low_limit,
                align="right"),
@@ -199,12 +201,12 @@ def range_results(view: DriveView) -> Sequence[Quantity]:
     ]  # fmt: skip
 
 
-def range_in_words(found: Rates, scope: str) -> CheckSentence:
-    """Return the sentence on a range of rates that cells with these beginnings of names have."""
+def range_in_words(found: Rates, scope: str, holds: str = "holds") -> CheckSentence:
+    """Return the sentence on a range of rates that cells with these beginnings of names have; drives ``hold``."""
     low, high = f"{scope}lowest", f"{scope}highest"
-    says = (f'IF(ISNUMBER({high}),"holds from "&ROUND({low}+{RANGE_END},1)&" to "&ROUND({high}-{RANGE_END},1)'
-            f'&" cycles/min",IF({high}="{NONE_BINDS}","no limit","holds "&{high}))')  # fmt: skip
+    says = (f'IF(ISNUMBER({high}),"{holds} from "&ROUND({low}+{RANGE_END},1)&" to "&ROUND({high}-{RANGE_END},1)'
+            f'&" cycles/min",IF({high}="{NONE_BINDS}","no limit","{holds} "&{high}))')  # fmt: skip
     if isinstance(found.high, str) or isinstance(found.low, str):
-        return CheckSentence(says, "no limit" if found.high == NONE_BINDS else f"holds {found.high}")
+        return CheckSentence(says, "no limit" if found.high == NONE_BINDS else f"{holds} {found.high}")
     ends = (round(end, 1) + 0.0 for end in (found.low + RANGE_END, found.high - RANGE_END))
-    return CheckSentence(says, "holds from {:.15g} to {:.15g} cycles/min".format(*ends))
+    return CheckSentence(says, "{} from {:.15g} to {:.15g} cycles/min".format(holds, *ends))

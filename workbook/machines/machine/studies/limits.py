@@ -6,9 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from workbook.book.quantity import FAIL, OK
 from workbook.machines.machine.drive.by_angle import ends_in_place
-from workbook.machines.machine.exact import limits_of
+from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.exact import limit_of_rate, limits_of
 from workbook.machines.machine.mechanism import LINKED
+from workbook.machines.machine.rates_summary import hold_at
 from workbook.machines.machine.studies.drives import DriveStudy
 from workbook.template_outputs import Computations
 
@@ -59,9 +62,37 @@ def judged_exactly(study: DriveStudy) -> Computations:
     return {name: partial(judge, name) for name in (f"drive{study.axis.number}_{check}" for check in CHECKS)}
 
 
+def at_machine_rate(study: DriveStudy, rates: Any, judge: Callable[[DriveView, float], bool]) -> Any:
+    """Return what is judged of the drive of each design at the machine's rate (cycles/min)."""
+    places, each = np.broadcast_arrays(np.arange(len(study.designs)), rates)
+    views = [study.views[study.designs[k]] for k in places.tolist()]
+    return np.array([judge(*both) for both in zip(views, each.tolist(), strict=True)])
+
+
+def hold_machine_rate(study: DriveStudy, rates: Any) -> Any:
+    """Return in which designs the machine's rate (cycles/min) is within the drive's range, by its points."""
+    if study.axis.given.rate is not None:
+        return at_machine_rate(study, rates, lambda view, rate: hold_at(rate, view.rates))
+    held = [within(limit, study) for limit in LIMITED.values()]
+    falling = [below_curve(study)] if study.products.knows_falling else []
+    return np.logical_and.reduce(np.broadcast_arrays(*held, *falling))
+
+
+def hold_machine_rate_exactly(study: DriveStudy, rates: Any, judged: Computations) -> Any:
+    """Return the same by the exact engine, which ``judged`` the drive at the rate that it is sized at."""
+
+    def is_held(view: DriveView, rate: float) -> bool:
+        nearly = max(view.search.at(rate / view.rate).uses.values()) >= ASKED
+        return not nearly or limit_of_rate(view, [], rate).exact.ok
+
+    if study.axis.given.rate is not None:
+        return at_machine_rate(study, rates, is_held)
+    return np.logical_and.reduce([verdict() == OK for verdict in judged.values()])
+
+
 def ok_texts(ok: Any) -> Any:
     """Return in words which checks hold."""
-    return np.where(ok, "OK", "FAIL")
+    return np.where(ok, OK, FAIL)
 
 
 def checks(study: DriveStudy) -> Computations:

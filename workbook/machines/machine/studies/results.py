@@ -1,7 +1,7 @@
 """The results of a machine by the names of its book, without a book: of many motors, reducers and rates at once."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache, partial
 from typing import Any
 
@@ -18,6 +18,7 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of, limit_of_gap, limit_of_stop
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.power import KWH
+from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.studies import drives as each_drive
 from workbook.machines.machine.studies import limits
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles
@@ -69,10 +70,24 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(limit_of_gap(apart()).ok), apart)
     found |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
+    judged = [limits.judged_exactly(one) for one in drives]
+    exact = {name: judge for one in judged for name, judge in one.items()}
+    if drives:
+        held = [partial(limits.hold_machine_rate, one, rate.each) for one in drives]
+        exactly = [
+            partial(limits.hold_machine_rate_exactly, one, rate.each, by)
+            for one, by in zip(drives, judged, strict=True)
+        ]
+        (slow if any(one.axis.given.rate for one in drives) else checks)[RATE_CHECK] = partial(all_hold, held)
+        exact[RATE_CHECK] = partial(all_hold, exactly)
     each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
     every = ("about_highest", "about_binds") if drives else ()
-    exact = {name: judge for one in drives for name, judge in limits.judged_exactly(one).items()}
     return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
+
+
+def all_hold(judged: Sequence[Callable[[], Any]]) -> Any:
+    """Return in words in which designs all drives are judged to hold."""
+    return ok_texts(np.logical_and.reduce(np.broadcast_arrays(*(judge() for judge in judged))))
 
 
 def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
