@@ -9,6 +9,7 @@ import workbook
 from workbook.book.declare import FIRST, Book, Text
 from workbook.book.summary import TITLE, checks_sheet, close_summary, head, repeat_verdict
 from workbook.entries.machine import Machine
+from workbook.fields.paths import has_key
 from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
 from workbook.unfinished_book import with_entries
 
@@ -78,15 +79,6 @@ class Template(Generic[M]):
     def book(self) -> Path:
         """The workbook of that description."""
         return self.folder / f"{self.name}.xlsx"
-
-
-def has_key(data: Any, key: str) -> bool:
-    """Whether a description has a key."""
-    for part in key.split("."):
-        if not isinstance(data, Mapping) or part not in data:
-            return False
-        data = data[part]
-    return True
 
 
 def finish(book: Book, sources: tuple[str, ...]) -> Book:

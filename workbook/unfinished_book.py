@@ -17,8 +17,8 @@ from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
 from workbook.book.summary import check_cells
 from workbook.entries.machine import Fault, Machine
+from workbook.fields.paths import key_of
 from workbook.law_sheets.library import named_laws
-from workbook.laws.entries import key_of
 
 MOST_TURNS = 1000
 

@@ -54,8 +54,6 @@ class Book:
     guards: list[Guard] = field(default_factory=list)
     summed: dict[str, list[list[int]]] = field(default_factory=dict)
     """columns ``table.column`` that sum up some checks: of each row the places of these among all"""
-    keyed: set[str] = field(default_factory=set)
-    """columns ``table.column`` of keys 2 · number + share, of which a look-up reads those of its number alone"""
 
     def sheet(self, title: str, purpose: str) -> Sheet:
         """Add a sheet behind the ones that are there. Raises ValueError where one of them has its title."""

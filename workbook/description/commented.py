@@ -7,7 +7,7 @@ from typing import Any
 
 from workbook.description.keys import Key, Section, default_of, sections, toml
 from workbook.entries.rules import KIND
-from workbook.laws.entries import key_of
+from workbook.fields.paths import key_of
 from workbook.templates import AnyTemplate
 
 WIDTH, COLUMN = 116, 32

@@ -11,11 +11,12 @@ from pydantic.fields import FieldInfo
 
 from workbook.book.quantity import Quantity
 from workbook.entries.rules import KIND, either, expectation, is_table, kinds, tables, unwrap
+from workbook.fields.paths import get, has_key, spread
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.registry import CODES, FAMILY
 from workbook.reading.descriptions import read_machine
 from workbook.selection.entries import COMMITTED
-from workbook.template import FOLDER, has_key
+from workbook.template import FOLDER
 from workbook.templates import AnyTemplate
 
 ONE = re.compile(r"\.\d+(?=\.|$)")
@@ -144,8 +145,10 @@ class ModelWalk:
     def _example(self, path: str, kind: str = "") -> Any:
         """Return what the first description has at a key that has it, in a table of a kind."""
         for data in self._data:
-            if (found := example(data, path.split("."), kind)) is not None:
-                return found
+            for place, value in spread(data, path.split(".")):
+                kinds = {get(data, (*place[:k], KIND), kind) for k in range(len(place))} if kind else {kind}
+                if value is not None and kinds == {kind}:
+                    return value
         return getattr(COMMITTED[PRODUCTS[path]]()[0], "name", None) if path in PRODUCTS else EXAMPLES.get(path)
 
     def _laws(self, path: str) -> Iterator[Section]:
@@ -208,19 +211,6 @@ def join(path: str, name: str) -> str:
 def doc_line(model: type[BaseModel] | None) -> str:
     """Return the first line of what a model says of itself."""
     return ((model.__doc__ if model else "") or "").strip().partition("\n")[0].rstrip(".")
-
-
-def example(data: Any, path: list[str], kind: str = "") -> Any:
-    """Return what a description has at a key: in the first row that has it, of a table of a kind if one is told."""
-    if not path or data is None:
-        return data
-    first, *rest = path
-    if first == "*":
-        rows = data if isinstance(data, list) else []
-        return next((found for row in rows if (found := example(row, rest, kind)) is not None), None)
-    if not isinstance(data, Mapping) or (kind and data.get(KIND, kind) != kind):
-        return None
-    return example(data.get(first), rest, kind)
 
 
 def toml(value: Any) -> str:

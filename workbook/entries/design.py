@@ -1,7 +1,6 @@
 """Unfinished designs: what was entered is shown with its faults, the engine works with other numbers in their place."""
 
-import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable
 from copy import deepcopy
 from typing import Any, Literal, TypeVar, get_origin
 
@@ -11,13 +10,12 @@ from pydantic import BaseModel, ValidationError
 from workbook.entries import rules
 from workbook.entries.machine import Design, Fault, Machine, Replaced
 from workbook.errors import LONGEST, quoted
+from workbook.fields.paths import MISSING, Place, child, get, join, leaves, put, split
 from workbook.fields.types import LARGEST, SMALLEST, DesignError, DesignFaultsError, EntryError
-from workbook.laws.entries import key_of
 
 M = TypeVar("M", bound=Machine)
 BEYOND = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
 MOST_ROUNDS = 24
-NONE = object()  # stands where a description has no entry
 Where = Callable[[str], str]  # how an entry is told of, by its key
 
 
@@ -45,12 +43,12 @@ def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any], e
         for fault in found:
             path = fault.key
             while path in replaced and path:
-                path = joined(parts(path)[:-1])
+                path = join(split(path)[:-1])
             if not path:
                 raise RefusedError(found)
             whole = path == fault.key
             fits = whole and fault.fits is not None
-            set_at(tried, parts(path), fault.fits if fits else fitting(model, path, dumped, tried))
+            put(tried, split(path), fault.fits if fits else fitting(model, path, dumped, tried))
             replaced.setdefault(path, turn)
             if whole:
                 faults.append(fault._replace(turn=turn))
@@ -129,13 +127,13 @@ def of_rule(where: str, error: DesignError) -> Fault:
 def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: dict[str, Any]) -> Any:
     """Return a valid entry, or all entries below a place: the example's numbers with the texts that were entered."""
     rule = ruled(path, tried)
-    found = at(example, rule)
-    if found is NONE or found is None:
+    found = example_at(example, split(rule))
+    if found is None:
         kind, constraints = rules.field_at(model, rule)
         if len(rules.tables(kind)) != 1 or any(field.is_required() for field in rules.fields(kind).values()):
             return rules.within(kind, constraints)
         found = kind().model_dump()
-    return refilled(at(tried, path), found)
+    return refilled(get(tried, split(path), MISSING), found)
 
 
 def keys_of(model: type[BaseModel], loc: tuple[int | str, ...]) -> tuple[str, str]:
@@ -145,29 +143,23 @@ def keys_of(model: type[BaseModel], loc: tuple[int | str, ...]) -> tuple[str, st
         own = [part for i, part in enumerate(given) if part not in rules.kinds_at(model, given[:i])]
         return ".".join(own), ".".join(given)
     _, name, family, *rest = given
-    return joined(["laws", name, *rest]), ".".join(["laws", family, *rest])
+    return join(["laws", name, *rest]), ".".join(["laws", family, *rest])
 
 
 def ruled(path: str, data: dict[str, Any]) -> str:
     """Return the key of the rule for an entry: of a law that has a name of its own, that of its family."""
-    names = parts(path)
+    names = split(path)
     if len(names) > 1 and names[0] == "laws":
-        entry = data.get("laws", {}).get(names[1], {})
-        names[1] = entry.get("family", names[1])
-    return joined(names)
+        names = ("laws", get(data, ("laws", names[1], "family"), names[1]), *names[2:])
+    return join(names)
 
 
-PART = re.compile(r'"([^"]*)"|([^.]+)')
-
-
-def parts(path: str) -> list[str]:
-    """Return the names of a path; those of laws may stand in quotes."""
-    return [quoted or plain for quoted, plain in PART.findall(path)]
-
-
-def joined(names: Sequence[str]) -> str:
-    """Return the path of names."""
-    return ".".join([key_of(name) if i == 1 and names[0] == "laws" else name for i, name in enumerate(names)])
+def example_at(example: Any, path: Place) -> Any:
+    """Return what an example has at a path, of a list too short its last row."""
+    for part in path:
+        last = len(example) - 1 if isinstance(example, list) else 0
+        example = child(example, str(min(int(part), last)) if isinstance(example, list) else part)
+    return None if example is MISSING else example
 
 
 def refilled(held: Any, example: Any) -> Any:
@@ -176,30 +168,10 @@ def refilled(held: Any, example: Any) -> Any:
         known = held if isinstance(held, dict) else {}
         if known.get(rules.KIND) != example.get(rules.KIND) and rules.KIND in known:
             return deepcopy(held)  # what an example of another kind has does not fit
-        return {key: refilled(known.get(key, NONE), value) for key, value in example.items() if value is not None}
+        return {key: refilled(known.get(key, MISSING), value) for key, value in example.items() if value is not None}
     if isinstance(example, list) and example and isinstance(held, list) and held:
         return [refilled(one, example[min(i, len(example) - 1)]) for i, one in enumerate(held)]
     return held if isinstance(held, str) and isinstance(example, str) else deepcopy(example)
-
-
-def at(data: Any, path: str, exactly: bool = False) -> Any:
-    """Return the entry at a place, else NONE, and of a list too short its last row; with ``exactly``, else None."""
-    for part in parts(path):
-        if isinstance(data, list) and data and (int(part) < len(data) or not exactly):
-            data = data[min(int(part), len(data) - 1)]
-        elif isinstance(data, dict) and part in data:
-            data = data[part]
-        else:
-            return None if exactly else NONE
-    return data
-
-
-def set_at(data: Any, path: list[str], value: Any) -> None:
-    """Set an entry, making tables on the way."""
-    *above, last = path
-    for part in above:
-        data = data[int(part)] if isinstance(data, list) else data.setdefault(part, {})
-    data[int(last) if isinstance(data, list) else last] = value
 
 
 def differing(
@@ -208,11 +180,12 @@ def differing(
     """Return by key the entries below the places that were replaced, where they differ."""
     found: dict[str, Replaced] = {}
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
-        old, new = (dict(leaves(at(data, path, exactly=True), path)) for data in (entered, made))
+        place = split(path)
+        old, new = ({join(way): value for way, value in leaves(get(data, place), place)} for data in (entered, made))
         for key in new | old:
             absent = old.get(key, {}) == {}
             was = None if absent else old[key]
-            if absent and key in new and at(entered, joined(parts(key)[:-1]), exactly=True):
+            if absent and key in new and get(entered, split(key)[:-1]):
                 was = rules.default_at(model, ruled(key, entered))
             if was != new.get(key):
                 found.setdefault(key, Replaced(plain(was), turn))
@@ -224,23 +197,11 @@ def plain(value: Any) -> Any:
     return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
-def leaves(data: Any, path: str) -> Iterator[tuple[str, Any]]:
-    """Yield the entries at and below a place by their keys."""
-    if isinstance(data, dict) and data:
-        for key, value in data.items():
-            yield from leaves(value, joined([*parts(path), key]))
-    elif isinstance(data, list):
-        for i, value in enumerate(data):
-            yield from leaves(value, f"{path}.{i}")
-    else:
-        yield path, data
-
-
 def as_entered(machine: Machine) -> dict[str, Any]:
     """Return the description of a machine with what was entered, finished or not."""
     data = machine.model_dump(exclude_none=True)
     for key, old in machine.design.replaced.items():
-        set_at(data, parts(key), old.value)
+        put(data, split(key), old.value)
     return dict(emptied(data))
 
 

@@ -2,14 +2,14 @@
 
 from collections.abc import Mapping
 from datetime import date
-from functools import reduce
 from typing import Annotated, Any, ClassVar, NamedTuple, Self
 
 from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
+from workbook.fields.paths import get, key_of
 from workbook.fields.texts import Text
 from workbook.fields.types import EntryError, Model
-from workbook.laws.entries import Laws, key_of, resolve
+from workbook.laws.entries import Laws, resolve
 from workbook.laws.pages.spline import ROOM
 
 
@@ -117,12 +117,8 @@ class Exporting(Machine):
     @classmethod
     def axis_names(cls, data: Any) -> list[str]:
         """Return the names of the axes of a machine, or of a description of one."""
-
-        def at(told: Any, part: str) -> Any:
-            return told.get(part) if isinstance(told, Mapping) else getattr(told, part, None)
-
-        rows = reduce(at, cls.AXES_AT, data) if cls.AXES_AT else []
-        return [*cls.AXES, *(str(at(row, "name")) for row in (rows if isinstance(rows, list) else []))]
+        rows = get(data, cls.AXES_AT) if cls.AXES_AT else []
+        return [*cls.AXES, *(str(get(row, ["name"])) for row in (rows if isinstance(rows, list) else []))]
 
     @classmethod
     def spelled(cls, data: Any) -> Any:

@@ -16,10 +16,10 @@ from engine.motion.joining import join_phases
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given, result
 from workbook.book.rows import filled
+from workbook.fields.paths import get, split
 from workbook.fields.types import Model, NotNegative, Number, Share
 from workbook.functions.declarations import CODES, FUNCTIONS, TAKES, TEXTS, Argument
 from workbook.laws.entries import Laws, as_listed
-from workbook.laws.family import value_at
 from workbook.laws.registry import CODES as BASIC
 from workbook.laws.registry import FAMILY
 
@@ -157,7 +157,7 @@ def parameters(sheet: Sheet, shown: PageInputs) -> None:
         entered = laws[code]
         sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
             given(one.column, one.short, "", "",
-                  [value_at(entered, one.key)], f"laws.{code}.{one.key}", format="0.0000")
+                  [get(entered, split(one.key))], f"laws.{code}.{one.key}", format="0.0000")
             for one in page.parameters
         ))  # fmt: skip
     rows = len(pieces) + EMPTY_PIECES

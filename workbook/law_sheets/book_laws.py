@@ -203,7 +203,6 @@ def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
         column("ds", "gain of position", "Δs", TRAVELLED, SWUNG2, scale=RISE, source="∫v over the piece"),
         column("key", "key", "", "=2*[number]+MIN(1,MAX(0,[xi]))", source="2 · number + ξ_k, within its law"),
     )  # fmt: skip
-    sheet.book.keyed.add("pieces.key")
     one, two = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
     sheet.book.name(
         "pieces", **one, **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()}, **(two if second else {})

@@ -10,11 +10,12 @@ from engine.motion import Phase
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Sheet, calc, constant, given, result
 from workbook.entries.machine import Sizes
+from workbook.fields.paths import get, split
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import MM, shown, si
 from workbook.law_sheets.library import NamedLaw
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, entries_of, value_at
+from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, entries_of
 
 SPELLED = {  # what the columns of a table of pieces add to a(u)
     "c0": "c0", "c1": "c1 u", "c2": "c2 u²", "c3": "c3 u³", "c4": "c4 u⁴", "c5": "c5 u⁵",
@@ -84,7 +85,7 @@ def entries(sheet: Sheet, named: NamedLaw) -> None:
         given("@h", "Rise shown", "h", "mm", entered.lift, f"{named.key}.lift", source="any; a return is negative"),
         given("@t", "Time of the rise", "t_a", "s", entered.time, f"{named.key}.time"),
         *(given(p.name, p.label, p.symbol, "",
-                value_at(entered, p.key), f"{named.key}.{p.key}", format="0.0000", source=p.source)
+                get(entered, split(p.key)), f"{named.key}.{p.key}", format="0.0000", source=p.source)
           for p in page.parameters),
     )  # fmt: skip
 

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Union
 from pydantic import BeforeValidator, Field, PrivateAttr, RootModel, create_model, model_serializer, model_validator
 
 from workbook.errors import quoted
+from workbook.fields.paths import key_of
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
 from workbook.fields.types import EntryError, Model
 from workbook.laws.registry import CODES, FAMILY, code_named, nearest_laws
 
 LONGEST = 40  # characters of a law's name
 NUMBERED = re.compile(r"([A-Z][A-Z0-9]{2})(\d*)")
-PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 
 
 @dataclass(frozen=True)
@@ -60,11 +60,6 @@ if TYPE_CHECKING:
     Entered = Any
 else:
     Entered = Annotated[Union[tuple(ENTRIES.values())], Field(discriminator="family")]  # noqa: UP007
-
-
-def key_of(name: str) -> str:
-    """Return a law's name as a part of a key: in quotes, where it has more than letters and digits."""
-    return name if PLAIN.fullmatch(name) else f'"{name}"'
 
 
 class Laws(RootModel[dict[str, Entered]]):

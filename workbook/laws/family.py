@@ -14,6 +14,7 @@ from engine.laws import Law, Piece
 from engine.laws.base import BREAK_TOLERANCE
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import amount, figure
+from workbook.fields.paths import get, put, split
 from workbook.fields.types import DesignError, Model, Number, Positive
 
 COEFFICIENTS = (
@@ -137,16 +138,12 @@ class Page:
         if not numbers:
             return self.entries() if self.entries else None
         for parameter, number in zip(self.parameters, numbers, strict=True):
-            field, _, index = parameter.key.partition(".")
-            if index:
-                data.setdefault(field, []).append(number)
-            else:
-                data[field] = number
+            put(data, split(parameter.key), number)
         return self.entries.model_validate(data) if self.entries else None
 
     def numbers(self, entered: Any) -> list[float]:
         """Return the parameters that are entered, in a row."""
-        return [value_at(entered, parameter.key) for parameter in self.parameters]
+        return [get(entered, split(parameter.key)) for parameter in self.parameters]
 
     def enter(self, sheet: Sheet, named: Any, sizes: Any) -> None:
         """Declare entries besides the rise shown and the parameters; most families have none."""
@@ -196,13 +193,6 @@ class Page:
     def fields(self) -> list[str]:
         """The entries of the family that are parameters of the law."""
         return [name for name in self.entries.model_fields if name not in LawSheet.model_fields] if self.entries else []
-
-
-def value_at(entered: Any, key: str) -> Any:
-    """Return the entry at a key such as ``durations.0``."""
-    field, _, index = key.partition(".")
-    value = getattr(entered, field)
-    return value[int(index)] if index else value
 
 
 LEAST = 0.01

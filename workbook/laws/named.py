@@ -3,8 +3,9 @@
 from collections.abc import Mapping
 from typing import Any
 
+from workbook.fields.paths import key_of
 from workbook.fields.types import EntryError
-from workbook.laws.entries import key_of, listed
+from workbook.laws.entries import listed
 from workbook.laws.registry import CODES, FAMILY, code_named
 
 NAMING = ("law", "law_in", "law_out")  # entries that name a law

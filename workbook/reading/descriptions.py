@@ -10,8 +10,8 @@ import tomli_w
 from workbook.entries.design import RefusedError, Where, as_entered, fault_line, finished
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, quoted
+from workbook.fields.paths import key_of, spell
 from workbook.fields.types import EntryError
-from workbook.laws.entries import key_of
 from workbook.laws.named import with_laws_by_code
 from workbook.selection.entries import referred
 from workbook.template import M, Template
@@ -63,7 +63,7 @@ def decimal_comma(text: str, error: ValueError) -> str:
 
 def counted_from_1(key: str) -> str:
     """Return a key whose lists are counted from 1, as people count: ``timing.axes[1].name``."""
-    told = re.sub(r'("[^"]*")|\.(\d+)', lambda quoted: quoted[1] or f"[{int(quoted[2]) + 1}]", key)
+    told = spell(key)
     return told if told == key else f"{told} (counted from 1)"
 
 

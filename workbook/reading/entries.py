@@ -9,9 +9,9 @@ from pydantic import BaseModel, ValidationError
 from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.entries import rules
-from workbook.entries.design import set_at
 from workbook.entries.machine import ExportEntry, Machine, named
 from workbook.errors import DisputedError, InputError, ReadError, quoted
+from workbook.fields.paths import MISSING, put, split
 from workbook.law_sheets.library import numbered_laws, with_laws
 from workbook.reading.descriptions import cell_key, read_machine, template_named, validated
 from workbook.reading.files import BookFile, is_formula, require_narrow
@@ -49,7 +49,7 @@ class Entries:
             self.data["export"] = {"axis": axis}
             default = default.model_copy(update={"export": ExportEntry(axis=axis)})
         for key, value in self.template.fixed(default).items():
-            set_entry(self.data, key.split("."), value)
+            put(self.data, split(key), value)
         roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
         small = roomy | {"cycle": 4, "law": 4}
         layout = self.template.declare(default.model_copy(update={"sizes": clamped_sizes(type(default.sizes), small)}))
@@ -59,7 +59,7 @@ class Entries:
         for block in layout.blocks.values():
             self._read_block(block)
         for key in self._emptied:
-            set_at(self.data, key.split("."), None)
+            put(self.data, split(key), None)
 
     def machine(self) -> Machine:
         """Return what was entered; raise InputError whose lines name the sheet, the cell and what is expected."""
@@ -148,13 +148,13 @@ class Entries:
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
         table, rowwise, _ = inputs[0][1].key.partition(".*")
         if rowwise and not used and self._must_be_there(table):
-            set_at(self.data, table.split("."), [])
+            put(self.data, split(table), [])
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
             for (j, q), value in zip(inputs, rows[i], strict=True):
                 key = q.key.replace("*", str(i))
                 self.cells[key] = f"{place.cell(i, j)} ({q.label})"
                 if value is not None or "*" in q.key or key[-1].isdigit():
-                    set_entry(self.data, key.split("."), value)
+                    put(self.data, split(key), MISSING if value is None else value)
             if any(value is not None for value in rows[i]) or "*" not in inputs[0][1].key:
                 self._emptied += [q.key.replace("*", str(i)) for (_, q), value in zip(inputs, rows[i], strict=True)
                                   if value is None and self._must_be_there(q.key)]  # fmt: skip
@@ -217,22 +217,3 @@ def clamped_sizes(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:
     except ValidationError as error:
         limits = {str(fault["loc"][0]): fault.get("ctx", {}) for fault in error.errors()}
         return model(**{key: limits.get(key, {}).get("le", size) for key, size in sizes.items()})
-
-
-def set_entry(data: Any, path: list[str], value: Any) -> None:
-    """Set an entry of nested dicts and lists, making room on the way; None only makes room."""
-    for part, after in zip(path, [*path[1:], ""], strict=True):
-        empty: Any = None if not after else [] if after.isdigit() else {}
-        if isinstance(data, list):
-            index = int(part)
-            data.extend({} for _ in range(index + 1 - len(data)))
-            if not after:
-                data[index] = value if value is not None else data[index]
-            elif not data[index] and isinstance(empty, list):
-                data[index] = empty
-            data = data[index]
-        elif not after:
-            if value is not None:
-                data[part] = value
-        else:
-            data = data.setdefault(part, empty)

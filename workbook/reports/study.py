@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 import workbook
+from workbook.fields.paths import leaves, spell
 from workbook.reports.differences import figure
 from workbook.reports.html import document, front_picture, rendered
 from workbook.reports.html import shown as escaped
 from workbook.studies.evaluate import Label, Labels
-from workbook.studies.paths import leaves, written
 from workbook.studies.plan import Plan
 from workbook.studies.run import BookCheck
 from workbook.studies.space import Dimension, Study
@@ -26,10 +26,10 @@ def page(plan: Plan, found: Summary, named: Labels, judged: BookCheck | None, wh
     """Return the page."""
     versions = (f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
                 f"NumPy {np.__version__}")  # fmt: skip
-    paths = {".".join(path) for one in plan.space.dimensions for path in one.paths}
+    varied = {path for one in plan.space.dimensions for path in one.paths}
     data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
-    fixed = [(key, value) for key, value in leaves(data) if key not in paths]
-    more: dict[str, Any] = {"versions": versions, "fixed": fixed, "varied": varied_words, "written": written}
+    fixed = [(path, value) for path, value in leaves(data) if path not in varied and value != {}]
+    more: dict[str, Any] = {"versions": versions, "fixed": fixed, "varied": varied_words, "spell": spell}
     return document(plan.study.title, front(plan, found, named, judged, plan_page=True, **more))
 
 
@@ -99,7 +99,7 @@ def varied_words(one: Dimension) -> str:
     """Return over what something varied."""
     said = f"{one.low:g} to {one.high:g}" + (f" in {one.steps} values" if one.steps else "")
     said = ", ".join(map(figure, one.values[:MOST])) if one.values else said
-    return said + (f"; its room from {written(one.takes)}" if one.takes else "")
+    return said + (f"; its room from {spell(one.takes)}" if one.takes else "")
 
 
 def judged_line(judged: BookCheck) -> str:

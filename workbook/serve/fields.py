@@ -7,13 +7,13 @@ from typing import Any, NamedTuple
 
 from workbook.description.keys import PRODUCTS, Key, default_of, toml
 from workbook.errors import InputError, MotionbookError
+from workbook.fields.paths import Place, join, spell
 from workbook.laws.entries import ENTRIES
 from workbook.reading.descriptions import described, parse_toml, template_named
 from workbook.reports.html import paragraphs, rendered
 from workbook.selection.entries import COMMITTED
 from workbook.serve.live import design
-from workbook.serve.tables import Place, Table, changed, part_of, tables_of, written
-from workbook.studies.paths import written as counted
+from workbook.serve.tables import Table, changed, part_of, tables_of, written
 
 EITHER = re.compile(r", | or ")
 PHRASES = ("a ", "7 ")  # what the words begin with that expect anything but one of some texts
@@ -50,14 +50,14 @@ def form(name: str, text: str, part: str) -> str:
     chosen = next((one for one in parts if written(one) == part), ())
     said = faults(name, text, data)
     shown = [(one, *fields(one, said, data)) for one in tables if part_of(one.place) == chosen]
-    return rendered("serve/form.html", parts=parts, chosen=chosen, tables=shown, said=said, counted=counted,
+    return rendered("serve/form.html", parts=parts, chosen=chosen, tables=shown, said=said, spell=spell,
                     written=written, default_of=default_of)  # fmt: skip
 
 
 def heading(part: Place, data: dict[str, Any]) -> str:
     """Return what a part of a description is called in the list of them, a row with its name."""
     rows = data.get(part[0]) if part[1:] else None
-    return f"{counted(part)} {rows[int(part[1])].get('name', '') if rows else ''}".strip() or "machine"
+    return f"{spell(part)} {rows[int(part[1])].get('name', '') if rows else ''}".strip() or "machine"
 
 
 def entered(name: str, text: str, path: str, do: str, value: str) -> str:
@@ -115,7 +115,7 @@ def field(key: Key, place: Place, value: Any, said: dict[str, str], data: dict[s
     """Return the field of an entry; where it is one of some texts, these are proposed as one types."""
     shown = "" if value is None else value if isinstance(value, str) else toml(value)
     known = [] if isinstance(value, bool) else choices(key, data)
-    return Field(key, place, shown, said.get(".".join(place), ""), known)
+    return Field(key, place, shown, said.get(join(place), ""), known)
 
 
 def choices(key: Key, data: dict[str, Any]) -> list[str]:

@@ -15,6 +15,7 @@ from workbook.build import read_description
 from workbook.commands.study import summary_from
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
+from workbook.fields.paths import get, join, leaves, spell, spread
 from workbook.laws.entries import ENTRIES, references
 from workbook.pool import cores
 from workbook.reading.descriptions import parse_toml, template_named, write_machine
@@ -26,7 +27,6 @@ from workbook.serve.handler import Page
 from workbook.serve.tables import edited
 from workbook.studies import folder
 from workbook.studies.evaluate import Label, listed_results, require_names
-from workbook.studies.paths import entry_at, leaves, written
 from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, make_plan, read_study
 from workbook.studies.run import machine_of
 from workbook.studies.space import Study
@@ -125,8 +125,12 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
     words = {one.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for one in references(machine)}
     tables: dict[str, list[Field]] = {}
-    for key, value in leaves(data, PRODUCTS):
-        *above, last = key.split(".")
+    for part in PRODUCTS:  # one that has no name of the catalogue can be given one
+        for _, row in spread(data, ("axes", "*", part)):
+            if isinstance(row, dict):
+                row.setdefault("name", "")
+    for path, value in leaves(data):
+        (*above, last), key = path, join(path)
         if last == "name" and above and above[-1] in PRODUCTS:
             words[key] = [one.name for one in getattr(machine.selection, PRODUCTS[above[-1]])]
         if isinstance(value, float) or key in words:
@@ -134,11 +138,11 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
             if not known:
                 low, high = sorted((value * (1.0 - SHARE), value * (1.0 + SHARE)))
                 over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
-            rows = len(entry_at(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
-            givers = [written([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
-            row = Field(written([*above, last]), figure(value), over, known, givers)
+            rows = len(get(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
+            givers = [spell([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
+            row = Field(spell(path), figure(value), over, known, givers)
             named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
-            tables.setdefault(f"{written(above)} {named}".strip(), []).append(row)
+            tables.setdefault(f"{spell(above)} {named}".strip(), []).append(row)
     return tables, [one for _, names in listed_results(machine) for one in names]
 
 

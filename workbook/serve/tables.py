@@ -2,22 +2,20 @@
 
 import json
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple
 
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
-from tomlkit.items import Array, InlineTable
+from tomlkit.items import Array
 
 from workbook.description.keys import Key, Section, sections, toml
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
-from workbook.studies.paths import entry_at
-from workbook.template import has_key
+from workbook.fields.paths import Place, get, has_key, reach, split, spread
 from workbook.templates import TEMPLATES
 
-Place = tuple[str, ...]  # the way to an entry: names, and numbers of rows from 0
 COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")  # entries, blanks, and a comment
 
 
@@ -34,7 +32,7 @@ def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
     way = next((key for key in TEMPLATES[template].others if has_key(data, key)), "")
     made = []
     for section in template_sections(template, way):
-        for place, entries in tables_at(section.path.split(".") if section.path else [], data):
+        for place, entries in spread(data, split(section.path)):
             kind = entries.get(KIND) if isinstance(entries, dict) else None
             if not section.kind or section.kind == kind:
                 made.append(Table(place, section, entries if isinstance(entries, dict) else None))
@@ -45,19 +43,6 @@ def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
 def template_sections(template: str, way: str = "") -> list[Section]:
     """Return the tables of a template's descriptions."""
     return sections(TEMPLATES[template], way)
-
-
-def tables_at(path: list[str], data: Any, place: Place = ()) -> Iterator[tuple[Place, Any]]:
-    """Yield what is at a path with ``*`` for each row, and where; a list without rows has a place for the first."""
-    if not path:
-        yield place, data
-        return
-    first, *rest = path
-    if first == "*":
-        for k, row in enumerate(data or ([] if rest else [None])):
-            yield from tables_at(rest, row, (*place, str(k)))
-    elif isinstance(data, dict | None):
-        yield from tables_at(rest, (data or {}).get(first), (*place, first))
 
 
 def part_of(place: Place) -> Place:
@@ -72,31 +57,23 @@ def written(place: Place) -> str:
 
 def changed(text: str, template: str, data: dict[str, Any], place: Place, do: str, value: str) -> str:
     """Return the text with an entry set, or a table or row added, copied or removed; raise InputError if it cannot."""
-    above = at(data, place[:-1])
+    above = get(data, place[:-1])
     if do == "Remove":
         return edited(text, [(place, None)])
     if do == "Copy":
-        return edited(text, [((*place[:-1], str(len(above))), at(data, place))])
+        return edited(text, [((*place[:-1], str(len(above))), get(data, place))])
     tables = tables_of(template, data)
     if do == "Add":
         return edited(text, [(place, example(template, tables, place))])
     key = key_of(tables, place)
     new = value_of(key, value.strip())
-    changes: list[tuple[Place, Any]] = [(place, new)] if new is not None or at(data, place) is not None else []
+    changes: list[tuple[Place, Any]] = [(place, new)] if new is not None or get(data, place) is not None else []
     if key.name == KIND and isinstance(new, str):  # the table becomes one of another kind
         keys = [key for one in sections_at(template, place[:-1]) if one.kind in ("", new) for key in one.keys]
         gone = above.keys() - {key.name for key in keys}
         changes += [((*place[:-1], name), None) for name in above if name in gone]
         changes += [((*place[:-1], name), made) for name, made in required(keys).items() if name not in above]
     return edited(text, changes)
-
-
-def at(data: Any, place: Place) -> Any:
-    """Return what is at a place, None where there is nothing."""
-    try:
-        return entry_at(data, place)
-    except (LookupError, TypeError, ValueError):
-        return None
 
 
 def key_of(tables: Sequence[Table], place: Place) -> Key:
@@ -171,19 +148,11 @@ def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
 
 
 def put(table: Any, path: Place, value: Any) -> None:
-    """Set an entry below a table, or take it away."""
-    *above, last = path
-    for part in above:
-        if isinstance(table, list):
-            table = table[int(part)]
-            continue
-        if part not in table:
-            table[part] = tomlkit.inline_table() if isinstance(table, InlineTable) else tomlkit.table()
-        table = table[part]
-    key = int(last) if isinstance(table, list) else last
+    """Set an entry below a table of TOML, or take it away."""
+    held, key = reach(table, path, grow=False)
     if value is None:
-        del table[key]
-    elif isinstance(table, list) and key == len(table):
-        table.append(tomlkit.parse(f"x = {toml(value)}")["x"] if isinstance(table, Array) else value)
+        del held[key]
+    elif isinstance(held, list) and key == len(held):
+        held.append(tomlkit.parse(f"x = {toml(value)}")["x"] if isinstance(held, Array) else value)
     else:
-        table[key] = value
+        held[key] = value

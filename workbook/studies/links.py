@@ -7,19 +7,18 @@ from typing import Any
 
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.studies.paths import as_dict, entry_at, path_of, written
+from workbook.fields.paths import Place, get, spell
+from workbook.studies.paths import path_of
 
 TERM = re.compile(r"(?P<path>.+?)(?:\s*(?P<sign>[+-])\s*(?P<by>\d+(?:\.\d*)?|\.\d+))?")
-
-Path = tuple[str, ...]
 
 
 @dataclass(frozen=True)
 class Link:
     """An entry that follows the one at ``source``, larger by ``offset``; both are ways of names and numbers."""
 
-    path: Path
-    source: Path
+    path: Place
+    source: Place
     offset: float = 0.0
 
     def value(self, known: Any) -> Any:
@@ -50,29 +49,29 @@ def make_links(machine: Machine, given: Mapping[str, str], where: str) -> tuple[
         for each in (path, source) if offset else ():
             require_number(machine, each, named)
         if path in left:
-            raise InputError([f"{named}: {written(path)} is linked twice"])
+            raise InputError([f"{named}: {spell(path)} is linked twice"])
         left[path] = Link(path, source, offset)
     ordered: list[Link] = []
     while left:
         free = [link for link in left.values() if link.source not in left]
         if not free:
-            names = ", ".join(map(written, left))
+            names = ", ".join(map(spell, left))
             raise InputError([f"{where}: links: {names} follow each other; expected one of them without a link"])
         ordered += free
         left = {path: link for path, link in left.items() if link not in free}
     return tuple(ordered)
 
 
-def require_number(machine: Machine, path: Path, where: str) -> None:
+def require_number(machine: Machine, path: Place, where: str) -> None:
     """Raise InputError where an entry of the base is no number."""
-    value = entry_at(as_dict(machine), path)
+    value = get(machine, path)
     if not isinstance(value, int | float) or isinstance(value, bool):
-        raise InputError([f"{where}: {written(path)} is {value!r}; expected a number, to which one is added"])
+        raise InputError([f"{where}: {spell(path)} is {value!r}; expected a number, to which one is added"])
 
 
-def followed(links: tuple[Link, ...], data: Mapping[str, Any], changed: Mapping[Path, Any]) -> dict[Path, Any]:
+def followed(links: tuple[Link, ...], data: Mapping[str, Any], changed: Mapping[Place, Any]) -> dict[Place, Any]:
     """Return the changed entries with those that follow them, or others of the data."""
     entries = dict(changed)
     for link in links:
-        entries[link.path] = link.value(entries.get(link.source, entry_at(data, link.source)))
+        entries[link.path] = link.value(entries.get(link.source, get(data, link.source)))
     return entries

@@ -1,7 +1,7 @@
-"""Entries of a description by their paths: ``axes.MC01.phases[1].law``, rows by their names or counted from 1."""
+"""Find entries by paths as a study has them: ``axes.MC01.phases[1].law``, rows by their names or counted from 1."""
 
 import re
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from difflib import get_close_matches
 from typing import Any
 
@@ -9,9 +9,8 @@ from pydantic import BaseModel, RootModel
 
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
+from workbook.fields.paths import MISSING, PART, Place, child
 
-PART = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
-MISSING = object()  # what is at no entry
 MOST = 12  # names that a message lists
 
 
@@ -23,28 +22,20 @@ def nearest(given: str, known: Iterable[str]) -> str:
     return ", ".join(alike or names[:MOST]) + more
 
 
-def written(path: Sequence[str]) -> str:
-    """Return the way to an entry as a study writes it."""
-    return re.sub(r"\.(\d+)", lambda found: f"[{int(found[1]) + 1}]", ".".join(path))
-
-
-def path_of(machine: Machine, key: str, where: str, table: bool = False) -> tuple[str, ...]:
+def path_of(machine: Machine, key: str, where: str, table: bool = False) -> Place:
     """Return the names and numbers (from 0) on the way to an entry, or to a table; raise InputError for neither."""
     entry: Any = machine
     path: list[str] = []
     for whole, number, plain in PART.findall(key):
         part, known = whole or number or plain, children(entry)
         if isinstance(entry, list):
-            names = [getattr(one, "name", None) for one in entry]
-            counted = part not in names and part.isdecimal()  # axes.2.phases.1, as messages have it
-            at = int(part) - 1 if number or counted else names.index(part) if part in names else -1
-            entry, part = (entry[at], str(at)) if 0 <= at < len(entry) else (MISSING, part)
-        elif isinstance(entry, RootModel):
-            entry = entry.root.get(part, MISSING)
-        elif isinstance(entry, BaseModel) and not number and part in type(entry).model_fields:
-            entry = getattr(entry, part)
+            names = [getattr(row, "name", None) for row in entry]
+            counted = number or (part not in names and part.isdecimal())  # axes.2.phases.1, as messages have it
+            row = str(int(part) - 1) if counted else str(names.index(part)) if part in names else ""
+            entry = child(entry, row)
+            part = part if entry is MISSING else row
         else:
-            entry = MISSING
+            entry = MISSING if number else child(entry, part)
         if entry is MISSING:
             said = f"has no {part!r}; expected {nearest(part, known)}" if known else f"is empty before {part!r}"
             raise InputError([f"{where}: {key!r} {said}"])
@@ -68,43 +59,3 @@ def children(entry: Any) -> list[str]:
         quoted = [f'"{name}"' if re.search(r"[.\[\]]", name) else name for name in names]
         return quoted or [f"[{i}]" for i in range(1, len(entry) + 1)]
     return []
-
-
-def with_entry(entry: Any, path: Sequence[str], value: Any) -> Any:
-    """Return an entry with another value at a path: tables on the way as dictionaries, all others as they are."""
-    if not path:
-        return value
-    first, *rest = path
-    if isinstance(entry, list):
-        at = int(first)
-        return [*entry[:at], with_entry(entry[at], rest, value), *entry[at + 1 :]]
-    fields = as_dict(entry)
-    return fields | {first: with_entry(fields.get(first), rest, value)}
-
-
-def as_dict(entry: Any) -> dict[str, Any]:
-    """Return the entries of a table by name, what is below them as it is."""
-    if isinstance(entry, RootModel):
-        return dict(entry.root)
-    if isinstance(entry, BaseModel):
-        return {name: getattr(entry, name) for name in type(entry).model_fields if getattr(entry, name) is not None}
-    return dict(entry or {})
-
-
-def entry_at(entry: Any, path: Sequence[str]) -> Any:
-    """Return what is at a path."""
-    for part in path:
-        entry = entry[int(part)] if isinstance(entry, list) else as_dict(entry).get(part)
-    return entry
-
-
-def leaves(data: Any, named: Container[str] = (), key: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield what is below an entry, by keys; a table ``named`` so that has no name has an empty one."""
-    if isinstance(data, dict):
-        for name, value in (({"name": ""} if key.rpartition(".")[2] in named else {}) | data).items():
-            yield from leaves(value, named, f"{key}.{name}".strip("."))
-    elif isinstance(data, list):
-        for k, value in enumerate(data):
-            yield from leaves(value, named, f"{key}.{k}")
-    else:
-        yield key, data

@@ -17,13 +17,14 @@ from workbook.build import read_description
 from workbook.entries.design import RefusedError, validated
 from workbook.entries.machine import Fault, Machine
 from workbook.errors import InputError, quoted
+from workbook.fields.paths import Place, get, join, replaced, spell, split, table
 from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import ENTRIES, references
 from workbook.laws.named import with_laws_by_code
 from workbook.reading.descriptions import counted_from_1, parse_toml, write_machine
 from workbook.studies.links import Link, followed, make_links
-from workbook.studies.paths import as_dict, children, entry_at, nearest, path_of, with_entry, written
+from workbook.studies.paths import children, nearest, path_of
 from workbook.studies.space import Dimension, Space, Study, Vary, arrange
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.text_files import read_text
@@ -63,17 +64,17 @@ class Plan:
     def data(self) -> dict[str, Any]:
         """The base as a description, all below its first level as it is."""
         sizes = {} if self.roomy else {"sizes": self.base.sizes.model_dump(exclude={"motion_pieces"})}
-        return as_dict(self.base) | sizes
+        return table(self.base) | sizes
 
-    def changes(self, chosen: dict[Dimension, Any]) -> dict[tuple[str, ...], Any]:
+    def changes(self, chosen: dict[Dimension, Any]) -> dict[Place, Any]:
         """Return the entries that these values change, by their paths."""
-        found: dict[tuple[str, ...], Any] = {}
+        found: dict[Place, Any] = {}
         for one, value in chosen.items():
             own = one.paths[0]
             if one.takes:  # room from its neighbour
                 entry, way = EDGES[own[-1]]
                 path = (*one.takes, entry)
-                now, begun = (found.get(place, entry_at(self.data, place)) for place in (path, own))
+                now, begun = (found.get(place, get(self.data, place)) for place in (path, own))
                 found[path] = now + way * (value - begun)
             if own[-1] == "law":  # perhaps of a new family
                 known: dict[str, Any] = {name: {} for name in self.base.laws.names}
@@ -86,7 +87,7 @@ class Plan:
         """Return the machine with these values, or why there is none such."""
         data = self.data
         for path, value in self.changes(chosen).items():
-            data = dict(with_entry(data, path, value))
+            data = dict(replaced(data, path, value))
         try:
             machine, faults = validated(type(self.base), self.template.check, data)
         except EntryError as error:
@@ -164,10 +165,10 @@ def make_plan(study: Study, base: Path, where: str) -> Plan:
     space = arrange(dimensions, study.way)
     varied = [path for one in space.dimensions for path in one.paths]
     for twice in (path for path in varied if varied.count(path) > 1):
-        raise InputError([f"{where}: {written(twice)} varies twice"])
+        raise InputError([f"{where}: {spell(twice)} varies twice"])
     varied += [(*one.takes, EDGES[one.paths[0][-1]][0]) for one in space.dimensions if one.takes]
     for linked in (link.path for link in links if link.path in varied):
-        raise InputError([f"{where}: links: {written(linked)} varies already; expected one or the other"])
+        raise InputError([f"{where}: links: {spell(linked)} varies already; expected one or the other"])
     if study.way.kind == "full" and space.size > MOST_IN_FULL:
         said = f"{where}: {space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
         raise InputError([f'{said}: take fewer steps, or way.kind = "sobol" with way.designs'])
@@ -177,16 +178,16 @@ def make_plan(study: Study, base: Path, where: str) -> Plan:
 def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     """Return what an entry of a study varies; raise InputError, also for values of which no machine can be made."""
     paths = tuple(path_of(plan.base, key, f"{where}, key") for key in vary.keys)
-    entry, takes = paths[0][-1], tuple[str, ...]()
+    entry, takes = paths[0][-1], Place()
     if vary.takes is not None:  # the phase that gives room
         if len(paths) > 1 or entry not in EDGES:
             raise InputError([f"{where}, takes: {vary.keys} takes no room; expected one key, of {', '.join(EDGES)}"])
         takes = path_of(plan.base, vary.takes, f"{where}, takes", table=True)
-        if takes == paths[0][:-1] or EDGES[entry][0] not in children(entry_at(plan.data, takes)):
+        if takes == paths[0][:-1] or EDGES[entry][0] not in children(get(plan.data, takes)):
             raise InputError([f"{where}, takes: {vary.takes!r} cannot give room; expected another phase"])
     values, name = vary.values or [], vary.keys[0]
     if vary.all == "laws":
-        given = next((one for one in references(plan.base) if tuple(one.key.split(".")) == paths[0]), None)
+        given = next((one for one in references(plan.base) if split(one.key) == paths[0]), None)
         if given is None:
             raise InputError([f"{where}: {name!r} names no law; expected the law of a phase"])
         values = laws_with_same_ends(plan, paths[0], given.name)
@@ -197,7 +198,7 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
             raise InputError([f"{where}: {name!r} is none of a catalogue; expected the name of a motor or reducer"])
     scaling = plan.template.scaling
     leads = any(link.source in paths for link in plan.links)  # what it changes besides does not scale with it
-    part = scaling.part(".".join(paths[0])) if scaling and not leads else ""
+    part = scaling.part(join(paths[0])) if scaling and not leads else ""
     made = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
     for value in made.values[:MOST_TRIED] or (made.low, made.high):
         said = plan.machine({made: value})
@@ -206,7 +207,7 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     return made
 
 
-def laws_with_same_ends(plan: Plan, path: tuple[str, ...], given: str) -> list[str]:
+def laws_with_same_ends(plan: Plan, path: Place, given: str) -> list[str]:
     """Return the laws with the ends of the one that is entered, of the book and all families, as far as they fit."""
 
     def ends(machine: Machine, name: str) -> tuple[float, float, float, float]:

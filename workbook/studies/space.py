@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, model_validator
 
+from workbook.fields.paths import Place, join
 from workbook.fields.texts import Text
 from workbook.fields.types import EntryError, Model, Number
 from workbook.template_outputs import Column
@@ -160,12 +161,12 @@ class Dimension:
     """
 
     label: str
-    paths: tuple[tuple[str, ...], ...]
+    paths: tuple[Place, ...]
     values: tuple[Any, ...] = ()
     low: float = 0.0
     high: float = 0.0
     steps: int = 0
-    takes: tuple[str, ...] = ()
+    takes: Place = ()
     part: str = ""
 
     @property
@@ -176,7 +177,7 @@ class Dimension:
     @property
     def key(self) -> str:
         """The key of its first entry."""
-        return ".".join(self.paths[0])
+        return join(self.paths[0])
 
     def at(self, indices: NDArray[np.intp]) -> Column:
         """Return its values at places among them."""
