@@ -18,6 +18,7 @@ from math import lcm
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from workbook.book.formula import words
 from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm, mirrored
 from workbook.functions.declarations import FUNCTIONS
 
@@ -25,18 +26,6 @@ SOURCE = Path(__file__).with_name("formulas.txt")
 LATER = ("DROP", "HSTACK", "ISOMITTED", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE",
          "TOCOL", "VSTACK")  # fmt: skip
 FUTURE = {name: f"_xlfn.{name}" for name in LATER} | {"FILTER": "_xlfn._xlws.FILTER"}
-TOKEN = re.compile(
-    r"""
-      (?P<text>"(?:[^"]|"")*")
-    | (?P<error>\#[A-Z0-9/]+[!?]?)
-    | (?P<number>\d+(?:\.\d*)?(?:E[-+]?\d+)?)
-    | (?P<call>[A-Za-z_][\w.]*)(?=\()
-    | (?P<word>[A-Za-z_][\w.]*)
-    | (?P<space>\s+)
-    | (?P<sign><=|>=|<>|[-+*/^&=<>(),;{}\[\]])
-    """,
-    re.VERBOSE,
-)
 PREFIX = re.compile(r"_xl(?:fn|ws|pm|op)\.")
 HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
 PIECE = ("duration", *(f"c{i}" for i in range(6)), "amplitude", "omega", "phase", "amplitude2", "omega2", "phase2")
@@ -56,9 +45,10 @@ class Definition(NamedTuple):
     def stored(self) -> str:
         """The formula as a file stores it."""
         parts = []
-        for kind, part in tokens(self.formula):
-            variable = kind == "word" and part not in ("TRUE", "FALSE")
-            parts.append(FUTURE.get(part, part) if kind == "call" else f"_xlpm.{part}" if variable else part.strip())
+        for kind, part in words(self.formula):
+            variable = kind == "name" and part not in ("TRUE", "FALSE")
+            name = part.removesuffix("(") if kind == "function" else ""
+            parts.append(part.replace(name, FUTURE.get(name, name)) if name else f"_xlpm.{part}" if variable else part)
         return "".join(parts).replace("[_xlpm.", "[_xlop.").replace("[", "").replace("]", "")
 
 
@@ -83,25 +73,10 @@ def definitions() -> tuple[Definition, ...]:
     return tuple(found[name] for name in order)
 
 
-def tokens(formula: str) -> list[tuple[str, str]]:
-    """Return the parts of a formula with their kinds; raise ValueError for what is none."""
-    found, at = [], 0
-    while at < len(formula):
-        token = TOKEN.match(formula, at)
-        if token is None or token.lastgroup is None:
-            raise ValueError(f"not understood: {formula[at : at + 40]!r}")
-        found.append((token.lastgroup, token[0]))
-        at = token.end()
-    return found
-
-
-def meaning(stored: str) -> list[tuple[str, object]] | str:
-    """Return a stored formula without what programs write in their own way; as it is where it cannot be read."""
-    try:
-        parts = tokens(PREFIX.sub("", stored.removeprefix("=")))
-    except ValueError:
-        return stored
-    return [(kind, float(part) if kind == "number" else part.upper()) for kind, part in parts if kind != "space"]
+def meaning(stored: str) -> list[tuple[str, object]]:
+    """Return the words of a stored formula, without what programs write in their own way."""
+    parts = words(PREFIX.sub("", stored.removeprefix("=")))
+    return [(kind, float(part) if kind == "number" else part.upper()) for kind, part in parts]
 
 
 @dataclass(frozen=True)
