@@ -8,14 +8,14 @@ from typing import Any
 from pydantic import BaseModel, RootModel
 
 Place = tuple[str, ...]  # names, and numbers of rows from 0
-PART = re.compile(r'"([^"]*)"|\[(\d+)\]|([^.\[\]"]+)')
+PART = re.compile(r"""("[^"]*"|'[^']*')|\[(\d+)\]|([^.\[\]"]+)""")
 PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 MISSING: Any = object()  # stands where nothing is entered, and no default
 
 
 def split(key: str) -> Place:
     """Return the path of a key; names of laws may stand in quotes."""
-    return tuple(quoted or plain for quoted, _, plain in PART.findall(key))
+    return tuple(quoted[1:-1] or plain for quoted, _, plain in PART.findall(key))
 
 
 def join(path: Sequence[str]) -> str:
@@ -25,13 +25,14 @@ def join(path: Sequence[str]) -> str:
 
 def key_of(name: str) -> str:
     """Return a law's name as a part of a key: in quotes, where it has more than letters and digits."""
-    return name if PLAIN.fullmatch(name) else f'"{name}"'
+    quote = "'" if '"' in name else '"'  # as in TOML; no key tells a name with both
+    return name if PLAIN.fullmatch(name) else f"{quote}{name}{quote}"
 
 
 def spell(key: str | Sequence[str]) -> str:
     """Return a key or path as people read and write it, rows counted from 1: ``axes[3].phases[2].lift``."""
     text = key if isinstance(key, str) else join(key)
-    return re.sub(r'("[^"]*")|\.(\d+)', lambda part: part[1] or f"[{int(part[2]) + 1}]", text)
+    return re.sub(r"""("[^"]*"|'[^']*')|\.(\d+)""", lambda part: part[1] or f"[{int(part[2]) + 1}]", text)
 
 
 def table(entry: Any) -> dict[str, Any]:

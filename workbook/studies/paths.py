@@ -27,7 +27,7 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> Plac
     entry: Any = machine
     path: list[str] = []
     for whole, number, plain in PART.findall(key):
-        part, known = whole or number or plain, children(entry)
+        part, known = whole[1:-1] or number or plain, children(entry)
         if isinstance(entry, list):
             names = [getattr(row, "name", None) for row in entry]
             counted = number or (part not in names and part.isdecimal())  # axes.2.phases.1, as messages have it
