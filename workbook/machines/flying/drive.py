@@ -17,7 +17,7 @@ from workbook.drive.motor import (
     within_reducer,
 )
 from workbook.fields.units import PER_RPM, RPM, shown
-from workbook.machines.flying.view import ToolDrive
+from workbook.machines.flying.view import LOOKS, ToolDrive
 from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import place_columns, sampled
 
@@ -28,6 +28,12 @@ OVER = {"motor.rated": "rms_reserve", "motor.stall": "rms_reserve", "motor.peak"
 """of each limit of the motor in use, the reserve that it is over"""
 MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
 CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5)/{MOVING})^(1/3),0)"
+
+ABOUT_TURNS = (
+    "Friction and losses change sides where the tool turns round. Its speed falls up to the instant at which the law is "
+    "fastest, then rises: if it is below 0 there, the tool turns back before it and forward again behind it."
+)
+ABOUT_POINTS = "Nine points, ends included, of each piece of the tool's motion, cut where the tool turns round."
 
 
 def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
@@ -57,7 +63,8 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         corners = view.motor.corners(min(0.0, float(view.load.direction.min())))
         limits_table(sheet, corners, "MIN([@pt.dir])<0", falls=True)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
-        sheet.heading("Workings: the cycle at points", "Nine points of each piece of the tool's motion, ends included.")
+        turns(sheet, view, rows)
+        sheet.heading("Workings: the cycle at points", ABOUT_POINTS)
         intervals(sheet, view)
         points(sheet, view, rows)
     book.name("drive_pt", tool_dir="dir", tool_al="al", tool_S="S", tool_n="w")
@@ -168,34 +175,78 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
     )  # fmt: skip
 
 
+def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
+    """Declare where the tool turns round: the speed at its slowest instant, and looks at the speed beside each turn."""
+    cycle, count, cut = view.cycle, len(view.looks), view.machine.cut
+    after, piece, begin, end = zip(*(look.stretch for look in view.looks), strict=True)
+    pieces = [rows.pieces[k] for k in piece]
+    u, v, a, j, at = zip(*(look.values for look in view.looks), strict=True)
+    early, middle = "([tool_pieces.begin]<@slowest)", "([from]+[to])/2"
+    forward, backward = "([tool_joints.v0]>@still)", "([tool_joints.v0]<0-@still)"
+    nearer = "INDEX([tool_pieces.origin],[q])+[u]-2*[v]/([a]+[after]*SQRT(MAX(0,[a]^2-2*[j]*[v])))"
+    sheet.heading("Workings: where the tool turns round", ABOUT_TURNS)
+    sheet.rows(
+        calc("@slowest", "When the law is fastest", "t_v", "s", "=fly_peak*fly_tm", cycle.slowest, "ξ_v t_m"),
+        calc("@least", "Speed of the tool then", "v_v", "m/s", "=fly_v+fly_h1/1000/fly_tm*[standing.v.1]",
+             cut.slowest_speed, "v_L + h v(ξ_v)/t_m: its lowest, if it is slower than the line"),
+        calc("@turned", "Turns round", "", "times", "=IF(@least<0-@still,2,0)", cycle.turns,
+             "back, and forward again", format="0"),
+    )  # fmt: skip
+    sheet.row += 1
+    sheet.table(
+        "@turns", "Where the tool turns round: four looks at each turn, from the middle of where it must be", count,
+        constant("after", "direction after it", "", "", list(after)),
+        constant("look", "look", "k", "", [*range(1, LOOKS + 1)] * 2),
+        calc("q", "piece", "q", "",
+             f"=IF([after]<0,SUMPRODUCT({forward}*{early}),SUMPRODUCT(({backward}+{early}>0)*1))",
+             [k + 1 for k in piece], "the last that begins before it", format="0"),
+        calc("from", "not before", "", "s", "=MAX(INDEX([tool_pieces.begin],[q]),IF([after]<0,0,@slowest))", begin),
+        calc("to", "not after", "", "s",
+             "=MIN(INDEX([tool_pieces.begin],[q])+INDEX([tool_pieces.d],[q]),IF([after]<0,@slowest,fly_tc))", end),
+        *place_columns(rows, "", "place looked at", f"=IF([look]=1,{middle},[at-1])-INDEX([tool_pieces.origin],[q])",
+                       np.array(u), pieces, "[q]"),
+        *(calc(name, what, symbol, rows.at.unit(n), f"={sampled(rows, n)}", values, scale=cut.size(n))
+          for n, (name, what, symbol, values) in enumerate(
+              (("v", "speed there", "v", v), ("a", "acceleration", "a", a), ("j", "jerk", "j", j)), 1)),
+        calc("at", "turns round at", "t", "s", f"=IF(@turned=0,{middle},MAX([from],MIN([to],{nearer})))", at,
+             "where the parabola of the speed is 0"),
+        blank="@turned=0",
+    )  # fmt: skip
+
+
 def intervals(sheet: Sheet, view: ToolDrive) -> None:
-    """Declare the pieces of the tool's motion as intervals; spare rows at the end have no length."""
+    """Declare the pieces of the tool's motion as intervals, cut at turns; spare rows at the end have no length."""
     cycle, room, time = view.cycle, view.machine.room, view.machine.cut.cycle_time
+    cuts, used = cycle.intervals, "fly_pieces+@turned"
     middle = f"INDEX([@pt.v],{POINTS}*[k]-{POINTS // 2})"
+    turned = [k - one.piece for k, one in enumerate(cuts)]
     sheet.table(
         "@iv", "Intervals of the cycle", room,
         constant("k", "interval", "k", "", list(range(1, room + 1))),
-        calc("q", "piece of the motion", "q", "", "=MIN([k],fly_pieces)",
-             filled([k + 1 for k in range(len(cycle.pieces))], room, len(cycle.pieces)), format="0"),
-        calc("begin", "begins at", "t", "s", "=INDEX([tool_pieces.begin],[k])",
-             filled([one.begin for one in cycle.intervals], room, time)),
-        calc("end", "ends at", "t", "s", "=IF([k]<fly_pieces,INDEX([tool_pieces.begin],[k]+1),fly_tc)",
-             filled([one.end for one in cycle.intervals], room, time)),
+        calc("n", "turns so far", "", "",
+             "=IF(@turned=0,0,IF([k]>[@turns.q.4],1,0)+IF([k]>[@turns.q.last]+1,1,0))",
+             filled(turned, room, cycle.turns), format="0"),
+        calc("q", "piece of the motion", "q", "", "=MIN([k]-[n],fly_pieces)",
+             filled([one.piece + 1 for one in cuts], room, len(cycle.pieces)), format="0"),
+        calc("begin", "begins at", "t", "s",
+             f"=IF([k]>{used},fly_tc,MAX(INDEX([tool_pieces.begin],[q]),IF([n]=0,0,INDEX([@turns.at],{LOOKS}*[n]))))",
+             filled([one.begin for one in cuts], room, time)),
+        calc("end", "ends at", "t", "s", f"=IF([k]<{used},INDEX([@iv.begin],[k]+1),fly_tc)",
+             filled([one.end for one in cuts], room, time)),
         calc("dir", "direction in its middle", "", "",
-             f"=IF([k]>fly_pieces,[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))",
+             f"=IF([k]>{used},[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))",
              filled(cycle.direction, room, float(cycle.direction[-1])), "1, −1; 0 at rest", format="0"),
-        blank="[k]>fly_pieces",
+        blank=f"[k]>{used}",
     )  # fmt: skip
 
 
 def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare tool, shaft and motor at the points of each interval."""
     load, drive, of, room = view.load, view.points, view.by_point, view.machine.room
-    numbers = list(range(room))
-    pieces = filled([piece for piece in rows.pieces for _ in SHARES], room * POINTS, rows.pieces[-1])
-    u = np.array(of(load.x - np.array([[piece.origin] for piece in rows.pieces])))
-    stands, reached = (one.reshape(load.x.shape) for one in view.turns)
-    step = "([t]-[t-1])"
+    numbers, cuts = list(range(room)), view.cycle.intervals
+    each = [rows.pieces[one.piece] for one in cuts]
+    pieces = filled([piece for piece in each for _ in SHARES], room * POINTS, rows.pieces[-1])
+    u = np.array(of(load.x - np.array([[piece.origin] for piece in each])))
     sheet.table(
         "@pt", "The drive at nine points of each interval", room * POINTS,
         constant("k", "point", "k", "", list(range(1, room * POINTS + 1))),
@@ -205,13 +256,12 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         calc("t", "time", "t", "s", "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))",
              of(load.x)),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])",
-             [float(rows.pieces.index(piece) + 1) for piece in pieces], format="0"),
+             filled([one.piece + 1 for one in cuts for _ in SHARES], room * POINTS, len(rows.pieces)), format="0"),
         *place_columns(rows, "", "within piece", "=[t]-INDEX([tool_pieces.origin],[q])", u, pieces, "[q]"),
         calc("y", "position of the tool", "s", "m", f"={sampled(rows, 0)}", of(load.position)),
         calc("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", of(load.velocity)),
         calc("a", "its acceleration", "a", "m/s²", f"={sampled(rows, 2)}", of(load.acceleration)),
-        calc("dir", "direction", "", "", "=IF(ABS([v])>@still,SIGN([v]),INDEX([@iv.dir],[iv]))", of(load.direction),
-             format="0"),
+        calc("dir", "direction", "", "", "=INDEX([@iv.dir],[iv])", of(load.direction), "of its interval", format="0"),
         calc("w", "speed of the shaft", "ω_L", "rad/s", "=[v]*1000/fly_r", of(load.speed)),
         calc("al", "its acceleration", "ω̇_L", "rad/s²", "=[a]*1000/fly_r", of(load.shaft_acceleration),
              scale=view.turning),
@@ -225,12 +275,5 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
              of(load.share, 0.0), "what it counts in a mean", scale=1.0),
         calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
              of(view.left), "T_max − f (n − n_1) − |T|", scale=max(view.motor_torque, view.motor.peak_torque)),
-        calc("stop", "stands at this share of the step", "w", "",
-             "=IF([s]=0,0,IF(AND([v]*[v-1]<0,ABS([v])>@still,ABS([v-1])>@still),[v-1]/([v-1]-[v]),0))", of(stands),
-             "v_0/(v_0 − v); 0: not at all", scale=1.0),
-        calc("far", "position there", "", "m",
-             f"=IF([stop]=0,[y],[y-1]+[stop]*[v-1]*{step}/2"
-             f"+[stop]^2*(3-2*[stop])*([y]-[y-1]-([v-1]+[v])*{step}/2))", of(reached),
-             "of the cubic through both points, to 0.1 %"),
         blank="[share]=0",
     )  # fmt: skip

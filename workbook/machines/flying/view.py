@@ -1,6 +1,10 @@
 """The engine's view of flying machining and of the drive of its shaft, and what only it can say of the entries."""
 
+import math
+from collections.abc import Iterator
+from functools import cached_property
 from math import hypot
+from typing import NamedTuple
 
 import numpy as np
 
@@ -8,7 +12,7 @@ from engine.drive import Load
 from engine.drive.drive_points import DrivePoints
 from engine.drive.motor import Motor, TorqueFall, reserve
 from engine.flying.cut import LONGER, SAME_LENGTH, Beyond, Cut, Tool, flying_saw, rotary_drum
-from engine.flying.pieces import cycle_of, furthest, train_of
+from engine.flying.pieces import Stretch, cycle_of, train_of
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.laws.inverse import is_monotone, velocity_extremes
@@ -36,6 +40,7 @@ from workbook.selection.pair_selection import (
 
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
+LOOKS = 4  # at each turn: from anywhere in a piece, the fourth is exact
 LEAST = 1e-3  # Nm, W, rad/s²: what is smaller is next to nothing
 UNPAIRED = [Figure("beside", "", "", "0", 0.0), Figure("left", "", "", "1", 1.0)]  # before a pair is chosen
 DRIVES, DRIVEN = ("*([@pt.S]*[@pt.dir]>=0)", "*([@pt.S]*[@pt.dir]<0)")
@@ -98,6 +103,13 @@ class CutterView:
         }  # fmt: skip
 
 
+class Look(NamedTuple):
+    """A look at the tool's speed beside a turn: u in its piece (s), v, a and j there, and where it turns by them."""
+
+    stretch: Stretch
+    values: tuple[float, float, float, float, float]  # s, m/s, m/s², m/s³, s
+
+
 class ToolDrive:
     """The tool's shaft behind a motor and its reducer: those that are named, else the proposed ones. SI units."""
 
@@ -141,8 +153,24 @@ class ToolDrive:
         task, (inertia, ratio, efficiency, _) = self.proposal.grid.task, self.gears
         best = ratio * float(task.best_ratio(inertia, efficiency))
         self.balance = 1.0 / best if task.moves else 0.0  # τ/τ_opt; 0 of a load that does not move: S5, (18), step 7
-        self.turns = furthest(self.load, self.cycle.still)  # where the tool stands between points
-        self.stroke = float(np.ptp(self.turns[1]))
+        self.stroke = float(np.ptp(self.load.position))
+
+    @cached_property
+    def looks(self) -> list["Look"]:
+        """The looks at each stretch in which the tool turns round, one behind the other."""
+        return [look for stretch in self.cycle.stretches for look in self._looks(stretch)]
+
+    def _looks(self, stretch: Stretch) -> Iterator["Look"]:
+        """Yield the looks at a stretch: at its middle, then each where the parabola of the last one's speed is 0."""
+        after, number, begin, end = stretch
+        piece, at = self.cycle.pieces[number], (begin + end) / 2.0
+        for _ in range(LOOKS):
+            u = at - piece.origin
+            v, a, j = (curve(u) for curve in piece.curves[1:])
+            if self.cycle.turns:
+                root = u - 2.0 * v / (a + after * math.sqrt(max(0.0, a**2 - 2.0 * j * v)))
+                at = max(begin, min(end, piece.origin + root))
+            yield Look(stretch, (u, v, a, j, at))
 
     @property
     def inertia_ratio(self) -> float:
