@@ -79,49 +79,50 @@ def cut_pieces(cut: Cut, whole: bool = False) -> list[MotionPiece]:
 
 
 class Stretch(NamedTuple):
-    """A part of a piece, beside the slowest instant, in which the tool turns round if it ever moves backward."""
+    """A part of a piece, before or behind the slowest instant, in which the tool turns round if it ever does."""
 
-    after: float  # direction after it turns: −1 where it turns back, then 1
+    after: float  # direction behind the turn: −1 where the tool turns back, 1 where it moves forward again
     piece: int  # number of the piece, from 0
     begin: float  # s
     end: float  # s
+
+    @property
+    def middle(self) -> float:
+        """Time in its middle (s)."""
+        return (self.begin + self.end) / 2.0
 
 
 @dataclass(frozen=True)
 class CutCycle(QuadratureCycle):
     """The cycle of a cut: each piece of the tool's motion is an interval, also one without duration.
 
-    The tool's speed falls up to its ``slowest`` instant, and rises behind it: it turns round twice, or never.
+    Until ``slowest`` the tool's speed falls, then it rises: the tool turns round twice, or never.
     """
 
     still: float = 0.0  # speed up to which the tool counts as at rest (m/s)
-    slowest: float = 0.0  # when the law is fastest (s): of a longer product the tool is slowest there
-    turns: int = 0  # how often it turns round: twice if it moves backward there, else never
+    slowest: float = 0.0  # when the law is fastest (s)
+    turns: int = 0  # 2 if the tool moves backward then, else 0
 
     @cached_property
     def stretches(self) -> tuple[Stretch, Stretch]:
-        """The last piece that begins forward and the last that does not begin forward again, up to the slowest instant
-        and from it on."""
-        speeds = [piece.curves[1](piece.begin - piece.origin) for piece in self.pieces]
-        early = [piece.begin < self.slowest for piece in self.pieces]
-        back = sum(v > self.still and before for v, before in zip(speeds, early, strict=True)) - 1
-        again = sum(v < -self.still or before for v, before in zip(speeds, early, strict=True)) - 1
-        ends = [piece.begin + piece.duration for piece in self.pieces]
+        """Of the last piece that begins before each turn, the part on the same side of the slowest instant."""
+        v = np.array([piece.curves[1](piece.begin - piece.origin) for piece in self.pieces])
+        begin, duration = np.array([(piece.begin, piece.duration) for piece in self.pieces]).T
+        before, end = begin < self.slowest, begin + duration
+        back = int(((v > self.still) & before).sum()) - 1
+        forward = int(((v < -self.still) | before).sum()) - 1
         return (
-            Stretch(-1.0, back, self.pieces[back].begin, min(ends[back], self.slowest)),
-            Stretch(1.0, again, max(self.pieces[again].begin, self.slowest), ends[again]),
+            Stretch(-1.0, back, float(begin[back]), min(float(end[back]), self.slowest)),
+            Stretch(1.0, forward, max(float(begin[forward]), self.slowest), float(end[forward])),
         )
-
-    def turn(self, stretch: Stretch) -> float:
-        """Return the time (s) at which the tool turns round in a stretch, exactly."""
-        piece = self.pieces[stretch.piece]
-        return piece.origin + piece.curves[1].root(stretch.begin - piece.origin, stretch.end - piece.origin)
 
     @cached_property
     def intervals(self) -> list[Interval]:
-        """The pieces, in order, cut where the tool turns round."""
+        """The pieces, in order, cut exactly where the tool turns round."""
         cuts = [(k, piece.begin) for k, piece in enumerate(self.pieces)]
-        cuts += [(one.piece, self.turn(one)) for one in self.stretches[: self.turns]]
+        for _, k, begin, end in self.stretches[: self.turns]:
+            origin, velocity = self.pieces[k].origin, self.pieces[k].curves[1]
+            cuts.append((k, origin + velocity.root(begin - origin, end - origin)))
         numbers, places = zip(*sorted(cuts), strict=True)
         begins = np.maximum.accumulate(places).tolist()
         ends = [*begins[1:], self.drive_cycle.unshifted.total]

@@ -30,9 +30,12 @@ MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
 CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5)/{MOVING})^(1/3),0)"
 
 ABOUT_TURNS = (
-    "Friction and losses change sides where the tool turns round. Its speed falls up to the instant at which the law is "
-    "fastest, then rises: if it is below 0 there, the tool turns back before it and forward again behind it."
+    "Friction and losses change sides where the tool turns round. Its speed falls until the law is fastest, then "
+    "rises: if it is below 0 there, the tool turns back before and forward again behind. The first look is at the middle "
+    "of the last piece that begins before a turn; the next is where the parabola by v, a and j is 0."
 )
+TITLE = "Where the tool turns round: four looks at each turn, each nearer"
+LEAST = "=fly_v+fly_h1/1000/fly_tm*[standing.v.1]"
 ABOUT_POINTS = "Nine points, ends included, of each piece of the tool's motion, cut where the tool turns round."
 
 
@@ -176,40 +179,34 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
 
 
 def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
-    """Declare where the tool turns round: the speed at its slowest instant, and looks at the speed beside each turn."""
-    cycle, count, cut = view.cycle, len(view.looks), view.machine.cut
-    after, piece, begin, end = zip(*(look.stretch for look in view.looks), strict=True)
-    pieces = [rows.pieces[k] for k in piece]
-    u, v, a, j, at = zip(*(look.values for look in view.looks), strict=True)
-    early, middle = "([tool_pieces.begin]<@slowest)", "([from]+[to])/2"
-    forward, backward = "([tool_joints.v0]>@still)", "([tool_joints.v0]<0-@still)"
-    nearer = "INDEX([tool_pieces.origin],[q])+[u]-2*[v]/([a]+[after]*SQRT(MAX(0,[a]^2-2*[j]*[v])))"
+    """Declare where the tool turns round: the speed where the law is fastest, and looks at that beside each turn."""
+    cycle, cut = view.cycle, view.machine.cut
+    looks = [(*s[:2], s.middle, *look) for s in cycle.stretches for look in view.looks(s)]
+    after, number, middle, u, *rates, at = (list(values) for values in zip(*looks, strict=True))
+    pieces, begin = [rows.pieces[k] for k in number], "INDEX([tool_pieces.begin],[q])"
+    before, least = "([tool_pieces.begin]<@slowest)", "v_L + h v(ξ_v)/t_m: of a long product its lowest"
+    forward = f"SUMPRODUCT(([tool_joints.v0]>@still)*{before})"
+    backward = f"SUMPRODUCT((([tool_joints.v0]<0-@still)+{before}>0)*1)"
+    to = f"MIN({begin}+INDEX([tool_pieces.d],[q]),IF([after]<0,@slowest,fly_tc))"
+    origin, place = "INDEX([tool_pieces.origin],[q])", "=IF([look]=1,[middle],[at-1])"
+    nearer = f"{origin}+[u]-2*[v]/([a]+[after]*SQRT(MAX(0,[a]^2-2*[j]*[v])))"
     sheet.heading("Workings: where the tool turns round", ABOUT_TURNS)
     sheet.rows(
         calc("@slowest", "When the law is fastest", "t_v", "s", "=fly_peak*fly_tm", cycle.slowest, "ξ_v t_m"),
-        calc("@least", "Speed of the tool then", "v_v", "m/s", "=fly_v+fly_h1/1000/fly_tm*[standing.v.1]",
-             cut.slowest_speed, "v_L + h v(ξ_v)/t_m: its lowest, if it is slower than the line"),
-        calc("@turned", "Turns round", "", "times", "=IF(@least<0-@still,2,0)", cycle.turns,
-             "back, and forward again", format="0"),
-    )  # fmt: skip
+        calc("@least", "Speed of the tool then", "v_v", "m/s", LEAST, cut.slowest_speed, least),
+        calc("@turned", "Turns round", "", "times", "=IF(@least<0-@still,2,0)", cycle.turns, format="0"),
+    )
     sheet.row += 1
     sheet.table(
-        "@turns", "Where the tool turns round: four looks at each turn, from the middle of where it must be", count,
-        constant("after", "direction after it", "", "", list(after)),
+        "@turns", TITLE, len(looks),
+        constant("after", "direction after it", "", "", after),
         constant("look", "look", "k", "", [*range(1, LOOKS + 1)] * 2),
-        calc("q", "piece", "q", "",
-             f"=IF([after]<0,SUMPRODUCT({forward}*{early}),SUMPRODUCT(({backward}+{early}>0)*1))",
-             [k + 1 for k in piece], "the last that begins before it", format="0"),
-        calc("from", "not before", "", "s", "=MAX(INDEX([tool_pieces.begin],[q]),IF([after]<0,0,@slowest))", begin),
-        calc("to", "not after", "", "s",
-             "=MIN(INDEX([tool_pieces.begin],[q])+INDEX([tool_pieces.d],[q]),IF([after]<0,@slowest,fly_tc))", end),
-        *place_columns(rows, "", "place looked at", f"=IF([look]=1,{middle},[at-1])-INDEX([tool_pieces.origin],[q])",
-                       np.array(u), pieces, "[q]"),
-        *(calc(name, what, symbol, rows.at.unit(n), f"={sampled(rows, n)}", values, scale=cut.size(n))
-          for n, (name, what, symbol, values) in enumerate(
-              (("v", "speed there", "v", v), ("a", "acceleration", "a", a), ("j", "jerk", "j", j)), 1)),
-        calc("at", "turns round at", "t", "s", f"=IF(@turned=0,{middle},MAX([from],MIN([to],{nearer})))", at,
-             "where the parabola of the speed is 0"),
+        calc("q", "piece", "q", "", f"=IF([after]<0,{forward},{backward})", [k + 1 for k in number], format="0"),
+        calc("middle", "first look at", "", "s", f"=(MAX({begin},IF([after]<0,0,@slowest))+{to})/2", middle),
+        *place_columns(rows, "", "looked at", f"{place}-{origin}", np.array(u), pieces, "[q]"),
+        *(calc(name, what, name, rows.at.unit(n), f"={sampled(rows, n)}", rates[n - 1], scale=cut.size(n))
+          for n, (name, what) in enumerate((("v", "speed there"), ("a", "acceleration"), ("j", "jerk")), 1)),
+        calc("at", "turns round at", "t", "s", f"=IF(@turned=0,[middle],{nearer})", at),
         blank="@turned=0",
     )  # fmt: skip
 
@@ -219,23 +216,23 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
     cycle, room, time = view.cycle, view.machine.room, view.machine.cut.cycle_time
     cuts, used = cycle.intervals, "fly_pieces+@turned"
     middle = f"INDEX([@pt.v],{POINTS}*[k]-{POINTS // 2})"
-    turned = [k - one.piece for k, one in enumerate(cuts)]
+    begins, ends, piece = zip(*cuts, strict=True)
+    turned = [k - number for k, number in enumerate(piece)]
+    passed = f"IF([k]>[@turns.q.{LOOKS}],1,0)+IF([k]>[@turns.q.last]+1,1,0)"
+    begin = f"MAX(INDEX([tool_pieces.begin],[q]),IF([n]=0,0,INDEX([@turns.at],{LOOKS}*[n])))"
+    way = filled(cycle.direction, room, float(cycle.direction[-1]))
     sheet.table(
         "@iv", "Intervals of the cycle", room,
         constant("k", "interval", "k", "", list(range(1, room + 1))),
-        calc("n", "turns so far", "", "",
-             "=IF(@turned=0,0,IF([k]>[@turns.q.4],1,0)+IF([k]>[@turns.q.last]+1,1,0))",
-             filled(turned, room, cycle.turns), format="0"),
+        calc("n", "turns so far", "", "", f"=IF(@turned=0,0,{passed})", filled(turned, room, cycle.turns), format="0"),
         calc("q", "piece of the motion", "q", "", "=MIN([k]-[n],fly_pieces)",
-             filled([one.piece + 1 for one in cuts], room, len(cycle.pieces)), format="0"),
-        calc("begin", "begins at", "t", "s",
-             f"=IF([k]>{used},fly_tc,MAX(INDEX([tool_pieces.begin],[q]),IF([n]=0,0,INDEX([@turns.at],{LOOKS}*[n]))))",
-             filled([one.begin for one in cuts], room, time)),
+             filled([number + 1 for number in piece], room, piece[-1] + 1), format="0"),
+        calc("begin", "begins at", "t", "s", f"=IF([k]>{used},fly_tc,{begin})", filled(begins, room, time)),
         calc("end", "ends at", "t", "s", f"=IF([k]<{used},INDEX([@iv.begin],[k]+1),fly_tc)",
-             filled([one.end for one in cuts], room, time)),
+             filled(ends, room, time)),
         calc("dir", "direction in its middle", "", "",
-             f"=IF([k]>{used},[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))",
-             filled(cycle.direction, room, float(cycle.direction[-1])), "1, −1; 0 at rest", format="0"),
+             f"=IF([k]>{used},[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))", way, "1, −1; 0 at rest",
+             format="0"),
         blank=f"[k]>{used}",
     )  # fmt: skip
 
@@ -243,10 +240,9 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
 def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare tool, shaft and motor at the points of each interval."""
     load, drive, of, room = view.load, view.points, view.by_point, view.machine.room
-    numbers, cuts = list(range(room)), view.cycle.intervals
-    each = [rows.pieces[one.piece] for one in cuts]
-    pieces = filled([piece for piece in each for _ in SHARES], room * POINTS, rows.pieces[-1])
-    u = np.array(of(load.x - np.array([[piece.origin] for piece in each])))
+    numbers, cut_numbers = list(range(room)), [cut.piece for cut in view.cycle.intervals for _ in SHARES]
+    pieces = filled([rows.pieces[k] for k in cut_numbers], room * POINTS, rows.pieces[-1])
+    u = np.array(of(load.x)) - np.array([piece.origin for piece in pieces])
     sheet.table(
         "@pt", "The drive at nine points of each interval", room * POINTS,
         constant("k", "point", "k", "", list(range(1, room * POINTS + 1))),
@@ -256,7 +252,7 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         calc("t", "time", "t", "s", "=INDEX([@iv.begin],[iv])+[s]*(INDEX([@iv.end],[iv])-INDEX([@iv.begin],[iv]))",
              of(load.x)),
         calc("q", "piece", "q", "", "=INDEX([@iv.q],[iv])",
-             filled([one.piece + 1 for one in cuts for _ in SHARES], room * POINTS, len(rows.pieces)), format="0"),
+             filled([k + 1 for k in cut_numbers], room * POINTS, len(rows.pieces)), format="0"),
         *place_columns(rows, "", "within piece", "=[t]-INDEX([tool_pieces.origin],[q])", u, pieces, "[q]"),
         calc("y", "position of the tool", "s", "m", f"={sampled(rows, 0)}", of(load.position)),
         calc("v", "its speed", "v", "m/s", f"={sampled(rows, 1)}", of(load.velocity)),

@@ -24,9 +24,9 @@ from workbook.motion.requirements import smoothness_for
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import KEPT, vary_selection
 from workbook.template import Template, finish
-from workbook.template_outputs import NOTHING_JUDGED, CamAxis, ExactJudgement
+from workbook.template_outputs import CamAxis, ExactJudgement, deviations, judged_limits
 
-STROKE = 1e-3  # by which share the sheet states that the stroke may be off
+STROKE = 1e-3  # by which share the stroke may be off, with a law of one's own that barely turns the tool round
 
 
 def declare(given: FlyingCutter) -> Book:
@@ -76,13 +76,14 @@ def axes(machine: FlyingCutter) -> list[CamAxis]:
 
 
 def judgement(given: FlyingCutter) -> ExactJudgement:
-    """Return a line on the stroke, where its points are farther off than the sheet states."""
+    """Return the limits of the drive as its sheet and the exact engine have them, and lines on its results."""
     view = CutterView(given, BookLaws(given.laws, given.sizes).laws)
-    told, exact = ToolDrive(view, given.selection, given.limits, given.sizes).stroke, view.cut.stroke
-    if abs(told - exact) <= STROKE * exact:
-        return NOTHING_JUDGED
-    line = f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"
-    return ExactJudgement(deviations=[line])
+    drive = ToolDrive(view, given.selection, given.limits, given.sizes)
+    lines, stroke, exact = [*deviations("Drive", drive.results, drive.exact)], drive.stroke, view.cut.stroke
+    if abs(stroke - exact) > STROKE * exact:
+        by_points, exactly = (rounded(shown(one, MM)) for one in (stroke, exact))
+        lines.append(f"Cutter: the stroke is {exactly} mm exactly; its sheet says {by_points}")
+    return ExactJudgement(judged_limits("Drive", "drive_", drive.limit_checks, drive.exact), lines)
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:

@@ -3,14 +3,13 @@
 import math
 from collections.abc import Iterator
 from functools import cached_property
-from math import hypot
-from typing import NamedTuple
 
 import numpy as np
 
 from engine.drive import Load
 from engine.drive.drive_points import DrivePoints
-from engine.drive.motor import Motor, TorqueFall, reserve
+from engine.drive.limits import BELOW, LimitChecks, ReducerLimits
+from engine.drive.motor import LimitCheck, Motor, TorqueFall, reserve
 from engine.flying.cut import LONGER, SAME_LENGTH, Beyond, Cut, Tool, flying_saw, rotary_drum
 from engine.flying.pieces import Stretch, cycle_of, train_of
 from engine.laws import Dwell, Law
@@ -99,15 +98,8 @@ class CutterView:
             "s": self.cut.cycle_time, "m": length, "mm": shown(length, MM), "m/s": self.line,
             "m/s²": self.line**2 / length, "m/s³": self.cut.size(3), "°": shown(length / radius, DEGREE),
             "rpm": shown(self.line / radius, RPM), "rad/s": self.line / radius, "rad/s²": turning,
-            "Nm": hypot(self.load.inertia * turning, self.load.torque), "W/s": self.load.inertia * turning**2,
+            "Nm": math.hypot(self.load.inertia * turning, self.load.torque), "W/s": self.load.inertia * turning**2,
         }  # fmt: skip
-
-
-class Look(NamedTuple):
-    """A look at the tool's speed beside a turn: u in its piece (s), v, a and j there, and where it turns by them."""
-
-    stretch: Stretch
-    values: tuple[float, float, float, float, float]  # s, m/s, m/s², m/s³, s
 
 
 class ToolDrive:
@@ -139,8 +131,9 @@ class ToolDrive:
         self.motor = Motor(inertia, rated / kept.rms_reserve, peak / kept.peak_reserve, fastest / kept.speed_reserve,
                            stall / kept.rms_reserve, to, falling=falling)  # fmt: skip
         limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
-        found = [float(one[self.pair[1]]) for one in limits]
-        self.limits = [0.0 if np.isinf(one) else one for one in found]  # of the reducer; 0: none
+        fastest, strongest, lasting = (float(limit[self.pair[1]]) for limit in limits)
+        self.limits = [0.0 if np.isinf(limit) else limit for limit in (fastest, strongest, lasting)]  # 0: none
+        self.reducer = ReducerLimits(strongest / kept.torque_factor, lasting, fastest)
 
         self.cycle = cycle_of(cut, train_of(cut, load, self.gears))
         self.load = self.cycle.points()
@@ -156,21 +149,52 @@ class ToolDrive:
         self.stroke = float(np.ptp(self.load.position))
 
     @cached_property
-    def looks(self) -> list["Look"]:
-        """The looks at each stretch in which the tool turns round, one behind the other."""
-        return [look for stretch in self.cycle.stretches for look in self._looks(stretch)]
+    def exact(self) -> LimitChecks:
+        """The drive and its limits, exact."""
+        return LimitChecks(self.cycle.drive_cycle, self.motor, self.reducer)
 
-    def _looks(self, stretch: Stretch) -> Iterator["Look"]:
-        """Yield the looks at a stretch: at its middle, then each where the parabola of the last one's speed is 0."""
-        after, number, begin, end = stretch
-        piece, at = self.cycle.pieces[number], (begin + end) / 2.0
+    @property
+    def results(self) -> dict[str, float]:
+        """The results of its sheet, by their names, in SI units."""
+        points, asked = self.points, self.demand
+        return {
+            "RMS torque": points.rms_torque,
+            "highest torque": float(points.torque.max()),
+            "lowest torque": float(points.torque.min()),
+            "speed": self.speed,
+            "mean speed": points.mean_speed,
+            "peak torque behind the reducer": asked.torque,
+            "mean torque behind the reducer": asked.mean_torque,
+        }
+
+    @property
+    def limit_checks(self) -> dict[str, LimitCheck]:
+        """The quantities at the points against each limit, by its name in the engine (Nm, rad/s)."""
+        torque, left, reducer = np.abs(self.points.torque).ravel(), self.left.ravel(), self.reducer
+        k = int(left.argmin())
+        rms, peak, speed = self.reserve
+        return {
+            "RMS torque": rms,
+            "peak torque": peak,
+            "motor speed": speed,
+            BELOW: LimitCheck(BELOW, float(torque[k]), float(torque[k] + left[k])),
+            "reducer peak torque": LimitCheck("peak torque", self.demand.torque, reducer.peak_torque),
+            "reducer mean torque": LimitCheck("mean torque", self.demand.mean_torque, reducer.mean_torque),
+            "reducer input speed": LimitCheck("input speed", self.speed, reducer.input_speed),
+        }
+
+    def looks(self, stretch: Stretch) -> Iterator[tuple[float, float, float, float, float]]:
+        """Yield looks at a stretch, the first in its middle: u in its piece, v, a and j there, when it turns by them.
+
+        In s, m/s, m/s², m/s³ and s. The next look is where the parabola of the speed is 0.
+        """
+        piece, at = self.cycle.pieces[stretch.piece], stretch.middle
         for _ in range(LOOKS):
             u = at - piece.origin
             v, a, j = (curve(u) for curve in piece.curves[1:])
             if self.cycle.turns:
-                root = u - 2.0 * v / (a + after * math.sqrt(max(0.0, a**2 - 2.0 * j * v)))
-                at = max(begin, min(end, piece.origin + root))
-            yield Look(stretch, (u, v, a, j, at))
+                at += -2.0 * v / (a + stretch.after * math.sqrt(max(0.0, a**2 - 2.0 * j * v)))
+            yield u, v, a, j, at
 
     @property
     def inertia_ratio(self) -> float:
