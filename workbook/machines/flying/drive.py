@@ -31,7 +31,7 @@ CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5
 
 ABOUT_TURNS = (
     "Friction and losses change sides where the tool turns round. Its speed falls until the law is fastest, then "
-    "rises: if it is below 0 there, the tool turns back before and forward again behind. The first look is at the middle "
+    "rises: if it is below 0 there, the tool turns back before and forward again behind. First look at the middle "
     "of the last piece that begins before a turn; the next is where the parabola by v, a and j is 0."
 )
 TITLE = "Where the tool turns round: four looks at each turn, each nearer"
@@ -231,8 +231,7 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
         calc("end", "ends at", "t", "s", f"=IF([k]<{used},INDEX([@iv.begin],[k]+1),fly_tc)",
              filled(ends, room, time)),
         calc("dir", "direction in its middle", "", "",
-             f"=IF([k]>{used},[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))", way, "1, −1; 0 at rest",
-             format="0"),
+             f"=IF([k]>{used},[dir-1],IF(ABS({middle})<=@still,0,SIGN({middle})))", way, "0 at rest", format="0"),
         blank=f"[k]>{used}",
     )  # fmt: skip
 
