@@ -192,9 +192,11 @@ def test_a_drawn_cutter_is_as_its_sheet_states(number):
         assert blocks[limit.check].quantities[0].value == ("OK" if limit.sheet.ok else "FAIL")
 
 
-@pytest.mark.parametrize("share", [-1e-6, -1e-12, 0.0, 1e-12, 2e-9, 1e-6, 1e-3])
+@pytest.mark.parametrize(
+    ("share", "beyond"),
+    [*((share, "reversal") for share in (-1e-6, -1e-12, 0.0, 1e-12, 2e-9, 1e-6, 1e-3)), (0.0, "standstill")],
+)
 @pytest.mark.parametrize("law", ["ACS", "TVP", "CIC", "CUB", "MTP"])
-@pytest.mark.parametrize("beyond", ["standstill", "reversal"])
 @pytest.mark.sample(6)
 def test_a_tool_that_barely_turns_round_is_judged_alike_in_cells_and_engine(law, share, beyond):
     """A share of the longest product without standstill more, or less."""

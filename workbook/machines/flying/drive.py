@@ -186,7 +186,7 @@ def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     pieces, begin = [rows.pieces[k] for k in number], "INDEX([tool_pieces.begin],[q])"
     before, least = "([tool_pieces.begin]<@slowest)", "v_L + h v(ξ_v)/t_m: of a long product its lowest"
     forward = f"SUMPRODUCT(([tool_joints.v0]>@still)*{before})"
-    backward = f"SUMPRODUCT((([tool_joints.v0]<0-@still)+{before}>0)*1)"
+    backward = f"SUMPRODUCT((([tool_joints.v0]<0-@still)+{before}>0)*([tool_pieces.r]<=fly_pieces))"
     to = f"MIN({begin}+INDEX([tool_pieces.d],[q]),IF([after]<0,@slowest,fly_tc))"
     origin, place = "INDEX([tool_pieces.origin],[q])", "=IF([look]=1,[middle],[at-1])"
     nearer = f"{origin}+[u]-2*[v]/([a]+[after]*SQRT(MAX(0,[a]^2-2*[j]*[v])))"
