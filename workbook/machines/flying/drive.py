@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from engine.drive.bounds import CONSTANT
 from engine.laws.points import POINTS
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, given, result
@@ -26,6 +27,7 @@ UNLISTED = "a name is not in the catalogue; expected one of its names, or an emp
 OVER = {"motor.rated": "rms_reserve", "motor.stall": "rms_reserve", "motor.peak": "peak_reserve",
         "motor.fall": "peak_reserve", "motor.nmax": "speed_reserve"}  # fmt: skip
 """of each limit of the motor in use, the reserve that it is over"""
+PEAK = "at a point: exact; of a law of your own to 4 %"
 MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
 CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5)/{MOVING})^(1/3),0)"
 
@@ -85,10 +87,11 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
         result("@reducer", "Reducer", "", "", '=INDEX([reducers.name],MAX(1,@reducer_row))&""',
                view.proposal.reducers.names[r], align="left"),
         result("@tmax", "Motor torque, highest", "T_max", "Nm", "=MAX([@pt.T])", float(points.torque.max()),
+               PEAK, scale=size),
+        result("@tmin", "Motor torque, lowest", "T_min", "Nm", "=MIN([@pt.T])", float(points.torque.min()), PEAK,
                scale=size),
-        result("@tmin", "Motor torque, lowest", "T_min", "Nm", "=MIN([@pt.T])", float(points.torque.min()), scale=size),
         result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
-               points.rms_torque, "√(Σ share T²), to 0.1 %", scale=size),
+               points.rms_torque, f"√(Σ share T²), to {100.0 * CONSTANT.rms_torque:g} % of the peak", scale=size),
         result("@margin", "Margin", "", "", "=IF(@rms>0,@continuous*limits_rms_reserve/@rms,0)",
                held.rms_torque.reserve * view.kept.rms_reserve,
                "continuous torque / T_rms"),
