@@ -86,11 +86,6 @@ class Stretch(NamedTuple):
     begin: float  # s
     end: float  # s
 
-    @property
-    def middle(self) -> float:
-        """Time in its middle (s)."""
-        return (self.begin + self.end) / 2.0
-
 
 @dataclass(frozen=True)
 class CutCycle(QuadratureCycle):

@@ -207,8 +207,10 @@ def test_a_tool_that_barely_turns_round_is_judged_alike_in_cells_and_engine(law,
 
 
 @pytest.mark.parametrize("law", MOVING)
-def test_the_last_look_at_a_turn_is_exact(law):
-    machine = entries(SAW, law=law)
+@pytest.mark.parametrize("changed", [{}, {"kind": "drum", "product_length": 900.0, "drum__tool_angle": 0.0}])
+def test_the_last_look_at_a_turn_is_exact(law, changed):
+    """Of a saw, and of a drum whose tools work for an instant."""
+    machine = entries(SAW, law=law, beyond="reversal", **changed)
     machine["laws"]["OWN"]["pieces"] = RISING
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
     cut = CutterView(given := TEMPLATE.model.model_validate(machine), laws(given.laws)).cut

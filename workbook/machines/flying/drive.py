@@ -32,9 +32,8 @@ MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
 CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5)/{MOVING})^(1/3),0)"
 
 ABOUT_TURNS = (
-    "Friction and losses change sides where the tool turns round. Its speed falls until the law is fastest, then "
-    "rises: if it is below 0 there, the tool turns back before and forward again behind. First look at the middle "
-    "of the last piece that begins before a turn; the next is where the parabola by v, a and j is 0."
+    "Friction and losses change sides there. The speed falls until the law is fastest, then rises. First look at "
+    "the middle of the last piece that begins before a turn, the next where the parabola by v, a and j is 0."
 )
 TITLE = "Where the tool turns round: four looks at each turn, each nearer"
 LEAST = "=fly_v+fly_h1/1000/fly_tm*[standing.v.1]"
@@ -184,7 +183,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
 def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare where the tool turns round: the speed where the law is fastest, and looks at that beside each turn."""
     cycle, cut = view.cycle, view.machine.cut
-    looks = [(*s[:2], s.middle, *look) for s in cycle.stretches for look in view.looks(s)]
+    looks = [(*one[:2], *look) for one in cycle.stretches for look in view.looks(one)]
     after, number, middle, u, *rates, at = (list(values) for values in zip(*looks, strict=True))
     pieces, begin = [rows.pieces[k] for k in number], "INDEX([tool_pieces.begin],[q])"
     before, least = "([tool_pieces.begin]<@slowest)", "v_L + h v(ξ_v)/t_m: of a long product its lowest"

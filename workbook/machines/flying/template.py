@@ -6,7 +6,6 @@ from typing import Any
 from engine.flying.pieces import cut_pieces
 from engine.motion.profile import profile_of
 from workbook.book.declare import Book, result
-from workbook.book.sentence import rounded
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
@@ -25,8 +24,6 @@ from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import KEPT, vary_selection
 from workbook.template import Template, finish
 from workbook.template_outputs import CamAxis, ExactJudgement, deviations, judged_limits
-
-STROKE = 1e-3  # by which share the stroke may be off, with a law of one's own that barely turns the tool round
 
 
 def declare(given: FlyingCutter) -> Book:
@@ -79,11 +76,8 @@ def judgement(given: FlyingCutter) -> ExactJudgement:
     """Return the limits of the drive as its sheet and the exact engine have them, and lines on its results."""
     view = CutterView(given, BookLaws(given.laws, given.sizes).laws)
     drive = ToolDrive(view, given.selection, given.limits, given.sizes)
-    lines, stroke, exact = [*deviations("Drive", drive.results, drive.exact)], drive.stroke, view.cut.stroke
-    if abs(stroke - exact) > STROKE * exact:
-        by_points, exactly = (rounded(shown(one, MM)) for one in (stroke, exact))
-        lines.append(f"Cutter: the stroke is {exactly} mm exactly; its sheet says {by_points}")
-    return ExactJudgement(judged_limits("Drive", "drive_", drive.limit_checks, drive.exact), lines)
+    judged = judged_limits("Drive", "drive_", drive.limit_checks, drive.exact)
+    return ExactJudgement(judged, [*deviations("Drive", drive.results, drive.exact)])
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:

@@ -183,18 +183,16 @@ class ToolDrive:
             "reducer input speed": LimitCheck("input speed", self.speed, reducer.input_speed),
         }
 
-    def looks(self, stretch: Stretch) -> Iterator[tuple[float, float, float, float, float]]:
-        """Yield looks at a stretch, the first in its middle: u in its piece, v, a and j there, when it turns by them.
-
-        In s, m/s, m/s², m/s³ and s. The next look is where the parabola of the speed is 0.
-        """
-        piece, at = self.cycle.pieces[stretch.piece], stretch.middle
+    def looks(self, stretch: Stretch) -> Iterator[tuple[float, ...]]:
+        """Yield looks at a stretch: its middle, u in its piece, v, a and j there, and when the tool turns by them."""
+        piece, middle = self.cycle.pieces[stretch.piece], (stretch.begin + stretch.end) / 2.0
+        at = middle
         for _ in range(LOOKS):
             u = at - piece.origin
             v, a, j = (curve(u) for curve in piece.curves[1:])
             if self.cycle.turns:
                 at += -2.0 * v / (a + stretch.after * math.sqrt(max(0.0, a**2 - 2.0 * j * v)))
-            yield u, v, a, j, at
+            yield middle, u, v, a, j, at
 
     @property
     def inertia_ratio(self) -> float:
