@@ -144,6 +144,7 @@ class ExactJudgement(NamedTuple):
 NOTHING_JUDGED = ExactJudgement()
 
 
+ROUNDING = 1e-9  # share by which an exact figure that is at its limit may seem above it
 SIZES = {"rpm": RPM, "kW": KW}  # of units that are not the engine's
 LIMITS = {
     "RMS torque": ("ok_rms", "Nm"), "peak torque": ("ok_peak", "Nm"), BELOW: ("ok_curve", "Nm"),
@@ -163,6 +164,8 @@ def judged_limits(drive: str, cells: str, sheet: Mapping[str, LimitCheck], exact
     for name, truth in checks.items():
         check, unit = LIMITS[name]
         size = SIZES.get(unit, 1.0)
+        if truth.limit < truth.value <= truth.limit * (1.0 + ROUNDING):
+            truth = truth._replace(value=truth.limit)
         by_points, exactly = (each._replace(value=shown(each.value, size), limit=shown(each.limit, size))
                               for each in (sheet[name], truth))  # fmt: skip
         bound = bounds[name] / truth.limit

@@ -1,6 +1,7 @@
 """The book of S5's flying machining: its equations in the cells, every cell as the engine says."""
 
 import random
+from dataclasses import replace
 from math import pi, radians, sqrt
 
 import pytest
@@ -14,8 +15,9 @@ from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
-from workbook.machines.flying.view import CutterView
+from workbook.machines.flying.view import CutterView, ToolDrive
 from workbook.reading.descriptions import read_machine, validated
+from workbook.template_outputs import judged_limits
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["flying-cutter"]
@@ -190,6 +192,18 @@ def test_a_drawn_cutter_is_as_its_sheet_states(number):
     blocks = TEMPLATE.declare(given).blocks
     for limit in judged.limits:
         assert blocks[limit.check].quantities[0].value == ("OK" if limit.sheet.ok else "FAIL")
+
+
+@pytest.mark.parametrize("number", range(20))
+def test_a_motor_exactly_at_its_limits_holds_them(number):
+    """Whatever the last digit of the exact engine's figures."""
+    given = drawn(number)
+    drive = ToolDrive(CutterView(given, laws(given.laws)), given.selection, given.limits, given.sizes)
+    exact, sheet = drive.exact, drive.limit_checks
+    at = replace(exact.motor, max_speed=drive.speed)
+    judged = {limit.what: limit for limit in judged_limits("", "", sheet, replace(exact, motor=at))}
+    assert judged["motor speed"].exact.ok
+    assert judged["motor speed"].exact.use == pytest.approx(1.0, rel=1e-9)
 
 
 @pytest.mark.parametrize(
