@@ -8,10 +8,10 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
-from workbook.judging.display.cells import CellGroup, check_rules
-from workbook.judging.display.chart_reader import read_charts
-from workbook.judging.display.charts import pair_charts
-from workbook.judging.display.groups import Differences
+from workbook.judging.display.cells import CellGroup
+from workbook.judging.display.charts import pair_charts, read_charts
+from workbook.judging.display.differences import Differences
+from workbook.judging.display.rules import compare_rules
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.structure import check_structure, listed
@@ -43,7 +43,7 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
 def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> list[str]:
     """Return a line for each kind of addition to a generated sheet that is not in ``own``, and for names."""
     lines: list[str] = []
-    known_rules = check_rules(match, [CellGroup(pairs) for pairs in match.columns], False, Differences())
+    known_rules = compare_rules(match, [CellGroup(pairs) for pairs in match.columns], Differences())
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
         declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))

@@ -12,14 +12,13 @@ from pydantic import BaseModel
 from workbook.book.address import Address, Place
 from workbook.book.declare import FIRST, Block
 from workbook.book.rows import is_number
-from workbook.entries.rules import field_at, validation
+from workbook.entries.rules import field_at
 from workbook.functions.declarations import NAMESPACE
 from workbook.functions.names import definitions, meaning
 from workbook.judging.matching import Match
-from workbook.judging.report import NOTICE, Finding, Report
+from workbook.judging.report import Finding, Report
 from workbook.reading.files import LiteralText, is_formula
 
-COMPARED = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTitle", "error", "errorTitle")
 LAST_DIGITS = 1e-14  # LibreOffice keeps 15 digits of a number when it saves
 
 
@@ -239,21 +238,3 @@ def range_of(place: Place | None) -> str:
         return "no cells"
     first, last = place.corners
     return f"{first}:{last.a1}"
-
-
-def check_validations(match: Match, model: type[BaseModel], report: Report) -> None:
-    """Enter as a notice for each sheet how many inputs have no validation any more, or another one."""
-    held = {sheet.title: [(rule, cells.bounds) for rule in sheet.data_validations.dataValidation
-                          for cells in rule.sqref.ranges]
-            for sheet in match.file.workbook.worksheets}  # fmt: skip
-    told: dict[tuple[str, str], list[Address]] = defaultdict(list)
-    for pairs in match.columns:
-        fresh = validation(model, pairs[0].cell.quantity) if pairs[0].cell.quantity.role == "input" else None
-        for at in (pair.address for pair in pairs if fresh is not None):
-            rule = next((rule for rule, (left, top, right, bottom) in held[at.sheet]
-                         if top <= at.row <= bottom and left <= at.column <= right), None)  # fmt: skip
-            if rule is None or any((getattr(rule, name) or "") != (getattr(fresh, name) or "") for name in COMPARED):
-                told[at.sheet, "another validation" if rule else "no validation"].append(at)
-    for (title, said), cells in told.items():
-        what = f"{len(cells)} inputs of the sheet {title}"
-        report.say(cells[0], NOTICE, said, "a rule for what is entered", what)

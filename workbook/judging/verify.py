@@ -12,16 +12,17 @@ from workbook.book.quantity import FAIL, SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.comparison import Comparison, count_cells, is_error
-from workbook.judging.display.cells import CellGroup, FreshBook, check_looks, check_rules
-from workbook.judging.display.charts import check_charts
-from workbook.judging.display.groups import Differences
-from workbook.judging.display.sight import check_links, check_pages, check_sight, sheet_views
-from workbook.judging.display.texts import check_texts
+from workbook.judging.display.cells import CellGroup, FreshBook, compare_cells
+from workbook.judging.display.charts import compare_charts
+from workbook.judging.display.differences import Differences
+from workbook.judging.display.rules import compare_rules, compare_validations
+from workbook.judging.display.sheets import compare_sheets, sheet_views
+from workbook.judging.display.texts import compare_texts
 from workbook.judging.layout import layout_findings, match_layout, set_consequences_aside
 from workbook.judging.matching import Match, Pair
 from workbook.judging.repair import is_empty_row, repair_book, report_wrong_results
 from workbook.judging.report import LAYOUT, NOTICE, ORDER, Check, Report, WitnessRun
-from workbook.judging.structure import audit, check_structure, check_validations, stale_functions
+from workbook.judging.structure import audit, check_structure, stale_functions
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book, require_little_work
@@ -109,15 +110,14 @@ def check_display(match: Match, model: type[BaseModel], computed: Cells, report:
     ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
     """
     differences, fresh, views = Differences(), FreshBook(match.declared, model), sheet_views(match)
-    labels = check_texts(match, report, differences)
+    labels = compare_texts(match, report, differences)
     groups = [CellGroup(pairs) for pairs in match.columns] + [CellGroup([], label) for label in labels]
-    check_looks(match, fresh, groups, differences)
-    check_rules(match, groups, any(finding.kind == LAYOUT for finding in report.findings), differences)
-    check_sight(match, fresh, views, groups, computed, differences)
-    check_pages(match, fresh, differences)
-    check_links(match, differences)
-    check_charts(match, views, differences)
-    check_validations(match, model, report)
+    compare_cells(match, fresh, groups, views, computed, differences)
+    if not any(finding.kind == LAYOUT for finding in report.findings):  # with cells that were cut their rules went
+        compare_rules(match, groups, differences)
+    compare_validations(match, model, groups, differences)
+    compare_sheets(match, fresh.workbook, differences)
+    compare_charts(match, views, differences)
     differences.enter(report)
 
 

@@ -61,7 +61,7 @@ def test_a_rule_that_is_gone_is_a_notice(press, opened):
     without(opened["Timing"], press.declared.blocks[TABLE].row)
     report = said(press, opened)
     assert report.findings == []
-    assert [n.expected for n in report.notices] == ["expression: number format ;;"]
+    assert [n.expected for n in report.notices] == ["another number yes, numFmt formatCode ;;;, type expression"]
 
 
 @pytest.mark.parametrize(

@@ -1,181 +1,231 @@
-"""Charts of a file against those of a fresh build: what each draws, its axes, its texts, and whether it can be seen."""
+"""Charts of a file against those of a fresh build: lines, axes, texts, and what hides them."""
 
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any, NamedTuple, TypeVar
+from xml.etree.ElementTree import Element
 
 from workbook.book.address import Address
 from workbook.book.declare import Sheet
-from workbook.book.formula import Area
-from workbook.judging.display.chart_reader import Axis, ChartData, ChartReader, Line, Name, read_charts
-from workbook.judging.display.groups import Differences
-from workbook.judging.display.looks import format_sections, plain_number
-from workbook.judging.display.sight import SheetView
-from workbook.judging.display.texts import TELLING, is_other_unit, split_unit
+from workbook.book.formula import Area, FormulaError, reference
+from workbook.judging.display.differences import Differences, Subject, text_misleads
+from workbook.judging.display.flat import Flat, flatten, is_same, usual_value
+from workbook.judging.display.sheets import SheetView
 from workbook.judging.matching import Match
+from workbook.reading.rows import tag
 from workbook.writing.charts import draw
 from workbook.writing.write import chart_size
 
 CM = 360_000  # EMU
 SMALL = 0.4  # of the width or height of a fresh build, below which a chart can hardly be read
-BEHIND = 0.5  # of a chart that another drawing may cover
+DATA = {"x": ("xVal", "cat"), "y": ("yVal", "val"), "strokes": ("plus",), "name": ("tx",)}  # of a line, by elements
+TEXTS = ("t", "f", "v")  # elements that hold texts and references, which are read apart
+# what is told though a fresh build has none: all else that is added is a program's own way to write what is usual
+T = TypeVar("T")
+ADDED = re.compile(
+    r"\b(trendline|upDownBars|dropLines|hiLowLines|dTable|view3D|pivotFmts|userShapes|errBars|dPt.* spPr|dLbl.* tx"
+    r"|numFmt|show(Val|SerName|CatName|Percent)|scaling|dispUnits|smooth|tickLblPos|dispBlanksAs|latin|strike"
+    r"|\w*[rR]Pr (noFill|solidFill|sz)|plotArea spPr solidFill|legend layout)\b"
+)
 
 
-def check_charts(match: Match, views: Mapping[str, SheetView], differences: Differences) -> None:
+class ChartData(NamedTuple):
+    """A chart: its lines, its other attributes, where it stands, and its number among the drawings of its sheet."""
+
+    lines: list[Flat]
+    looks: Flat
+    at: Address
+    number: int = 0
+
+
+def read_charts(match: Match, title: str) -> Iterator[ChartData]:
+    """Yield the charts of a sheet of the file."""
+    inspected = match.file.inspected
+    for number, anchor in enumerate(inspected.drawings.get(title, ()) if inspected else ()):
+        if anchor.chart is not None:
+            at = Address(title, anchor.first.row + 1, anchor.first.column + 1)
+            yield read_chart(anchor.chart, at, match.file.contents.area, number)
+
+
+def read_chart(root: Element, at: Address, named: Callable[[str, str], Area], number: int = 0) -> ChartData:
+    """Return a chart that stands at a cell; ``named`` resolves the names of sheets in its references."""
+    plot = root.find(".//{*}plotArea")
+    parts = [] if plot is None else list(plot)
+    groups = [part for part in parts if tag(part).endswith("Chart")]
+    ids = [part.get("val") for part in groups[0] if tag(part) == "axId"] if groups else []
+    looks = flatten(root, leaving=("ser", *TEXTS, *(tag(part) for part in parts if tag(part)[-2:] == "Ax")))
+    looks |= {"kind": ", ".join(sorted({tag(part) for part in groups}))}
+    for axis in (part for part in parts if tag(part)[-2:] == "Ax"):
+        own = next((part.get("val") for part in axis if tag(part) == "axId"), None)
+        name = f"axis {'xy'[ids.index(own)]}" if own in ids[:2] else "another axis"
+        looks |= flatten(axis, name, leaving=TEXTS)
+        looks[f"{name} title"] = data_of(axis.find("{*}title/{*}tx"), at, named)
+    lines = [read_line(part, at, named) for group in groups for part in group if tag(part) == "ser"]
+    looks["title"] = data_of(root.find("{*}chart/{*}title/{*}tx"), at, named)
+    return ChartData(lines, looks, at, number)
+
+
+def read_line(series: Element, at: Address, named: Callable[[str, str], Area]) -> Flat:
+    """Return the data, the name and the looks of a line."""
+    line = flatten(series, leaving=[element for elements in DATA.values() for element in elements])
+    line = {key: value for key, value in line.items() if not key.startswith("marker spPr ln")}  # LibreOffice has none
+    for name, elements in DATA.items():
+        line[name] = data_of(next((e for e in series.iter() if tag(e) in elements), None), at, named)
+    return line
+
+
+def data_of(element: Element | None, at: Address, named: Callable[[str, str], Area]) -> Area | str:
+    """Return the cells to which an element refers, or its text; LibreOffice quotes a text as if it were a reference."""
+    if element is None:
+        return ""
+    text = next((part.text or "" for part in element.iter() if tag(part) == "f"), "")
+    if not text or text.startswith('"'):
+        own = "".join(part.text or "" for part in element.iter() if tag(part) in ("t", "v"))
+        return text.strip('"').replace('""', '"') or own
+    try:
+        area = reference(text, at.sheet, named) if "!" in text else None
+    except FormulaError:
+        area = None
+    return area._replace(single=area.size == 1) if area else text
+
+
+def compare_charts(match: Match, views: Mapping[str, SheetView], differences: Differences) -> None:
     """Enter declared charts that draw something else, cannot be seen, or are gone."""
     for sheet, title in match.sheets:
         pairs = list(pair_charts(match, sheet, list(read_charts(match, title))))
-        for (chart, _, *place), expected, held in pairs:
-            what = f"the chart {chart.title!r}"
+        titles = {text_words(match, fresh.looks["title"]) for _, fresh, _ in pairs}
+        for (chart, _, *place), fresh, held in pairs:
+            subject = Subject(f"the chart {chart.title!r}", group=held.at.a1 if held else "")
             if held is not None:
-                others = [other.title for _, other, _ in pairs if other is not expected]
-                compare_charts(match, expected, held, others, what, differences)
-                check_chart_sight(match, expected, held, chart_size(*place), views, what, differences)
+                compare_chart(match, subject, fresh, held, titles, differences)
+                compare_chart_sight(subject, held, chart_size(*place), views, differences)
             elif match.file.inspected:
-                differences.add(Address(title, 1, 1), "chart", chart.title, "nothing", what, misleads=False)
+                differences.add(Address(title, 1, 1), subject, "chart", chart.title, "", misleads=False)
 
 
 def pair_charts(match: Match, sheet: Sheet, held: list[ChartData]) -> Iterator[tuple[Any, ChartData, ChartData | None]]:
     """Yield each declared chart of a sheet, as a fresh build has it, with the one of the file that is most like it."""
-    reader = ChartReader(Address(sheet.title, 1, 1), match.declared_area)
     drawings: list[Any] = [draw(chart, match.declared, *chart_size(*place)) for chart, _, *place in sheet.charts]
-    expected = [reader.chart(drawing._write()) for drawing in drawings]
-    likeness = sorted(
-        ((similarity(match, ours, theirs), -i, -k) for i, ours in enumerate(expected) for k, theirs in enumerate(held)),
-        reverse=True,
-    )
-    taken: dict[int, int] = {}
-    for alike, i, k in likeness:
-        if alike > 0 and -i not in taken and -k not in taken.values():
-            taken[-i] = -k
-    for i, chart in enumerate(sheet.charts):
-        yield chart, expected[i], held[taken[i]] if i in taken else None
+    at = Address(sheet.title, 1, 1)
+    fresh = [read_chart(drawing._write(), at, match.declared_area) for drawing in drawings]
+
+    def shared(ours: ChartData, theirs: ChartData) -> int:
+        return sum(any(is_same_line(match, line, other) for other in theirs.lines) for line in ours.lines)
+
+    def has_title(ours: ChartData, theirs: ChartData) -> bool:
+        return is_same_data(match, ours.looks["title"], theirs.looks["title"])
+
+    def is_whole(ours: ChartData, theirs: ChartData) -> bool:
+        return shared(ours, theirs) == len(ours.lines) == len(theirs.lines)
+
+    tests = (lambda *two: is_whole(*two) and has_title(*two), is_whole, has_title, shared)
+    paired = {id(ours): theirs for ours, theirs in pair_alike(fresh, held, tests) if ours is not None}
+    for chart, ours in zip(sheet.charts, fresh, strict=True):
+        yield chart, ours, paired[id(ours)]
 
 
-def similarity(match: Match, fresh: ChartData, held: ChartData) -> float:
-    """Return how like a chart of a fresh build one of the file is: by what it draws, and by its title."""
-    same = sum(any(is_same_line(match, ours, theirs) for theirs in held.lines) for ours in fresh.lines)
-    return 2 * same / max(len(fresh.lines), len(held.lines), 1) + (fresh.title == held.title)
+def pair_alike(
+    fresh: Iterable[T], held: Iterable[T], tests: Iterable[Callable[[T, T], Any]]
+) -> Iterator[tuple[T | None, T | None]]:
+    """Yield what is alike in pairs, by the first test that two meet, then what is left of either side."""
+    left, free = list(fresh), list(held)
+    for is_alike in tests:
+        for ours in list(left):
+            if alike := [theirs for theirs in free if is_alike(ours, theirs)]:
+                left = [other for other in left if other is not ours]
+                free = [other for other in free if other is not alike[0]]
+                yield ours, alike[0]
+    yield from ((ours, None) for ours in left)
+    yield from ((None, theirs) for theirs in free)
 
 
-def is_same_line(match: Match, fresh: Line, held: Line) -> bool:
+def is_same_line(match: Match, fresh: Flat, held: Flat) -> bool:
     """Whether two lines draw the same columns."""
-    return all(match.same(*areas) for areas in zip(fresh[:3], held[:3], strict=True))
+    return all(match.same(fresh[name], held[name]) for name in ("x", "y", "strokes"))
 
 
-def compare_charts(
-    match: Match, fresh: ChartData, held: ChartData, others: list[Name], what: str, differences: Differences
+def is_same_data(match: Match, fresh: Area | str, held: Area | str) -> bool:
+    """Whether two texts or ranges are one; a text that follows a cell is written out where LibreOffice saves it."""
+    return match.same(fresh, held) or (isinstance(fresh, Area) and held == str(match.declared_value(fresh.first)))
+
+
+def compare_chart(
+    match: Match, subject: Subject, fresh: ChartData, held: ChartData, titles: set[str], differences: Differences
 ) -> None:
     """Enter what of a chart is not as in a fresh build."""
-
-    def enter(attribute: str, expected: object, found: object, misleads: bool) -> None:
-        differences.add(held.at, attribute, expected, found, what, misleads, group=held.at.a1)
-
-    if fresh.kinds != held.kinds:
-        misleads = set(fresh.kinds) != set(held.kinds) or not all(axis.is_shown for axis in held.other_axes)
-        enter("kind", ", ".join(fresh.kinds), ", ".join(held.kinds), misleads)
-    if fresh.additions != held.additions:
-        enter("drawing", ", ".join(fresh.additions) or "none", ", ".join(held.additions) or "none", False)
-    if not is_same_name(match, fresh.title, held.title):
-        texts = name_text(fresh.title), name_text(held.title)
-        more = set(TELLING.findall(texts[1])) - set(TELLING.findall(texts[0]))
-        enter("title", *texts, held.title in others or bool(more))
-    odd_formats = [code for code in held.label_formats if plain_number(format_sections(code)) != ("N",)]
-    if odd_formats:
-        enter("format of labels", "as built", ", ".join(odd_formats), True)
-    compare_lines(match, fresh.lines, held.lines, enter)
-    for n, (ours, theirs) in enumerate(zip(fresh.axes, held.axes, strict=True)):
-        axis = "xy"[n]
-        if not is_same_name(match, ours.title, theirs.title):
-            texts = declared_text(match, ours.title), name_text(theirs.title)
-            units = [split_unit(text)[1] if "[" in text else "" for text in texts]
-            other = declared_text(match, fresh.axes[1 - n].title)
-            misleads = texts[1] == other or (all(units) and is_other_unit(units[1], units[0]))
-            enter(f"title of its axis {axis}", *texts, misleads)
-        for name in Axis._fields[1:]:
-            expected, found = getattr(ours, name), getattr(theirs, name)
-            sections = [format_sections(code) for code in (expected, found)] if name == "number_format" else []
-            if expected == found or (sections and sections[0][:3] == sections[1][:3]):
-                continue
-            bare = plain_number(sections[1]) == plain_number(sections[0]) if sections else name == "is_shown"
-            is_free = name in ("least", "most") and not found  # the program then shows all points
-            attribute = f"{name.replace('_', ' ')} of its axis {axis}"
-            enter(attribute, expected or "none", found or "none", not (bare or is_free))
-
-
-def compare_lines(match: Match, fresh: list[Line], held: list[Line], enter: Callable[..., None]) -> None:
-    """Enter which lines draw something else, are gone, are called otherwise, or cannot be seen."""
-    if any(match.lost(area) for line in fresh for area in line[:2]):
+    compare_parts(match, held.at, subject, "", fresh.looks, held.looks, titles, differences)
+    if any(match.lost(line[name]) for line in fresh.lines for name in ("x", "y")):
         return
-    free, missing = list(held), []
-    for line in fresh:
-        if (same := next((other for other in free if is_same_line(match, line, other)), None)) is None:
-            missing.append(line)
-            continue
-        free.remove(same)
-        if not is_same_name(match, line.name, same.name) and (same.name or len(fresh) > 1):
-            exchanged = any(is_same_name(match, other.name, same.name) for other in fresh if other is not line)
-            enter("name of a line", name_text(line.name), name_text(same.name), exchanged)
-        for words, ours, theirs in (
-            (("drawn", "not drawn"), line.is_seen, same.is_seen),
-            (("bent between its points", "straight"), line.is_bent, same.is_bent),
-        ):
-            if ours != theirs:
-                enter(f"line {declared_text(match, line.name)!r}", words[not ours], words[not theirs], False)
-    for line in missing:
-        named = [other for other in free if other.name == line.name] or free
-        if named:
-            free.remove(named[0])
-        enter(f"line {declared_text(match, line.name)!r}", line, named[0] if named else "nothing", bool(named))
-    for line in free:
-        called = bool(line.name) and any(is_same_name(match, other.name, line.name) for other in fresh)
-        enter("another line", "none", line, called)
+    names = {text_words(match, line["name"]) for line in fresh.lines}
+    tests = (
+        lambda ours, theirs: is_same_line(match, ours, theirs),
+        lambda ours, theirs: is_same_data(match, ours["name"], theirs["name"]),
+        lambda ours, theirs: True,
+    )
+    for line, other in pair_alike(fresh.lines, held.lines, tests):
+        words = f"line {text_words(match, line['name'])!r}" if line else ""
+        if line and other:
+            compare_parts(match, held.at, subject, f"{words} ", line, other, names, differences)
+        elif line:
+            differences.add(held.at, subject, words, "drawn", "", misleads=True)
+        elif other:
+            name = range_words(other["name"])
+            differences.add(held.at, subject, "another line", "", name or "drawn", misleads=name in names)
 
 
-def check_chart_sight(
+def compare_parts(
     match: Match,
-    fresh: ChartData,
-    held: ChartData,
-    cm: tuple[float, float],
-    views: Mapping[str, SheetView],
-    what: str,
+    at: Address,
+    subject: Subject,
+    part: str,
+    fresh: Flat,
+    held: Flat,
+    texts: set[str],
     differences: Differences,
+) -> None:
+    """Enter what of a chart, or of one of its lines, is not as in a fresh build; ``texts`` are those of the others."""
+    for key in [*fresh, *(key for key in held if key not in fresh and ADDED.search(key))]:
+        ours, theirs = fresh.get(key, usual_value(key)), held.get(key, usual_value(key))
+        if is_same_data(match, ours, theirs) or is_same(key, ours, theirs):
+            continue
+        if key == "name" or key.endswith("title"):
+            words = text_words(match, ours), range_words(theirs)
+            axes = {text_words(match, fresh.get(f"axis {letter} title", "")) for letter in "xy"}
+            wrong = text_misleads(*words, (texts | axes) - {words[0], ""})
+            differences.add(at, subject, f"{part}{key}", *words, wrong)
+        else:
+            differences.tell(at, subject, {f"{part}{key}": (range_words(ours), range_words(theirs))})
+
+
+def text_words(match: Match, text: Area | str) -> str:
+    """Return a text of a fresh build; of one that follows a cell, the cell's."""
+    return str(match.declared_value(text.first)) if isinstance(text, Area) else text
+
+
+def range_words(data: Area | str) -> str:
+    """Return a text, or a range as it is written."""
+    return f"{data.sheet}!{data.a1}" if isinstance(data, Area) else data
+
+
+def compare_chart_sight(
+    subject: Subject, held: ChartData, cm: tuple[float, float], views: Mapping[str, SheetView], differences: Differences
 ) -> None:
     """Enter that a chart can hardly be seen: shrunk, behind another drawing, or by hidden rows; ``cm`` is its size."""
     areas = views[held.at.sheet].areas
     own = areas[held.number]
     ends = own.right - own.left, own.bottom - own.top
-    rooms = [min(1.0, theirs / ours) for theirs, ours in zip(held.room, fresh.room, strict=True)]
-    share = min(room * end / (whole * CM) for room, end, whole in zip(rooms, ends, cm, strict=True))
+    share = min(end / (whole * CM) for end, whole in zip(ends, cm, strict=True))
+    middle = (own.left + own.right) / 2, (own.top + own.bottom) / 2
     if share < SMALL:
-        differences.add(held.at, "size", "as built", f"{share:.0%} of it", what, share < SMALL / 3)
-    above = [k for k in range(held.number + 1, len(areas)) if own.shared(areas[k]) > BEHIND]
-    if above:
-        titles = {chart.number: chart.title for chart in read_charts(match, held.at.sheet)}
-        alike = any(titles.get(k, held.title) == held.title for k in above)
-        differences.add(held.at, "sight", "in sight", "behind another drawing", what, alike)
-    columns = [area for line in held.lines for area in line[:2] if area is not None and area.sheet in views]
-    hidden = max((count_hidden_rows(views[area.sheet], area) for area in columns), default=0)
-    if held.visible_only and hidden:
-        differences.add(held.at, "rows that it draws", "all", f"without {hidden:,} hidden rows", what, True)
+        differences.add(held.at, subject, "size", "as built", f"{share:.0%} of it", misleads=False)
+    if any(area.has(*middle) for area in areas[held.number + 1 :]):
+        differences.add(held.at, subject, "sight", "in sight", "behind another drawing", misleads=False)
+    columns = [area for line in held.lines for area in (line["x"], line["y"]) if isinstance(area, Area)]
+    hidden = max((count_hidden_rows(views[area.sheet], area) for area in columns if area.sheet in views), default=0)
+    if hidden and held.looks.get("chart plotVisOnly val", "1") == "1":
+        differences.add(held.at, subject, "rows that it draws", "all", f"without {hidden:,} hidden rows", misleads=True)
 
 
 def count_hidden_rows(view: SheetView, area: Area) -> int:
     """Return how many rows of an area are hidden."""
     return sum(not view.rows[row] for row in range(area.top, area.bottom + 1))
-
-
-def is_same_name(match: Match, fresh: Name, held: Name) -> bool:
-    """Whether a name is that of a fresh build; one that follows a cell becomes its text where LibreOffice saves it."""
-    if isinstance(held, str):
-        return held == declared_text(match, fresh)
-    return not isinstance(fresh, str) and match.same(fresh, held)
-
-
-def declared_text(match: Match, name: Name) -> str:
-    """Return a name of a fresh build; of one that follows a cell, the cell's text."""
-    return name if isinstance(name, str) else str(match.declared_value(name.first))
-
-
-def name_text(name: Name) -> str:
-    """Return a name, or the cell that has it."""
-    return name if isinstance(name, str) else f"the text of {name.sheet}!{name.a1}"

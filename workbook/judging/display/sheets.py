@@ -1,0 +1,202 @@
+"""Sheets as they are seen: sizes of rows and columns, drawings over cells (EMU), windows, pages, links."""
+
+import re
+from bisect import bisect_left
+from collections.abc import Iterable, Mapping
+from itertools import accumulate
+from typing import Any, NamedTuple
+from xml.etree.ElementTree import Element
+
+from openpyxl import Workbook
+from openpyxl.utils import column_index_from_string
+from openpyxl.worksheet.worksheet import Worksheet
+
+from workbook.book.address import Address
+from workbook.book.declare import Sheet
+from workbook.judging.display.differences import Differences, Subject, text_misleads
+from workbook.judging.display.flat import Flat, flatten
+from workbook.judging.matching import Match
+from workbook.reading.package import PIXEL, Anchor
+from workbook.reading.rows import LAST_ROW, tag
+
+POINT = 12_700  # EMU
+WIDTH, HEIGHT = 8.43, 15.0  # of a column, in characters of 7 pixels, and of a row, in points, where none is given
+MOST = 409.5  # of both, in the same units
+TOO_SMALL = 0.4  # of the width or height of a fresh build, below which a content is not shown whole
+LAST_SEEN = 1_000  # columns: nothing that is declared lies beyond
+LEAST = 40_000  # EMU, 3 points: below it a row or column is as good as hidden
+CELL = re.compile("([A-Z]{1,3})([1-9][0-9]{0,6})")
+CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|K[0-9A-F]{6}|[BIUEXYS])')  # of fonts in headers and footers
+SETTINGS = re.compile(  # of a book and its windows; all others, such as which cell is selected, are of a moment
+    r".* (date1904|showObjects|visibility|minimized|showSheetTabs|showFormulas|showZeros|rightToLeft|zoomScale\w*"
+    r"|[xy]Split|number)"
+)
+# the elements of a worksheet that are compared elsewhere, or draw nothing
+QUIET = re.compile(
+    "autoFilter|cellWatches|colBreaks|cols|conditionalFormatting|dataValidations|dimension|drawing|ext|extLst"
+    "|headerFooter|hyperlinks|ignoredErrors|legacyDrawing|mergeCells|pageMargins|pageSetup|phoneticPr|printOptions"
+    "|protectedRanges|rowBreaks|sheetData|sheetFormatPr|sheetPr|sheetProtection|sheetViews|sortState|AlternateContent"
+)
+
+
+class Rectangle(NamedTuple):
+    """A rectangle on a sheet (EMU)."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def has(self, x: float, y: float) -> bool:
+        """Whether a point lies within."""
+        return self.left < x < self.right and self.top < y < self.bottom
+
+
+class Lengths:
+    """The heights of a sheet's rows or the widths of its columns (EMU), counted from 1."""
+
+    def __init__(self, given: Mapping[int, float], usual: float) -> None:
+        self._given, self._usual = given, usual
+        self._numbers = sorted(given)
+        self._more = list(accumulate((given[number] - usual for number in self._numbers), initial=0.0))
+
+    def __getitem__(self, number: int) -> float:
+        """Return the length of a row or column."""
+        return self._given.get(number, self._usual)
+
+    def begin(self, number: float) -> float:
+        """Return where a row or column begins; with a half, its middle."""
+        whole = int(number)
+        before = self._usual * (whole - 1) + self._more[bisect_left(self._numbers, whole)]
+        return before + (number - whole) * self[whole]
+
+
+class SheetView:
+    """A sheet as it is seen: sizes of rows and columns, where its window begins, what lies over its cells."""
+
+    def __init__(self, sheet: Worksheet, anchors: Iterable[Anchor] = ()) -> None:
+        form, self.is_hidden = sheet.sheet_format, sheet.sheet_state != "visible"
+        high = 0.0 if form.zeroHeight else POINT * size(form.defaultRowHeight, HEIGHT)
+        rows = sheet.row_dimensions.items()
+        self.rows = Lengths({n: 0.0 if r.hidden else POINT * size(r.height, high / POINT) for n, r in rows}, high)
+        usual = size(form.defaultColWidth, WIDTH)
+        widths: dict[int, float] = {}
+        for letter, column in sheet.column_dimensions.items():
+            first = column.min or column_index_from_string(letter)
+            width = 0.0 if column.hidden else pixels(size(column.width, usual))
+            widths |= dict.fromkeys(range(first, min(column.max or first, LAST_SEEN) + 1), width)
+        self.columns = Lengths(widths, pixels(usual))
+        self._first = (1, 1)  # row and column that can be scrolled to: nothing leads before those that are frozen
+        view = sheet.sheet_view
+        if (pane := view.pane) is not None and str(pane.state).startswith("frozen") and view.topLeftCell:
+            cell = CELL.fullmatch(str(view.topLeftCell))
+            row, letters = (int(cell[2]), cell[1]) if cell else (LAST_ROW, "XFD")
+            self._first = row if pane.ySplit else 1, column_index_from_string(letters) if pane.xSplit else 1
+        self.areas = [self._area(anchor) for anchor in anchors]
+
+    def _area(self, anchor: Anchor) -> Rectangle:
+        ends = [
+            (self.columns.begin(at.column + 1) + at.right, self.rows.begin(at.row + 1) + at.down)
+            for at in (anchor.first, anchor.last)
+            if at is not None
+        ]
+        left, top = ends[0]
+        return Rectangle(left, top, *(ends[1] if ends[1:] else (left + anchor.size[0], top + anchor.size[1])))
+
+    def hides_column(self, column: int, usual: float) -> bool:
+        """Whether a column is hidden, or narrow beside its ``usual`` width (EMU); none that usually is."""
+        least = max(LEAST, TOO_SMALL * min(usual, pixels(WIDTH)))
+        return bool(usual) and (self.columns[column] < least or column < self._first[1])
+
+    def hides_row(self, row: int, usual: float) -> bool:
+        """Whether a row is hidden, or low beside its ``usual`` height (EMU)."""
+        return self.rows[row] < max(LEAST, TOO_SMALL * min(usual, POINT * HEIGHT)) or row < self._first[0]
+
+    def areas_over(self, column: int) -> list[Rectangle]:
+        """Return the drawings over the middle of a column."""
+        middle = self.columns.begin(column + 0.5) if self.areas else 0.0
+        return [area for area in self.areas if area.left < middle < area.right]
+
+
+def size(given: float | None, usual: float) -> float:
+    """Return a width or height that a file gives, or the usual one for what is none."""
+    return given if given is not None and 0 <= given <= MOST else usual
+
+
+def pixels(width: float) -> float:
+    """Return the size of a column of so many characters (EMU)."""
+    return float(PIXEL * int(width * 7 + 5)) if width else 0.0
+
+
+def sheet_views(match: Match) -> dict[str, SheetView]:
+    """Return all sheets of a file as they are seen."""
+    drawings = match.file.inspected.drawings if match.file.inspected else {}
+    return {sheet.title: SheetView(sheet, drawings.get(sheet.title, [])) for sheet in match.file.workbook.worksheets}
+
+
+def compare_sheets(match: Match, fresh: Workbook, differences: Differences) -> None:
+    """Enter what of windows, views, headers and footers is not as in a fresh build."""
+    inspected, titles = match.file.inspected, {sheet.title for sheet in match.declared.sheets}
+    if inspected:
+        differences.compare(Address("", 1, 1), Subject("the windows of the book"), {}, settings(inspected.book))
+    for sheet, title in match.sheets:
+        at, subject, page = Address(title, 1, 1), Subject(title), match.file.workbook[title]
+        if title.casefold() != sheet.title.casefold():
+            wrong = text_misleads(sheet.title, title, titles - {sheet.title})
+            differences.add(at, subject, "sheet name", sheet.title, title, wrong)
+        differences.compare(at, subject, page_attributes(fresh[sheet.title]), page_attributes(page))
+        if inspected:
+            held = settings(inspected.pages[title])
+            usual = settings([fresh[sheet.title].views.to_tree("sheetViews")])
+            usual = {name: value for name, value in usual.items() if name in held}  # frozen panes may go
+            differences.compare(at, subject, usual, held)
+            for name in additions(inspected.pages[title]):
+                differences.add(at, subject, "sheet", "as built", name, misleads=False)
+        compare_links(match, sheet, title, differences)
+        compare_print_area(match, sheet, page, differences)
+
+
+def settings(part: Iterable[Element]) -> Flat:
+    """Return the settings of a book, or of the windows of a sheet."""
+    flat = Flat()
+    for child in (child for child in part if tag(child) in ("workbookPr", "bookViews", "sheetViews")):
+        flat |= flatten(child, tag(child)) | {f"{tag(child)} number": str(len(child)) if len(child) > 1 else ""}
+    return {name: value for name, value in flat.items() if SETTINGS.fullmatch(name)}
+
+
+def additions(page: Element) -> list[str]:
+    """Return the names of the elements of a sheet's part that may show what no fresh build shows."""
+    names = {tag(element) for part in (page, *page.iterfind("{*}extLst/{*}ext")) for element in part}
+    return sorted(name for name in names if not QUIET.fullmatch(name))
+
+
+def page_attributes(sheet: Worksheet) -> Flat:
+    """Return whether a sheet is in sight and protected, and its headers and footers without their fonts."""
+    page = {"sheet": sheet.sheet_state, "protection": "on" if sheet.protection.sheet else "off"}
+    for name in (f"{page}{place}" for page in ("odd", "even", "first") for place in ("Header", "Footer")):
+        item = getattr(sheet, name)
+        texts = [CODES.sub("", part.text or "") for part in (item.left, item.center, item.right)]
+        page[name] = "|".join(" ".join(text.split()) for text in texts).strip("|")
+    return page
+
+
+def compare_print_area(match: Match, sheet: Sheet, page: Any, differences: Differences) -> None:
+    """Enter verdicts that are printed no more."""
+    for block, place in match.placed(sheet) if page._print_area and not sheet.unprinted else ():
+        is_due = block.quantities[0].role == "check" and block.row <= (sheet.print_rows or sheet.row)
+        if is_due and not any(place.cell(0, 0).a1 in cells for cells in page._print_area.ranges):
+            differences.add(place.cell(0, 0), Subject(block.name), "print area", "with it", "without it", False)
+
+
+def compare_links(match: Match, sheet: Sheet, title: str, differences: Differences) -> None:
+    """Enter links of declared cells and texts that lead elsewhere."""
+    titles = {declared.title: held for declared, held in match.sheets}
+    declared = {" ".join(text.text.split()): titles.get(text.link, "") for text in sheet.texts if text.link}
+    for (row, column), cell in match.file.workbook[title]._cells.items():
+        if (link := cell.hyperlink) is None:
+            continue
+        at, text = Address(title, row, column), " ".join(str(cell.value).split())
+        if at in match.numbers or text in declared:
+            target = str(link.location or "").rpartition("!")[0].strip("#'").replace("''", "'")
+            held = {"link": str(link.target or target)}
+            differences.compare(at, Subject(text), {"link": declared.get(text, "")}, held)
