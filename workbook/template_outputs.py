@@ -4,7 +4,7 @@ Designs that differ only in entries that scale results (a motor, a reducer) are 
 template names these entries, and gives the results by the names in its book.
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Generic, NamedTuple, Self, TypeVar
@@ -12,11 +12,14 @@ from typing import Any, Generic, NamedTuple, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from engine.drive.bounds import stated_bounds
+from engine.drive.limits import BELOW, LimitChecks
 from engine.drive.motor import LimitCheck
 from engine.motion.profile import CamProfile
 from engine.timing import Switch
 from workbook.book.quantity import FAIL, OK
 from workbook.book.sentence import rounded
+from workbook.fields.units import KW, RPM, shown
 
 M = TypeVar("M")
 Values = NDArray[Any]  # a result of designs: one for all, or one for each
@@ -139,3 +142,71 @@ class ExactJudgement(NamedTuple):
 
 
 NOTHING_JUDGED = ExactJudgement()
+
+
+ROUNDING = 1e-9  # share by which an exact figure that is at its limit may seem above it
+SIZES = {"rpm": RPM, "kW": KW}  # of units that are not the engine's
+LIMITS = {
+    "RMS torque": ("ok_rms", "Nm"), "peak torque": ("ok_peak", "Nm"), BELOW: ("ok_curve", "Nm"),
+    "motor speed": ("ok_speed", "rpm"), "reducer input speed": ("ok_reducer_speed", "rpm"),
+    "reducer peak torque": ("ok_reducer_peak", "Nm"), "reducer mean torque": ("ok_reducer_mean", "Nm"),
+}  # fmt: skip
+"""of each limit of a drive by its name in the engine: the sheet's check, and its unit"""
+
+
+def judged_limits(drive: str, cells: str, sheet: Mapping[str, LimitCheck], exact: LimitChecks) -> list[JudgedLimit]:
+    """Return the limits of a drive whose cells have names that begin with ``cells``, by its sheet and exactly."""
+    motor, limits, bounds = exact.motor, [], limit_bounds(exact)
+    checks = {one.name: one for one in exact.checks}
+    checks["peak torque"] = LimitCheck("peak torque", exact.results.torque.peak, motor.peak_torque)
+    if not motor.falling.fall:
+        del checks[BELOW]
+    for name, truth in checks.items():
+        check, unit = LIMITS[name]
+        size = SIZES.get(unit, 1.0)
+        if truth.limit < truth.value <= truth.limit * (1.0 + ROUNDING):
+            truth = truth._replace(value=truth.limit)
+        by_points, exactly = (each._replace(value=shown(each.value, size), limit=shown(each.limit, size))
+                              for each in (sheet[name], truth))  # fmt: skip
+        bound = bounds[name] / truth.limit
+        limits.append(JudgedLimit(f"{cells}{check}", drive, name, unit, by_points, exactly, bound))
+    return limits
+
+
+def limit_bounds(exact: LimitChecks) -> dict[str, float]:
+    """Return by how much the figure of each limit may be off, by the limit's name, in SI units."""
+    results, bound = exact.results, stated_bounds(exact.drive_cycle.train)
+    peak, speed, behind = results.torque.peak, results.speed.peak, results.shaft_torque(1).peak
+    return {
+        "RMS torque": bound.rms_torque * peak, "peak torque": bound.peak_torque * peak,
+        BELOW: bound.peak_torque * peak, "motor speed": bound.speed * speed,
+        "reducer input speed": bound.speed * speed, "reducer peak torque": bound.peak_torque * behind,
+        "reducer mean torque": bound.mean_torque * behind,
+    }  # fmt: skip
+
+
+def deviations(drive: str, sheet: Mapping[str, float], exact: LimitChecks) -> Iterator[str]:
+    """Yield a line for each result of a drive's sheet, by its name and in SI units, that is farther off than stated."""
+    results, bound, time = exact.results, stated_bounds(exact.drive_cycle.train), exact.drive_cycle.time
+    torque, speed, power, energy = results.torque, results.speed.peak, results.power, results.energy
+    behind, most = results.shaft_torque(1).peak, bound.peak_torque * torque.peak
+    most_power, work = bound.peak_power * power.peak, bound.energy * (energy.driving + energy.regenerated)
+    truths = {
+        "RMS torque": ("Nm", results.rms_torque, bound.rms_torque * torque.peak),
+        "highest torque": ("Nm", torque.highest.value, most),
+        "lowest torque": ("Nm", torque.lowest.value, most),
+        "speed": ("rpm", speed, bound.speed * speed),
+        "mean speed": ("rpm", results.mean_speed, bound.mean_speed * speed),
+        "peak torque behind the reducer": ("Nm", behind, bound.peak_torque * behind),
+        "mean torque behind the reducer": ("Nm", results.mean_shaft_torque(1), bound.mean_torque * behind),
+        "highest power": ("kW", max(0.0, power.highest.value), most_power),
+        "lowest power": ("kW", min(0.0, power.lowest.value), most_power),
+        "mean power": ("kW", energy.net / time, bound.mean_power * power.peak),
+        "energy driven": ("J", energy.driving, work),
+        "energy regenerated": ("J", energy.regenerated, work),
+    }
+    for name, value in sheet.items():
+        unit, true, off = truths[name]
+        if abs(value - true) > off + 1e-9 * abs(true):
+            exactly, by_points = (rounded(shown(each, SIZES.get(unit, 1.0))) for each in (true, value))
+            yield f"{drive}: {name} is {exactly} {unit} exactly; its sheet says {by_points} {unit}"

@@ -246,17 +246,12 @@ class QuadratureCycle:
         """
         y, v, a = self._moved(number, place)
         steady, friction = (level[number] for level in self.levels)
-        direction = self.at_points(self.direction[number], v)
+        direction = self.direction[number]
         first, second = self.drive_cycle.train.ratio(y)
         dwell = self.dwells[number]
         return LoadPoints(
             self.drive_cycle.train, place, y, v, a, direction, steady, friction, first, second, share, dwell
         )
-
-    def at_points(self, direction: Array, velocity: Array) -> Array:
-        """Return the direction at points, by that of their intervals and the velocity there."""
-        del velocity
-        return direction
 
     def interpolation_at(self, points: Array, places: Array) -> Interpolation:
         """Return the places between rising points; one within ``near`` of the next point counts as at that point."""

@@ -134,11 +134,13 @@ class Cut:
             self.superimposed = -line_speed * self.moving_time / cv
         self.waiting_time = self.repositioning_time - self.moving_time  # s
         self.fastest = velocity_peak(law) if peak is None else peak  # ξ at which v of the law is largest: a drum waits
-        begin = self.fastest * self.moving_time if self.waits else self.repositioning_time
+        self.slowest = self.fastest * self.moving_time  # when the law is fastest (s): the tool too, or slowest
+        begin = self.slowest if self.waits else self.repositioning_time
         self.wait = begin, begin + self.waiting_time  # begin and end of the standstill (s); both t_R without a wait
         self.speed_change = cv * self.superimposed / self.moving_time  # Δv_max (m/s), with the sign of h: eq. (10)
         ends = line_speed, line_speed + self.speed_change
         self.speed_range = min(ends), max(ends)  # m/s
+        self.slowest_speed = line_speed + law.v(self.fastest) * self.superimposed / self.moving_time  # m/s, then
         self.reverses = self.speed_range[0] < -SAME_LENGTH * line_speed  # moves against the line for part of the cycle
         pace, share = abs(self.superimposed) / self.moving_time**2, math.sqrt(self.moving_time / self.cycle_time)
         self.max_acceleration = ca * pace  # a_max = C_a |h|/t_R² (m/s²)

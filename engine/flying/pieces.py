@@ -12,10 +12,10 @@ import numpy as np
 from engine.drive import KINDS, Drive, Load, Part, Stage
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drivetrain import Drivetrain
-from engine.drive.quadrature import STANDSTILL, Interval, LoadPoints, QuadratureCycle
+from engine.drive.quadrature import STANDSTILL, Interval, QuadratureCycle
 from engine.flying.cut import Cut
 from engine.laws import Dwell
-from engine.laws.base import BREAK_TOLERANCE, Array
+from engine.laws.base import BREAK_TOLERANCE
 from engine.motion.joining import Joint, Rates, Smoothness, joints
 from engine.motion.pieces import MotionPiece, ScaledLaw
 
@@ -78,22 +78,50 @@ def cut_pieces(cut: Cut, whole: bool = False) -> list[MotionPiece]:
     return [piece for number, part in parts for piece in part.pieces(number, whole)]
 
 
+class Stretch(NamedTuple):
+    """A part of a piece, before or behind the slowest instant, in which the tool turns round if it ever does."""
+
+    after: float  # direction behind the turn: −1 where the tool turns back, 1 where it moves forward again
+    piece: int  # number of the piece, from 0
+    begin: float  # s
+    end: float  # s
+
+
 @dataclass(frozen=True)
 class CutCycle(QuadratureCycle):
-    """The cycle of a cut: each piece of the tool's motion is an interval, also one without duration."""
+    """The cycle of a cut: each piece of the tool's motion is an interval, also one without duration.
+
+    Until ``slowest`` the tool's speed falls, then it rises: the tool turns round twice, or never.
+    """
 
     still: float = 0.0  # speed up to which the tool counts as at rest (m/s)
+    slowest: float = 0.0  # when the law is fastest (s)
+    turns: int = 0  # 2 if the tool moves backward then, else 0
 
-    def at_points(self, direction: Array, velocity: Array) -> Array:
-        """Return the direction at points: pieces are not cut where the tool turns round."""
-        return np.where(np.abs(velocity) > self.still, np.sign(velocity), direction)
+    @cached_property
+    def stretches(self) -> tuple[Stretch, Stretch]:
+        """Of the last piece that begins before each turn, the part on the same side of the slowest instant."""
+        v = np.array([piece.curves[1](piece.begin - piece.origin) for piece in self.pieces])
+        begin, duration = np.array([(piece.begin, piece.duration) for piece in self.pieces]).T
+        before, end = begin < self.slowest, begin + duration
+        back = int(((v > self.still) & before).sum()) - 1
+        forward = int(((v < -self.still) | before).sum()) - 1
+        return (
+            Stretch(-1.0, back, float(begin[back]), min(float(end[back]), self.slowest)),
+            Stretch(1.0, forward, max(float(begin[forward]), self.slowest), float(end[forward])),
+        )
 
     @cached_property
     def intervals(self) -> list[Interval]:
-        """The pieces, in order."""
-        begins = [piece.begin for piece in self.pieces]
+        """The pieces, in order, cut exactly where the tool turns round."""
+        cuts = [(k, piece.begin) for k, piece in enumerate(self.pieces)]
+        for _, k, begin, end in self.stretches[: self.turns]:
+            origin, velocity = self.pieces[k].origin, self.pieces[k].curves[1]
+            cuts.append((k, origin + velocity.root(begin - origin, end - origin)))
+        numbers, places = zip(*sorted(cuts), strict=True)
+        begins = np.maximum.accumulate(places).tolist()
         ends = [*begins[1:], self.drive_cycle.unshifted.total]
-        return [Interval(*bounds) for bounds in zip(begins, ends, range(len(begins)), strict=True)]
+        return [Interval(*bounds) for bounds in zip(begins, ends, numbers, strict=True)]
 
 
 def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.0, 1.0, 1.0, 0.0)) -> Drivetrain:
@@ -120,21 +148,7 @@ def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.
 
 def cycle_of(cut: Cut, train: Drivetrain) -> CutCycle:
     """Return the drive cycle of a cut's shaft, at nine points of each piece of the tool's motion."""
-    pieces = cut_pieces(cut)
+    pieces, still = cut_pieces(cut), STANDSTILL * max(map(abs, cut.speed_range))
     drive_cycle = DriveCycle(train, MotionPieces(tuple(pieces), 0.0, cut.cycle_time))
-    return CutCycle(drive_cycle, pieces, cut.time_tolerance, still=STANDSTILL * max(map(abs, cut.speed_range)))
-
-
-def furthest(load: LoadPoints, still: float) -> tuple[Array, Array]:
-    """Return the share of the step before each point at which the tool reverses, and its position (m) there.
-
-    Between two points of opposite speeds v_0, v_1, above ``still`` (m/s), it reverses at about x = v_0/(v_0 − v_1) of
-    the step, at the position of the cubic through both: to 0.1 % of the stroke. Else x = 0, at the point's position.
-    """
-    s, v, t = (values.ravel() for values in (load.position, load.velocity, load.x))
-    s0, v0, step = (np.concatenate([values[:1], values[:-1]]) for values in (s, v, t))
-    step = t - step
-    turns = (v0 * v < 0.0) & (np.minimum(np.abs(v0), np.abs(v)) > still) & (step > 0.0)
-    x = np.divide(v0, v0 - v, out=np.zeros(v.shape), where=turns)
-    chord = s0 + v0 * x * step / 2.0
-    return x, np.where(turns, chord + x**2 * (3.0 - 2.0 * x) * (s - s0 - (v0 + v) * step / 2.0), s)
+    turns = 2 if cut.slowest_speed < -still else 0
+    return CutCycle(drive_cycle, pieces, cut.time_tolerance, (), still, cut.slowest, turns)

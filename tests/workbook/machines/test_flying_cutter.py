@@ -1,5 +1,7 @@
 """The book of S5's flying machining: its equations in the cells, every cell as the engine says."""
 
+import random
+from dataclasses import replace
 from math import pi, radians, sqrt
 
 import pytest
@@ -8,11 +10,14 @@ from engine.flying.cut import Cut, flying_saw, rotary_drum
 from engine.laws import Cycloidal
 from tests.engine.selection.tasks import sampled_task
 from tests.laws import MOVING
+from tests.mutation.draw_flying import varied
+from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing
 from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
-from workbook.machines.flying.view import CutterView
+from workbook.machines.flying.view import CutterView, ToolDrive
 from workbook.reading.descriptions import read_machine, validated
+from workbook.template_outputs import judged_limits
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["flying-cutter"]
@@ -131,14 +136,14 @@ def test_lengths_are_the_cuts_of_each_length():
 
 
 @pytest.mark.parametrize("law", MOVING)
-def test_the_stroke_of_a_saw_is_right_to_a_thousandth_with_every_law(law):
+def test_the_stroke_of_a_saw_is_exact_with_every_law(law):
     machine = entries(SAW, law=law)
     machine["laws"]["OWN"]["pieces"] = RISING
     value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
     given = TEMPLATE.model.model_validate(machine)
     exact = CutterView(given, laws(given.laws)).cut.stroke
-    assert value("fly_stroke") == pytest.approx(1e3 * exact, rel=1e-3)
-    assert TEMPLATE.judgement(given).deviations == ()
+    assert value("fly_stroke") == pytest.approx(1e3 * exact, rel=1e-9)
+    assert TEMPLATE.judgement(given).deviations == []
     assert (value("fly_limit"), value("fly_does")) == (0, "reverses")
 
 
@@ -167,6 +172,65 @@ def test_pycel_agrees_with_the_engine_in_every_cell(law, length):
     machine = entries(law=law, product_length=length)
     machine["laws"]["OWN"]["pieces"] = RISING
     assert disagreeing(TEMPLATE, TEMPLATE.model.model_validate(machine))[0] == []
+
+
+def drawn(number):
+    """A cutter of random entries, and small tables."""
+    dice = random.Random(f"flying cutter {number}")
+    return TEMPLATE.model.model_validate(varied(entries(SAW), dice))
+
+
+@pytest.mark.parametrize("number", [*range(8), *nights(200)])
+@pytest.mark.sample(4)
+def test_a_drawn_cutter_is_as_its_sheet_states(number):
+    """Cells agree with the engine, results with the exact engine to their bounds, judged limits with the checks."""
+    given = drawn(number)
+    assert disagreeing(TEMPLATE, given)[0] == []
+    judged = TEMPLATE.judgement(given)
+    if given.cutter.law != "OWN":  # whose acceleration may be largest between points
+        assert judged.deviations == []
+    blocks = TEMPLATE.declare(given).blocks
+    for limit in judged.limits:
+        assert blocks[limit.check].quantities[0].value == ("OK" if limit.sheet.ok else "FAIL")
+
+
+@pytest.mark.parametrize("number", range(20))
+def test_a_motor_exactly_at_its_limits_holds_them(number):
+    """Whatever the last digit of the exact engine's figures."""
+    given = drawn(number)
+    drive = ToolDrive(CutterView(given, laws(given.laws)), given.selection, given.limits, given.sizes)
+    exact, sheet = drive.exact, drive.limit_checks
+    at = replace(exact.motor, max_speed=drive.speed)
+    judged = {limit.what: limit for limit in judged_limits("", "", sheet, replace(exact, motor=at))}
+    assert judged["motor speed"].exact.ok
+    assert judged["motor speed"].exact.use == pytest.approx(1.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("share", "beyond"),
+    [*((share, "reversal") for share in (-1e-6, -1e-12, 0.0, 1e-12, 2e-9, 1e-6, 1e-3)), (0.0, "standstill")],
+)
+@pytest.mark.parametrize("law", ["ACS", "TVP", "CIC", "CUB", "MTP"])
+@pytest.mark.sample(6)
+def test_a_tool_that_barely_turns_round_is_judged_alike_in_cells_and_engine(law, share, beyond):
+    """A share of the longest product without standstill more, or less."""
+    machine = described(law=law)
+    limit = CutterView(machine, laws(machine.laws)).limit
+    machine = described(law=law, product_length=limit * (1.0 + share), beyond=beyond)
+    assert disagreeing(TEMPLATE, machine)[0] == []
+
+
+@pytest.mark.parametrize("law", MOVING)
+@pytest.mark.parametrize("changed", [{}, {"kind": "drum", "product_length": 900.0, "drum__tool_angle": 0.0}])
+def test_the_last_look_at_a_turn_is_exact(law, changed):
+    """Of a saw, and of a drum whose tools work for an instant."""
+    machine = entries(SAW, law=law, beyond="reversal", **changed)
+    machine["laws"]["OWN"]["pieces"] = RISING
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
+    cut = CutterView(given := TEMPLATE.model.model_validate(machine), laws(given.laws)).cut
+    turns = [value("drive_turns", "at")[k] for k in (3, 7)]
+    assert cut.at(turns).speed == pytest.approx(0.0, abs=1e-12)
+    assert set(turns) <= set(value("drive_iv", "begin"))
 
 
 def test_the_variations_show_every_case_and_fail_every_limit():

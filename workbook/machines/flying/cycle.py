@@ -72,7 +72,7 @@ def motion_tables(sheet: Sheet, machine: CutterView, rows: PieceRows, stack: Pie
         "standing", "The law where it is fastest", 1,
         calc("xi", "abscissa", "ξ_v", "", "=fly_peak", at),
         *stack.finding("fly_no", machine.number, "xi", at),
-        *stack.columns({"s": law.s(at)}, "s"),
+        *stack.columns({"s": law.s(at), "v": law.v(at)}, "sv"),
     )  # fmt: skip
     parts = cut_parts(machine.cut)
     of = [part.scaled for part in parts]

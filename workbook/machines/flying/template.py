@@ -6,7 +6,6 @@ from typing import Any
 from engine.flying.pieces import cut_pieces
 from engine.motion.profile import profile_of
 from workbook.book.declare import Book, result
-from workbook.book.sentence import rounded
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
@@ -24,9 +23,7 @@ from workbook.motion.requirements import smoothness_for
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import KEPT, vary_selection
 from workbook.template import Template, finish
-from workbook.template_outputs import NOTHING_JUDGED, CamAxis, ExactJudgement
-
-STROKE = 1e-3  # by which share the sheet states that the stroke may be off
+from workbook.template_outputs import CamAxis, ExactJudgement, deviations, judged_limits
 
 
 def declare(given: FlyingCutter) -> Book:
@@ -76,13 +73,11 @@ def axes(machine: FlyingCutter) -> list[CamAxis]:
 
 
 def judgement(given: FlyingCutter) -> ExactJudgement:
-    """Return a line on the stroke, where its points are farther off than the sheet states."""
+    """Return the limits of the drive as its sheet and the exact engine have them, and lines on its results."""
     view = CutterView(given, BookLaws(given.laws, given.sizes).laws)
-    told, exact = ToolDrive(view, given.selection, given.limits, given.sizes).stroke, view.cut.stroke
-    if abs(told - exact) <= STROKE * exact:
-        return NOTHING_JUDGED
-    line = f"Cutter: the stroke is {rounded(shown(exact, MM))} mm exactly; its sheet says {rounded(shown(told, MM))}"
-    return ExactJudgement(deviations=[line])
+    drive = ToolDrive(view, given.selection, given.limits, given.sizes)
+    judged = judged_limits("Drive", "drive_", drive.limit_checks, drive.exact)
+    return ExactJudgement(judged, [*deviations("Drive", drive.results, drive.exact)])
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:

@@ -1,14 +1,17 @@
 """The engine's view of flying machining and of the drive of its shaft, and what only it can say of the entries."""
 
-from math import hypot
+import math
+from collections.abc import Iterator
+from functools import cached_property
 
 import numpy as np
 
 from engine.drive import Load
 from engine.drive.drive_points import DrivePoints
-from engine.drive.motor import Motor, TorqueFall, reserve
+from engine.drive.limits import BELOW, LimitChecks, ReducerLimits
+from engine.drive.motor import LimitCheck, Motor, TorqueFall, reserve
 from engine.flying.cut import LONGER, SAME_LENGTH, Beyond, Cut, Tool, flying_saw, rotary_drum
-from engine.flying.pieces import cycle_of, furthest, train_of
+from engine.flying.pieces import Stretch, cycle_of, train_of
 from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.laws.inverse import is_monotone, velocity_extremes
@@ -36,6 +39,7 @@ from workbook.selection.pair_selection import (
 
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
+LOOKS = 4  # at each turn: from anywhere in a piece, the fourth is exact
 LEAST = 1e-3  # Nm, W, rad/s²: what is smaller is next to nothing
 UNPAIRED = [Figure("beside", "", "", "0", 0.0), Figure("left", "", "", "1", 1.0)]  # before a pair is chosen
 DRIVES, DRIVEN = ("*([@pt.S]*[@pt.dir]>=0)", "*([@pt.S]*[@pt.dir]<0)")
@@ -94,7 +98,7 @@ class CutterView:
             "s": self.cut.cycle_time, "m": length, "mm": shown(length, MM), "m/s": self.line,
             "m/s²": self.line**2 / length, "m/s³": self.cut.size(3), "°": shown(length / radius, DEGREE),
             "rpm": shown(self.line / radius, RPM), "rad/s": self.line / radius, "rad/s²": turning,
-            "Nm": hypot(self.load.inertia * turning, self.load.torque), "W/s": self.load.inertia * turning**2,
+            "Nm": math.hypot(self.load.inertia * turning, self.load.torque), "W/s": self.load.inertia * turning**2,
         }  # fmt: skip
 
 
@@ -127,8 +131,9 @@ class ToolDrive:
         self.motor = Motor(inertia, rated / kept.rms_reserve, peak / kept.peak_reserve, fastest / kept.speed_reserve,
                            stall / kept.rms_reserve, to, falling=falling)  # fmt: skip
         limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
-        found = [float(one[self.pair[1]]) for one in limits]
-        self.limits = [0.0 if np.isinf(one) else one for one in found]  # of the reducer; 0: none
+        fastest, strongest, lasting = (float(limit[self.pair[1]]) for limit in limits)
+        self.limits = [0.0 if np.isinf(limit) else limit for limit in (fastest, strongest, lasting)]  # 0: none
+        self.reducer = ReducerLimits(strongest / kept.torque_factor, lasting, fastest)
 
         self.cycle = cycle_of(cut, train_of(cut, load, self.gears))
         self.load = self.cycle.points()
@@ -141,8 +146,53 @@ class ToolDrive:
         task, (inertia, ratio, efficiency, _) = self.proposal.grid.task, self.gears
         best = ratio * float(task.best_ratio(inertia, efficiency))
         self.balance = 1.0 / best if task.moves else 0.0  # τ/τ_opt; 0 of a load that does not move: S5, (18), step 7
-        self.turns = furthest(self.load, self.cycle.still)  # where the tool stands between points
-        self.stroke = float(np.ptp(self.turns[1]))
+        self.stroke = float(np.ptp(self.load.position))
+
+    @cached_property
+    def exact(self) -> LimitChecks:
+        """The drive and its limits, exact."""
+        return LimitChecks(self.cycle.drive_cycle, self.motor, self.reducer)
+
+    @property
+    def results(self) -> dict[str, float]:
+        """The results of its sheet, by their names, in SI units."""
+        points, asked = self.points, self.demand
+        return {
+            "RMS torque": points.rms_torque,
+            "highest torque": float(points.torque.max()),
+            "lowest torque": float(points.torque.min()),
+            "speed": self.speed,
+            "mean speed": points.mean_speed,
+            "peak torque behind the reducer": asked.torque,
+            "mean torque behind the reducer": asked.mean_torque,
+        }
+
+    @property
+    def limit_checks(self) -> dict[str, LimitCheck]:
+        """The quantities at the points against each limit, by its name in the engine (Nm, rad/s)."""
+        torque, left, reducer = np.abs(self.points.torque).ravel(), self.left.ravel(), self.reducer
+        k = int(left.argmin())
+        rms, peak, speed = self.reserve
+        return {
+            "RMS torque": rms,
+            "peak torque": peak,
+            "motor speed": speed,
+            BELOW: LimitCheck(BELOW, float(torque[k]), float(torque[k] + left[k])),
+            "reducer peak torque": LimitCheck("peak torque", self.demand.torque, reducer.peak_torque),
+            "reducer mean torque": LimitCheck("mean torque", self.demand.mean_torque, reducer.mean_torque),
+            "reducer input speed": LimitCheck("input speed", self.speed, reducer.input_speed),
+        }
+
+    def looks(self, stretch: Stretch) -> Iterator[tuple[float, ...]]:
+        """Yield looks at a stretch: its middle, u in its piece, v, a and j there, and when the tool turns by them."""
+        piece, middle = self.cycle.pieces[stretch.piece], (stretch.begin + stretch.end) / 2.0
+        at = middle
+        for _ in range(LOOKS):
+            u = at - piece.origin
+            v, a, j = (curve(u) for curve in piece.curves[1:])
+            if self.cycle.turns:
+                at += -2.0 * v / (a + stretch.after * math.sqrt(max(0.0, a**2 - 2.0 * j * v)))
+            yield middle, u, v, a, j, at
 
     @property
     def inertia_ratio(self) -> float:

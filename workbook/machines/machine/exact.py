@@ -4,14 +4,13 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
 
-from engine.drive.bounds import stated_bounds
 from engine.drive.limits import BELOW, CYCLES, at_speed
 from engine.drive.motor import LimitCheck
 from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
 from engine.drive.rate_range import rate_range
 from workbook.book.sentence import rounded
 from workbook.book.summary import ZERO
-from workbook.fields.units import KW, PER_MINUTE, PERCENT, RPM, shown, si
+from workbook.fields.units import PER_MINUTE, PERCENT, shown, si
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.max_rate import range_in_words
 from workbook.machines.machine.drive.view import DriveView, Rates, drive_of
@@ -21,7 +20,7 @@ from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.timing.stops import HardStop, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.template_outputs import ExactJudgement, JudgedLimit
+from workbook.template_outputs import ExactJudgement, JudgedLimit, deviations, judged_limits
 
 RATE, GAP, MOTION = 0.01, 1e-3, 5e-4
 """by which share the sheets state that the highest rate, a least gap and the extremes of phases that meet at speed may
@@ -143,30 +142,10 @@ def limit_of_stop(stop: HardStop) -> JudgedLimit:
     return JudgedLimit(f"{stop.name}_kept", stop.axis.given.name, what, stop.axis.given.unit, sheet, exact, 0.0)
 
 
-SIZES = {"rpm": RPM, "kW": KW}  # of units that are not the engine's
-LIMITS = {
-    "RMS torque": ("ok_rms", "Nm"), "peak torque": ("ok_peak", "Nm"), BELOW: ("ok_curve", "Nm"),
-    "motor speed": ("ok_speed", "rpm"), "reducer input speed": ("ok_reducer_speed", "rpm"),
-    "reducer peak torque": ("ok_reducer_peak", "Nm"), "reducer mean torque": ("ok_reducer_mean", "Nm"),
-}  # fmt: skip
-"""of each limit of a drive by its name in the engine: the sheet's check, and its unit"""
-
-
-def limits_of(view: DriveView) -> Iterator[JudgedLimit]:
-    """Yield the limits of a drive."""
-    driven, results = view.driven, view.driven.results
-    exact = {one.name: one for one in driven.limit_checks.checks}
-    exact["peak torque"] = LimitCheck("peak torque", results.torque.peak, driven.motor.peak_torque)
-    if not driven.motor.falling.fall:
-        del exact[BELOW]
-    bounds = limit_bounds(view)
-    for name, one in exact.items():
-        check, unit = LIMITS[name]
-        size = RPM if unit == "rpm" else 1.0
-        sheet, truth = (each._replace(value=shown(each.value, size), limit=shown(each.limit, size))
-                        for each in (view.limit_checks[name], one))  # fmt: skip
-        bound = bounds[name] / one.limit
-        yield JudgedLimit(f"drive{driven.number}_{check}", driven.called, name, unit, sheet, truth, bound)
+def limits_of(view: DriveView) -> list[JudgedLimit]:
+    """Return the limits of a drive."""
+    driven = view.driven
+    return judged_limits(driven.called, f"drive{driven.number}_", view.limit_checks, driven.limit_checks)
 
 
 def extremes_of(axis: MovingAxis) -> Iterator[str]:
@@ -186,42 +165,21 @@ def gap_of(one: ClearanceView) -> str:
     return f"{one.given.name}: the least gap is {rounded(exact)} {unit} exactly; its sheet says {rounded(one.least)}"
 
 
-def limit_bounds(view: DriveView) -> dict[str, float]:
-    """Return by how much the figure of each limit may be off, by the limit's name, in SI units."""
-    exact, bound = view.driven.results, stated_bounds(view.driven.train)
-    behind = exact.shaft_torque(1).peak
-    return {
-        "RMS torque": bound.rms_torque * exact.torque.peak, "peak torque": bound.peak_torque * exact.torque.peak,
-        BELOW: bound.peak_torque * exact.torque.peak, "motor speed": bound.speed * exact.speed.peak,
-        "reducer input speed": bound.speed * exact.speed.peak, "reducer peak torque": bound.peak_torque * behind,
-        "reducer mean torque": bound.mean_torque * behind,
-    }  # fmt: skip
-
-
 def results_of(view: DriveView) -> Iterator[str]:
     """Yield a line for each result of a drive that is farther off than stated."""
-    exact, points, (driving, regenerated) = view.driven.results, view.points, view.energy
-    bound, behind, time = stated_bounds(view.driven.train), exact.shaft_torque(1), view.time
-    torque, speed, power, energy = exact.torque, exact.speed.peak, exact.power, exact.energy
-    most = bound.peak_torque * torque.peak
-    found = (
-        ("RMS torque", "Nm", points.rms_torque, exact.rms_torque, bound.rms_torque * torque.peak),
-        ("highest torque", "Nm", view.top("T"), torque.highest.value, most),
-        ("lowest torque", "Nm", -view.top("T", -1), torque.lowest.value, most),
-        ("speed", "rpm", view.speed, speed, bound.speed * speed),
-        ("mean speed", "rpm", points.mean_speed, exact.mean_speed, bound.mean_speed * speed),
-        ("peak torque behind the reducer", "Nm", view.size("S"), behind.peak, bound.peak_torque * behind.peak),
-        ("mean torque behind the reducer", "Nm", points.cubic_mean(view.load.output_torque),
-         exact.mean_shaft_torque(1), bound.mean_torque * behind.peak),
-        ("highest power", "kW", max(0.0, view.top("P")), max(0.0, power.highest.value), bound.peak_power * power.peak),
-        ("lowest power", "kW", min(0.0, -view.top("P", -1)), min(0.0, power.lowest.value),
-         bound.peak_power * power.peak),
-        ("mean power", "kW", (driving - regenerated) / time, energy.net / time, bound.mean_power * power.peak),
-        ("energy driven", "J", driving, energy.driving, bound.energy * (energy.driving + energy.regenerated)),
-        ("energy regenerated", "J", regenerated, energy.regenerated,
-         bound.energy * (energy.driving + energy.regenerated)),
-    )  # fmt: skip
-    for what, unit, value, true, off in found:
-        if abs(value - true) > off + 1e-9 * abs(true):
-            exactly, sheet = (rounded(shown(each, SIZES.get(unit, 1.0))) for each in (true, value))
-            yield f"{view.driven.called}: {what} is {exactly} {unit} exactly; its sheet says {sheet} {unit}"
+    points, (driving, regenerated) = view.points, view.energy
+    sheet = {
+        "RMS torque": points.rms_torque,
+        "highest torque": view.top("T"),
+        "lowest torque": -view.top("T", -1),
+        "speed": view.speed,
+        "mean speed": points.mean_speed,
+        "peak torque behind the reducer": view.size("S"),
+        "mean torque behind the reducer": points.cubic_mean(view.load.output_torque),
+        "highest power": max(0.0, view.top("P")),
+        "lowest power": min(0.0, -view.top("P", -1)),
+        "mean power": (driving - regenerated) / view.time,
+        "energy driven": driving,
+        "energy regenerated": regenerated,
+    }
+    return deviations(view.driven.called, sheet, view.driven.limit_checks)
