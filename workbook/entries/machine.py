@@ -123,14 +123,13 @@ class Exporting(Machine):
     @classmethod
     def spelled(cls, data: Any) -> Any:
         """Return a description that has the exported axis by its number."""
-        export = data.get("export") if isinstance(data, Mapping) else None
-        name = export.get("axis") if isinstance(export, Mapping) else None
+        name = get(data, ("export", "axis"))
         if not isinstance(name, str):
             return data
         names = [one.casefold() for one in cls.axis_names(data)]
         if name.casefold() not in names:
             raise EntryError("export.axis", f"no axis is named {name!r}; expected {_one_of(cls.axis_names(data))}")
-        return {**data, "export": {**(export or {}), "axis": names.index(name.casefold()) + 1}}
+        return {**data, "export": {**data["export"], "axis": names.index(name.casefold()) + 1}}
 
     @model_validator(mode="after")
     def _has_axis(self) -> Self:

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 from engine.laws import Law
 from workbook.book.chart import in_scope
 from workbook.entries.machine import Machine
+from workbook.fields.paths import leaves
 from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.laws.family import Page
 from workbook.laws.registry import CODES, FAMILY
@@ -123,11 +124,8 @@ def varying(model: type[M], varied: Callable[[dict[str, Any], int], dict[str, An
 
 def laws_in(description: Any, names: Container[str]) -> set[str]:
     """Return the laws among ``names`` that the phases and tools of a description use."""
-    if isinstance(description, dict):
-        return set().union(*(laws_in(value, names) for name, value in description.items() if name != "laws"))
-    if isinstance(description, list):
-        return set().union(*(laws_in(value, names) for value in description))
-    return {description} if isinstance(description, str) and description in names else set()
+    texts = (value for path, value in leaves(description) if isinstance(value, str) and "laws" not in path)
+    return {text for text in texts if text in names}
 
 
 def vary_laws(laws: dict[str, Any], k: int, scale: Any, room: int) -> None:

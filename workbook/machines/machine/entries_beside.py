@@ -11,6 +11,7 @@ from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.phase import TURN
+from workbook.fields.paths import spread
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
 from workbook.fields.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number
 
@@ -168,9 +169,7 @@ def spelled(told: Any) -> Any:
     """
     if not isinstance(told, Mapping):
         return told
-    axes = told.get("axes")
-    names = {i: axis.get("name") for i, axis in enumerate(axes if isinstance(axes, list) else (), 1)
-             if isinstance(axis, Mapping)}  # fmt: skip
+    names = {int(path[1]) + 1: name for path, name in spread(told, ("axes", "*", "name"))}
 
     def keyed(pair: Any, keys: Sequence[str] = KEYS) -> Any:
         return dict(zip(keys, pair, strict=True)) if isinstance(pair, list) and len(pair) == len(keys) else pair
