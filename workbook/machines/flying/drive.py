@@ -71,6 +71,7 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         sheet.heading("Workings: the cycle at points", ABOUT_POINTS)
         intervals(sheet, view)
         points(sheet, view, rows)
+    book.name("tool_joints", tool_v0="v0")
     book.name("drive_pt", tool_dir="dir", tool_al="al", tool_S="S", tool_n="w")
     sheet.print_columns = 18
 
@@ -185,12 +186,12 @@ def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     cycle, cut = view.cycle, view.machine.cut
     looks = [(*one[:2], *look) for one in cycle.stretches for look in view.looks(one)]
     after, number, middle, u, *rates, at = (list(values) for values in zip(*looks, strict=True))
-    pieces, begin = [rows.pieces[k] for k in number], "INDEX([tool_pieces.begin],[q])"
-    before, least = "([tool_pieces.begin]<@slowest)", "v_L + h v(ξ_v)/t_m: of a long product its lowest"
-    forward = f"SUMPRODUCT(([tool_joints.v0]>@still)*{before})"
-    backward = f"SUMPRODUCT((([tool_joints.v0]<0-@still)+{before}>0)*([tool_pieces.r]<=fly_pieces))"
+    pieces, begin = [rows.pieces[k] for k in number], "INDEX(tool_at,[q])"
+    before, least = "(tool_at<@slowest)", "v_L + h v(ξ_v)/t_m: of a long product its lowest"
+    forward = f"SUMPRODUCT((tool_v0>@still)*{before})"
+    backward = f"SUMPRODUCT(((tool_v0<0-@still)+{before}>0)*([tool_pieces.r]<=fly_pieces))"
     to = f"MIN({begin}+INDEX([tool_pieces.d],[q]),IF([after]<0,@slowest,fly_tc))"
-    origin, place = "INDEX([tool_pieces.origin],[q])", "=IF([look]=1,[middle],[at-1])"
+    origin, place = "INDEX(tool_origin,[q])", "=IF([look]=1,[middle],[at-1])"
     nearer = f"{origin}+[u]-2*[v]/([a]+[after]*SQRT(MAX(0,[a]^2-2*[j]*[v])))"
     sheet.heading("Workings: where the tool turns round", ABOUT_TURNS)
     sheet.rows(
