@@ -1,5 +1,6 @@
 """Attributes of the declared cells of a file and of a fresh build: style, conditional formats, validation, sight."""
 
+import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
@@ -21,6 +22,7 @@ from workbook.writing.archive import Strings
 from workbook.writing.write import make_workbook
 
 WHITE, BLACK = "#FFFFFF", "#000000"
+OVERALL = re.compile("overall|status[0-9]+")  # verdicts of the book and of each sheet, always to be in sight
 
 
 class CellStyles(archive.Cells):
@@ -147,6 +149,7 @@ def compare_sight(
         return
     is_narrow = view.hides_column(first.at.column, page.columns[first.column])
     areas = view.areas_over(first.at.column)
+    is_overall = bool(group.pairs) and bool(OVERALL.fullmatch(group.pairs[0].cell.block.name))
     for spot in group.spots():
         cause = "a hidden or narrow column" if is_narrow else ""
         if view.hides_row(spot.at.row, page.rows[spot.row]):
@@ -155,8 +158,10 @@ def compare_sight(
             cause = "a drawing over it"
         elif view.is_hidden and subject.is_verdict and computed.get(spot.at, spot.value) != OK:
             cause = "a hidden sheet"
+        counts = subject.is_verdict and (is_overall or computed.get(spot.at, spot.value) != OK)
         if cause:
-            differences.tell(spot.at, subject, {"sight": ("in sight", f"hidden by {cause}")})
+            pair = {"sight": ("in sight", f"hidden by {cause}")}
+            differences.tell(spot.at, subject._replace(is_verdict=counts), pair)
 
 
 def format_difference(ours: str, theirs: str, is_text: bool, unit: str) -> Iterator[tuple[str, tuple[str, str]]]:

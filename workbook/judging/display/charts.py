@@ -189,7 +189,7 @@ def compare_parts(
         if is_same_data(match, ours, theirs) or is_same(key, ours, theirs):
             continue
         if key == "name" or key.endswith("title"):
-            words = text_words(match, ours), range_words(theirs)
+            words = text_words(match, ours), held_text(match, theirs)
             axes = {text_words(match, fresh.get(f"axis {letter} title", "")) for letter in "xy"}
             wrong = text_misleads(*words, (texts | axes) - {words[0], ""})
             differences.add(at, subject, f"{part}{key}", *words, wrong)
@@ -200,6 +200,13 @@ def compare_parts(
 def text_words(match: Match, text: Area | str) -> str:
     """Return a text of a fresh build; of one that follows a cell, the cell's."""
     return str(match.declared_value(text.first)) if isinstance(text, Area) else text
+
+
+def held_text(match: Match, text: Area | str) -> str:
+    """Return a text of a file; of one that follows a cell, what was saved in the cell."""
+    if not isinstance(text, Area):
+        return text
+    return str(match.file.saved.get(text.first) or match.file.value(text.first) or "")
 
 
 def range_words(data: Area | str) -> str:

@@ -43,10 +43,13 @@ def compare_rules(match: Match, groups: list[CellGroup], differences: Difference
         for name, block in match.declared.blocks.items()
     }
     placed = {
-        sheet.title: [PlacedRule(rule, rule_words(rule), [cells.bounds for cells in area.sqref.ranges])
-                      for area in sheet.conditional_formatting for rule in area.rules]
+        sheet.title: [
+            PlacedRule(rule, rule_words(rule), [cells.bounds for cells in area.sqref.ranges])
+            for area in sheet.conditional_formatting
+            for rule in area.rules
+        ]
         for sheet in match.file.workbook.worksheets
-    }  # fmt: skip
+    }
     known = set[int]()
     for group in (group for group in groups if group.pairs):
         cell, first, last = group.pairs[0].cell, group.pairs[0].address, group.pairs[-1].address
@@ -98,10 +101,12 @@ def compare_validations(
 ) -> None:
     """Enter inputs that have another validation than in a fresh build, or none."""
     placed = {
-        sheet.title: [PlacedRule(rule, validation_words(rule), [cells.bounds for cells in rule.sqref.ranges])
-                      for rule in sheet.data_validations.dataValidation]
+        sheet.title: [
+            PlacedRule(rule, validation_words(rule), [cells.bounds for cells in rule.sqref.ranges])
+            for rule in sheet.data_validations.dataValidation
+        ]
         for sheet in match.file.workbook.worksheets
-    }  # fmt: skip
+    }
     for group in (group for group in groups if group.pairs and group.pairs[0].cell.quantity.role == "input"):
         fresh = validation_words(validation(model, group.pairs[0].cell.quantity))
         for at in (pair.address for pair in group.pairs):
