@@ -20,9 +20,9 @@ SAME_COLOURS = {"theme 0": "#FFFFFF", "theme 1": "#000000", "indexed 8": "#00000
 OFF = frozenset(["0", "none", "noStrike", "baseline", "general", "normal", "visible", "context", "nextTo"])
 # what each program writes as it likes, and what shows nothing
 UNTOLD = re.compile(
-    r"(axId|crossAx|axPos|style|lang|roundedCorners|scatterStyle|prstDash|family|idx|order|hMode|wMode|xMode|yMode"
+    r"(axId|crossAx|axPos|style|lang|roundedCorners|scatterStyle|family|idx|order|hMode|wMode|xMode|yMode"
     r"|layoutTarget|showBubbleSize|showLegendKey|showLeaderLines|separator|endParaRPr|extLst|AlternateContent|spc"
-    r"|xmlns|bodyPr|numCache|strCache|ptCount|majorTickMark|noEndCap|overlay|autoTitleDeleted|sourceLinked)"
+    r"|xmlns|bodyPr|numCache|strCache|ptCount|noEndCap|autoTitleDeleted)"
 )
 EMPTY = frozenset(["left", "right", "top", "bottom", "diagonal", "lstStyle", "round", "t", "r", "cap"])
 FACES = frozenset(["calibri", "dejavu sans", "liberation sans", "arial", "+mn-lt", "+mj-lt"])  # of charts' texts
@@ -36,6 +36,7 @@ USUAL = {  # what programs take where it is not given, by the last names of its 
     "defRPr solidFill srgbClr": "#000000",
     "spPr solidFill srgbClr": "#FFFFFF",
     "plotVisOnly val": "1",
+    "prstDash val": "solid",
     "dispBlanksAs val": "gap",
     "orientation val": "minMax",
     "showObjects": "all",

@@ -15,7 +15,17 @@ from workbook.judging.matching import Match
 from workbook.writing.style import conditional_formats
 
 OF_RULE = ("type", "operator", "stopIfTrue")
-OF_VALIDATION = ("type", "showErrorMessage", "showInputMessage", "prompt", "promptTitle", "error", "errorTitle")
+OF_VALIDATION = (
+    "type",
+    "allowBlank",
+    "showDropDown",
+    "showErrorMessage",
+    "showInputMessage",
+    "prompt",
+    "promptTitle",
+    "error",
+    "errorTitle",
+)
 NO_RULE = "no such rule"
 
 
