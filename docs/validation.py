@@ -27,6 +27,17 @@ those digits; where it does not, the reason is given. Where no workbook has a qu
 prints equations and no figures: its tests write the equations out. Every formula cell of a workbook is compared with
 the engine ([verification.md](verification.md)).
 """
+DRAWN = """\
+## Drawn machines
+
+Machines that nobody printed are drawn: all mechanisms, laws that turn back, hand-over at speed, dead centres, slow
+running, falling curves, brakes. Each drive is computed at the points of its sheet, by the exact engine and, apart from
+both, by fine quadrature of the equation of motion. This is the worst deviation of each result from the exact
+engine's, as `python -m tests.workbook.machines.test_drawn_drives 1000` prints it; CI draws 100 machines with every
+change.
+
+"""
+DRAWN_TABLE = FOLDER.parent / "tests/printed/drawn_machines.md"
 COLUMNS = "| section | quantity | unit | printed | engine | cell | deviation | |\n|---|---|---|---|---|---|---|---|"
 
 
@@ -62,7 +73,7 @@ def page() -> str:
     parts = [HEAD]
     for name, (figures, title) in DOCUMENTS.items():
         parts.append("\n".join([f"## {name} · {title}\n", COLUMNS, *map(row, figures())]) + "\n")
-    return "\n".join(parts)
+    return "\n".join([*parts, DRAWN + DRAWN_TABLE.read_text(encoding="utf-8")])
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 LONGEST = 120
-FUNCTION, FILE = 50, 300  # lines
+FUNCTION, FILE = 60, 300  # lines, as the formatter lays them out
 
 
 def named(path: Path) -> str:

@@ -9,7 +9,6 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -22,60 +21,22 @@ from engine.drive.rate_estimates import (
     BEYOND,
     HAIR,
     LEAST_USE,
-    NEVER,
     NO_LIMIT,
     PEAK_TORQUE,
     REDUCER_TORQUE,
     SPEEDS,
     TARGET,
     TARGET_BETWEEN,
-    TINY,
+    Ends,
     Estimate,
+    RateRange,
+    Shares,
     by_mean,
     by_points,
     by_rms,
     by_speed,
     largest,
 )
-from engine.laws.base import Array
-
-
-class Ends(NamedTuple):
-    """The rates (1/s) from and up to which a limit is held; infinite if there is no upper one."""
-
-    low: float
-    high: float
-
-
-class RateRange(NamedTuple):
-    """The rates (1/s) between which all limits are held, 0 and 0 if none is, and the limits at either end."""
-
-    low: float
-    high: float  # infinite if there is no limit
-    low_limit: str  # empty at standstill
-    high_limit: str
-
-    def times(self, factor: float) -> "RateRange":
-        """Return the range in another unit."""
-        return self._replace(low=self.low * factor, high=self.high * factor)
-
-
-class Shares(NamedTuple):
-    """Inverse shares of the way from a rate to another after which a limit is reached, of torques either way."""
-
-    forward: float
-    backward: float = 0.0
-
-    @classmethod
-    def of_torques(cls, begin: Array, end: Array, limit: float) -> "Shares":
-        """Return those of a limit of torque (Nm) at every point."""
-        estimate = by_points(end, begin, limit)
-        return cls(estimate.forward, estimate.backward)
-
-    @classmethod
-    def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
-        """Return those of the use of a limit up to a target."""
-        return cls(min(NEVER, max(0.0, end - begin) / max(TINY, target - begin)))
 
 
 @dataclass(frozen=True)

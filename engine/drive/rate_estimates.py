@@ -19,6 +19,26 @@ HAIR = 1e-6  # by which the range ends before the rate at which a speed is at it
 BEYOND, ASTRAY = 0.02, 0.1  # by which the rate that is tried is beyond the estimate: of it, and of the way to it
 
 
+class Ends(NamedTuple):
+    """The rates (1/s) from and up to which a limit is held; infinite if there is no upper one."""
+
+    low: float
+    high: float
+
+
+class RateRange(NamedTuple):
+    """The rates (1/s) between which all limits are held, 0 and 0 if none is, and the limits at either end."""
+
+    low: float
+    high: float  # infinite if there is no limit
+    low_limit: str  # empty at standstill
+    high_limit: str
+
+    def times(self, factor: float) -> "RateRange":
+        """Return the range in another unit."""
+        return self._replace(low=self.low * factor, high=self.high * factor)
+
+
 class Estimate(NamedTuple):
     """The estimate of a limit over x, the square of a rate's factor; limit and standing figure in the limit's unit."""
 
@@ -123,3 +143,21 @@ def by_speed(speed: float, limit: float) -> Estimate:
 def largest(values: Array) -> float:
     """Return the largest absolute value."""
     return float(np.abs(values).max())
+
+
+class Shares(NamedTuple):
+    """Inverse shares of the way from a rate to another after which a limit is reached, of torques either way."""
+
+    forward: float
+    backward: float = 0.0
+
+    @classmethod
+    def of_torques(cls, begin: Array, end: Array, limit: float) -> "Shares":
+        """Return those of a limit of torque (Nm) at every point."""
+        estimate = by_points(end, begin, limit)
+        return cls(estimate.forward, estimate.backward)
+
+    @classmethod
+    def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
+        """Return those of the use of a limit up to a target."""
+        return cls(min(NEVER, max(0.0, end - begin) / max(TINY, target - begin)))

@@ -6,9 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.drive.drive_points import DrivePoints
-from engine.drive.limit_use import RateRange, RateSearch
+from engine.drive.limit_use import RateSearch
 from engine.drive.limits import LimitChecks, at_speed
 from engine.drive.quadrature import QuadratureCycle
+from engine.drive.rate_estimates import RateRange
 from engine.laws.base import Array
 
 FAR = 1e3  # factor of the present rate up to which, and down to whose inverse, ranges are located

@@ -8,11 +8,14 @@ from itertools import accumulate
 from typing import Any, NamedTuple
 
 import workbook
-from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, check, constant, given, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text
 from workbook.book.quantity import SAYS
 from workbook.book.rows import filled
 from workbook.book.sentence import Sentence
 from workbook.book.sheet import TITLES
+
+CELLS = cell_tables(__file__)
 
 ZERO = 1e-9
 NONE = "none"  # what stands in place of the first check that fails, where none does
@@ -29,24 +32,33 @@ def checks_sheet(book: Book) -> Sheet:
     summed = summary(book)
     sheet.heading("Results")
     sheet.rows(
-        result("checks_ok", "Checks passed", "", "", '=COUNTIF([checks.verdict],"OK")', summed.holding, format="0"),
-        calc("checks_all", "Checks in total", "", "", "=MAX([checks.k])", len(found), format="0"),
-        constant("check_zero", "Zero tolerance of the checks", "", "", ZERO, format="0E+00",
-                 source="so that rounding fails no check"),
-    )  # fmt: skip
+        CELLS["checks_sheet"]("checks_ok", summed.holding),
+        CELLS["checks_sheet"]("checks_all", len(found)),
+        CELLS["checks_sheet"]("check_zero", ZERO),
+    )
     ok = summed.overall == "OK"
-    sheet.rows(check("overall", "This book", "checks_ok=checks_all", ok, "repeated at the head of each sheet"))
+    sheet.rows(CELLS["checks_sheet"]("overall", ok))
     sheet.row += 1
     sheet.table(
-        "checks", "Checks", len(found),
-        constant("what", "check", "", "", [q.label for _, q in found], align="left"),
-        constant("k", "number", "", "", list(range(1, len(found) + 1))),
-        result("verdict", "verdict", "", "", [f"={q.name}" for _, q in found], summed.verdicts),
-        constant("where", "sheet", "", "", [s.title for s, _ in found]),
-        Quantity("says", "what it is about, or where it fails and by how much", "", "", "sentence",
-                 [f"={q.name}{SAYS}" for _, q in found], summed.sentences, align="left"),
-        calc("nth", "failing so far", "", "", ["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in found[1:]]], summed.so_far),
-    )  # fmt: skip
+        "checks",
+        "Checks",
+        len(found),
+        CELLS["checks"]("what", [q.label for _, q in found]),
+        CELLS["checks"]("k", list(range(1, len(found) + 1))),
+        CELLS["checks"]("verdict", summed.verdicts, formula=[f"={q.name}" for _, q in found]),
+        CELLS["checks"]("where", [s.title for s, _ in found]),
+        Quantity(
+            "says",
+            "what it is about, or where it fails and by how much",
+            "",
+            "",
+            "sentence",
+            [f"={q.name}{SAYS}" for _, q in found],
+            summed.sentences,
+            align="left",
+        ),
+        CELLS["checks"]("nth", summed.so_far, formula=["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in found[1:]]]),
+    )
     sheet.not_printed_below()
     return sheet
 
@@ -113,8 +125,10 @@ def failing_checks(book: Book, most: int) -> dict[str, list[str | None]]:
     rows = filled(told or [(NONE, "")], most, ("", ""))
     known = found.holding is not None
     columns = zip(*rows, strict=True)
-    return {f"mend.{name}": list(column) if known else filled([], most, None)
-            for name, column in zip(("where", "says"), columns, strict=True)}  # fmt: skip
+    return {
+        f"mend.{name}": list(column) if known else filled([], most, None)
+        for name, column in zip(("where", "says"), columns, strict=True)
+    }
 
 
 def check_cells(book: Book) -> dict[str, list[Any]]:
@@ -169,14 +183,14 @@ IDENTIFIED = {"number": "Machine number", "revision": "Revision", "author": "Aut
 
 def summary_sheet(book: Book, machine: Any, purpose: str, key_results: list[Quantity]) -> Sheet:
     """Declare the head of the first sheet; a table of axes may follow; :func:`close_summary` adds the rest."""
+    cell = CELLS["summary_sheet"]
     sheet = book.sheet(TITLE, purpose)
     sheet.one_page, sheet.print_columns, sheet.widths = True, COLUMNS, {FIRST: 36, FIRST + 2: 18, FIRST + 3: 16}
     sheet.heading("This machine")
     sheet.rows(
-        given("book_title", "Machine", "", "", machine.title, "title", align="left"),
-        *(given(f"book_{key}", label, "", "", getattr(machine, key), key, align="left")
-          for key, label in IDENTIFIED.items()),
-    )  # fmt: skip
+        cell("book_title", machine.title),
+        *(cell("book_{key}", getattr(machine, key), key=key, label=label) for key, label in IDENTIFIED.items()),
+    )
     sheet.heading("Results, in short")
     sheet.rows(*key_results)
     sheet.row = max(sheet.row, PICTURE_ROW + PICTURE_ROWS)
@@ -185,6 +199,7 @@ def summary_sheet(book: Book, machine: Any, purpose: str, key_results: list[Quan
 
 def close_summary(book: Book, sources: tuple[str, ...]) -> None:
     """Declare what needs all other sheets: the picture, what is to mend; then what is not printed."""
+    cell = CELLS["close_summary"]
     for each in book.sheets:
         each.place_messages()
     sheet = book.sheets[0]
@@ -201,8 +216,8 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
         sheet.note(line)
     sheet.row += 1
     sheet.rows(
-        constant("book_template", "Template", "", "", book.template, align="left"),
-        constant("book_version", "Made by motionbook", "", "", workbook.__version__, align="left"),
+        cell("book_template", book.template),
+        cell("book_version", workbook.__version__),
     )
     sheet.heading("Sources")
     for key in sources:
@@ -220,19 +235,27 @@ def head(sheet: Sheet) -> None:
 def to_mend(book: Book, sheet: Sheet) -> None:
     """Declare the first checks that fail: what, on which sheet, where and by how much."""
     sheet.heading("To mend")
-    sheet.rows(calc("mend_count", "Checks that fail", "", "", "=checks_all-checks_ok", summary(book).failing,
-                    format="0", source=f"the first {TO_MEND} of them; all stand on the sheet Checks"))  # fmt: skip
+    sheet.rows(CELLS["to_mend"]("mend_count", summary(book).failing, to_mend=TO_MEND))
     rows = failing_checks(book, TO_MEND)
     where, what, says = (f"INDEX([checks.{column}],MATCH([k],[checks.nth],0))" for column in ("where", "what", "says"))
     sheet.table(
-        "mend", "The checks that fail", TO_MEND,
-        calc("where", "sheet", "", "", f'=IF([k]>mend_count,IF([k]=1,"{NONE}",""),{where})', rows["mend.where"],
-             align="left"),
-        constant("k", "number", "", "", list(range(1, TO_MEND + 1))),
-        Quantity("says", "check: where, and by how much", "", "", "sentence",
-                 f'=IF([k]>mend_count,"",{what}&": "&{says})', rows["mend.says"], align="left"),
+        "mend",
+        "The checks that fail",
+        TO_MEND,
+        CELLS["mend"]("where", rows["mend.where"], none=NONE, where=where),
+        CELLS["mend"]("k", list(range(1, TO_MEND + 1))),
+        Quantity(
+            "says",
+            "check: where, and by how much",
+            "",
+            "",
+            "sentence",
+            f'=IF([k]>mend_count,"",{what}&": "&{says})',
+            rows["mend.says"],
+            align="left",
+        ),
         blank="[k]>MAX(1,mend_count)",
-    )  # fmt: skip
+    )
 
 
 def entry(sheet: Sheet, first: Text, note: str) -> None:

@@ -4,10 +4,13 @@ The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and
 """
 
 from engine.drive.motor import CORNERS, LimitCorners, Motor, Reserve
+from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Quantity, Sheet, calc, check, constant, result
+from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import NOTHING, CheckSentence, amount, exceeding
 from workbook.fields.units import RPM, shown
+
+CELLS = cell_tables(__file__)
 
 RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"  # colours in the plane of speed and torque
 PEAKS = "MAX(@tmax,0-@tmin)"
@@ -16,27 +19,43 @@ ReducerLimit = tuple[str, str, str, bool, float, float]  # what, both its cells,
 
 def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> list[Quantity]:
     """Return the checks of RMS torque, peak torque and speed; ``mends`` says, behind what fails, what would mend it."""
-    found = (("rms", "RMS torque within the continuous torque", "@rms", "@continuous", "Nm", 1.0, reserve.rms_torque),
-             ("peak", "peak torque within the motor's", PEAKS, "@motor_peak", "Nm", 1.0, reserve.peak_torque),
-             ("speed", "speed within the motor's", "@speed", "@motor_nmax", "rpm", RPM, reserve.speed))  # fmt: skip
+    found = (
+        ("rms", "RMS torque within the continuous torque", "@rms", "@continuous", "Nm", 1.0, reserve.rms_torque),
+        ("peak", "peak torque within the motor's", PEAKS, "@motor_peak", "Nm", 1.0, reserve.peak_torque),
+        ("speed", "speed within the motor's", "@speed", "@motor_nmax", "rpm", RPM, reserve.speed),
+    )
     return [
-        check(f"@ok_{name}", f"{of}: {what}", f"{cell}<={limit}", one.ok,
-              says=exceeding(cell, limit, unit, shown(one.value, size), shown(one.limit, size)).then(mends))
+        CELLS["limit_checks"](
+            "@ok_{name}",
+            one.ok,
+            name=name,
+            of=of,
+            what=what,
+            cell=cell,
+            allowed=limit,
+            says=exceeding(cell, limit, unit, shown(one.value, size), shown(one.limit, size)).then(mends),
+        )
         for name, what, cell, limit, unit, size, one in found
-    ]  # fmt: skip
+    ]
 
 
 def inertia_check(of: str, cell: str, limit: str, ratio: float, most: float) -> Quantity:
     """Return the check of the inertia ratio."""
-    return check("@ok_inertia", f"{of}: inertia ratio within its limit", f"{cell}<={limit}", ratio <= most,
-                 says=amount(cell, ratio, "the load has ", " times the motor's inertia"))  # fmt: skip
+    return CELLS["inertia_check"](
+        "@ok_inertia",
+        ratio <= most,
+        of=of,
+        cell=cell,
+        allowed=limit,
+        says=amount(cell, ratio, "the load has ", " times the motor's inertia"),
+    )
 
 
 def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTHING) -> Quantity:
     """Return the check that the torque stays below a curve that falls (Nm s), of which so much is to spare (Nm)."""
+    cell = CELLS["below_curve"]
     says = amount("0-@spare", -spare, "", " Nm more than the motor has at its speed").then(mends)
-    return check("@ok_curve", f"{of}: torque below the motor's curve", "OR(@fall=0,@spare>=0)",
-                 not falls or spare >= 0.0, says=says)  # fmt: skip
+    return cell("@ok_curve", not falls or spare >= 0.0, of=of, says=says)
 
 
 def within_reducer(of: str, *found: ReducerLimit, mends: CheckSentence = NOTHING) -> list[Quantity]:
@@ -44,16 +63,24 @@ def within_reducer(of: str, *found: ReducerLimit, mends: CheckSentence = NOTHING
     units = {"torque": "Nm", "mean torque": "Nm", "speed": "rpm"}
     names = {"torque": "peak", "mean torque": "mean", "speed": "speed"}
     return [
-        check(f"@ok_reducer_{names[what]}", f"{of}: {what} within the reducer's", f"OR({limit}=0,{cell}<={limit})", ok,
-              says=exceeding(cell, limit, units[what], value, most).then(mends))
+        CELLS["within_reducer"](
+            "@ok_reducer_{names}",
+            ok,
+            names=names[what],
+            of=of,
+            what=what,
+            allowed=limit,
+            cell=cell,
+            says=exceeding(cell, limit, units[what], value, most).then(mends),
+        )
         for what, cell, limit, ok, value, most in found
-    ]  # fmt: skip
+    ]
 
 
 def continuous(motor: Motor, mean_speed: float) -> Quantity:
     """Return the result of what the motor can give all the time at the mean speed of the cycle (rad/s)."""
-    return result("@continuous", "Continuous torque at the mean speed", "", "Nm", f"={continuous_at('@mean')}",
-                  float(motor.continuous(mean_speed)), "T_0 − (T_0 − T_N) n/n_N, at least T_N")  # fmt: skip
+    cell = CELLS["continuous"]
+    return cell("@continuous", float(motor.continuous(mean_speed)), continuous_at=continuous_at("@mean"))
 
 
 def continuous_at(speed: str) -> str:
@@ -70,31 +97,33 @@ def limits_table(sheet: Sheet, corners: LimitCorners, backward: str, falls: bool
     begins = "IF(@fall=0,@motor_nmax,MIN(@knee,@motor_nmax))" if falls else "@motor_nmax"
     first, second = shown(corners.bends, RPM)
     sheet.rows(
-        calc("@bend1", "Speed at which the first limit bends", "", "rpm", f"=MIN(@motor_nn,{begins})", first,
-             "of continuous and peak torque"),
-        calc("@bend2", "… the second", "", "rpm", f"=MIN(@motor_nmax,MAX(@motor_nn,{begins}))", second),
-    )  # fmt: skip
+        CELLS["limits_table"]("@bend1", first, begins=begins),
+        CELLS["limits_table"]("@bend2", second, begins=begins),
+    )
     peak = f"(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))" if falls else "@motor_peak"
     sheet.table(
-        "@limits", "Limits of the motor, as drawn in the charts", len(CORNERS),
-        constant("side", "side", "", "", list(side), "1, −1 of speeds backward"),
-        constant("which", "which speed", "", "", list(which), "3: the largest; 1, 2: where a limit bends"),
-        constant("up", "upper side", "", "", list(up)),
-        calc("rpm", "speed", "n", "rpm",
-             f"=IF([side]<0,IF({backward},0-1,0),1)*CHOOSE([which]+1,0,@bend1,@bend2,@motor_nmax)",
-             shown(corners.speed, RPM)),
-        calc("peak", "peak torque", "T_max", "Nm", f"=[up]*{peak}", corners.peak),
-        calc("rated", "continuous torque", "", "Nm", f"=[up]*{continuous_at('ABS([rpm])')}", corners.continuous),
-    )  # fmt: skip
+        "@limits",
+        "Limits of the motor, as drawn in the charts",
+        len(CORNERS),
+        CELLS["limits"]("side", list(side)),
+        CELLS["limits"]("which", list(which)),
+        CELLS["limits"]("up", list(up)),
+        CELLS["limits"]("rpm", shown(corners.speed, RPM), backward=backward),
+        CELLS["limits"]("peak", corners.peak, peak=peak),
+        CELLS["limits"]("rated", corners.continuous, continuous_at=continuous_at("ABS([rpm])")),
+    )
 
 
 def rms_point(sheet: Sheet, speed: float, torque: float) -> None:
     """Declare the RMS torque (Nm) at the mean speed (rad/s) as the chart draws it."""
+    cell = CELLS["point"]
     sheet.table(
-        "@point", "RMS point, as drawn in the chart", 1,
-        calc("rpm", "mean speed", "n_mean", "rpm", "=@mean", [shown(speed, RPM)], scale=max(shown(speed, RPM), 1.0)),
-        calc("torque", "RMS torque", "T_rms", "Nm", "=@rms", [torque], scale=max(torque, 1e-3)),
-    )  # fmt: skip
+        "@point",
+        "RMS point, as drawn in the chart",
+        1,
+        cell("rpm", [shown(speed, RPM)], scale=max(shown(speed, RPM), 1.0)),
+        cell("torque", [torque], scale=max(torque, 1e-3)),
+    )
 
 
 def plane(speed: str, torque: str, *more: Series) -> Chart:
@@ -107,7 +136,10 @@ def plane(speed: str, torque: str, *more: Series) -> Chart:
         Series("continuous torque", "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),
     )
     return Chart(
-        "Torque against speed of the motor", "motor speed n_m [rpm]", "motor torque T [Nm]", lines,
+        "Torque against speed of the motor",
+        "motor speed n_m [rpm]",
+        "motor torque T [Nm]",
+        lines,
         "Speed and torque of the motor over one cycle, and its RMS torque at its mean speed: the point that has to lie "
         "within the continuous limit, the cycle within the peak limit",
-    )  # fmt: skip
+    )

@@ -9,7 +9,8 @@ from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.piece import placed_pieces
 from engine.laws.points import reach, slowest
 from engine.motion.handover import end_mode
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Quantity, Sheet, calc, result
 from workbook.book.rows import LEAST
 from workbook.entries.machine import Sizes
 from workbook.law_sheets.library import NamedLaw, named_laws
@@ -19,14 +20,18 @@ from workbook.laws.family import COEFFICIENTS, LABELS, LEAST_STAGE, POWERS, SECO
 from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sampling import Pieces
 
+CELLS = cell_tables(__file__)
+
 RISE = 1.0  # of every law in a time of 1: its velocity and acceleration reach at least this size
 
 
 PAGED = tuple(code for code in CODES if FAMILY[code].has_sheet)
 LAW_SIZES = {
-    "law": (f"{PAGED[0]}_samples", 1), "pieces": ("OWN_pieces", 0),
-    "points": ("SPL#_points", 0), "export": ("export", 1),
-}  # fmt: skip
+    "law": (f"{PAGED[0]}_samples", 1),
+    "pieces": ("OWN_pieces", 0),
+    "points": ("SPL#_points", 0),
+    "export": ("export", 1),
+}
 
 
 class BookLaws:
@@ -73,10 +78,21 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
         for k, ((piece, entered), place) in enumerate(zip(found, places, strict=True), 1):
             ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
             values = entries_of(place.piece) | {
-                "xi": place.begin, "s": place.s, "v": place.v, "ds": place.ds, "dv": place.dv,
-                "ps": ps, "pv": pv, "pj": pj, "ps2": ps2, "pv2": pv2, "pj2": pj2,
-                "s0": s0, "s1": s1, "key": 2.0 * one.number + place.begin,
-            }  # fmt: skip
+                "xi": place.begin,
+                "s": place.s,
+                "v": place.v,
+                "ds": place.ds,
+                "dv": place.dv,
+                "ps": ps,
+                "pv": pv,
+                "pj": pj,
+                "ps2": ps2,
+                "pv2": pv2,
+                "pj2": pj2,
+                "s0": s0,
+                "s1": s1,
+                "key": 2.0 * one.number + place.begin,
+            }
             formulas = {name: one.own(text) for name, text in entered.items()}
             rows.append(Row(one.name, one.number, k, piece, formulas, values))
     return rows
@@ -84,6 +100,7 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
 
 def laws_sheet(book: Book, of: BookLaws) -> None:
     """Declare the sheet from which every axis evaluates its law."""
+    cell = CELLS["laws_sheet"]
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.heading("Results: the laws and their coefficients")
     summary(sheet, of)
@@ -91,19 +108,30 @@ def laws_sheet(book: Book, of: BookLaws) -> None:
         "Workings: the stacked pieces", "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k."
     )
     sheet.rows(
-        constant("break_eps", "Tolerance of a break", "ε", "", BREAK_TOLERANCE, format="0E+00",
-                 source="in units of ξ: a sample this close is taken as on it, so that rounding never decides the side "
-                        "of a jump"),
-        constant("tiny", "Least place in a piece", "u", "s, rad", LEAST, format="0E+00",
-                 source="added to each, so that u⁰ is 1 at its begin too: Excel has no 0^0"),
-        constant("stage_least", "Least stage of a law", "", "", LEAST_STAGE, format="0E+00",
-                 source="as a share of the rise; a stage is none, or lasts so long"),
-    )  # fmt: skip
+        cell("break_eps", BREAK_TOLERANCE),
+        cell("tiny", LEAST),
+        cell("stage_least", LEAST_STAGE),
+    )
     stack(sheet, of.rows, of.stack)
 
 
-LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), "start", "v_low", "wrong", "low", "high",
-             "s0", "s1", "v0", "v1", "a0", "a1")  # fmt: skip
+LAW_NAMES = (
+    "name",
+    "no",
+    "code",
+    *(name for name, *_ in COEFFICIENTS),
+    "start",
+    "v_low",
+    "wrong",
+    "low",
+    "high",
+    "s0",
+    "s1",
+    "v0",
+    "v1",
+    "a0",
+    "a1",
+)
 """columns of the table of laws that have names"""
 ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
 
@@ -122,33 +150,51 @@ def summary(sheet: Sheet, of: BookLaws) -> None:
         return calc(name, label, symbol, "", [one.own(getattr(one.page, field)) for one in laws], values, **more)
 
     def end(d: str, label: str, at: str) -> Quantity:
+        cell = CELLS["end"]
         xi = 0 if at == "first" else 1
         formulas = [one.own(f"=[@samples.{d}.{at}]" if one.page.has_sheet else "=0") for one in laws]
         values = [getattr(one.law.start if at == "first" else one.law.end, d) for one in laws]
-        return calc(f"{d}{xi}", f"{label} at ξ = {xi}", f"{d}({xi})", "", formulas, values, scale=RISE)
+        return cell("{d}{xi}", values, d=d, xi=xi, label=label, formula=formulas, scale=RISE)
 
-    ways = stated("way", "meets its neighbours' velocity", "", "end_mode", [end_mode(one.law) for one in laws],
-                  source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial",
-                  format="0")  # fmt: skip
-    early = constant("early", "pieces of its first pulse", "", "", [one.page.early for one in laws])
+    ways = stated(
+        "way",
+        "meets its neighbours' velocity",
+        "",
+        "end_mode",
+        [end_mode(one.law) for one in laws],
+        source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial",
+        format="0",
+    )
+    early = CELLS["summary"]("early", [one.page.early for one in laws])
     ends = [ways, early] if of.hands_over else []
     sheet.table(
-        "laws", "The laws by number; a phase takes its law by this name", len(laws),
-        calc("name", "law in words", "", "",
-             [one.own(one.page.named or f'="{one.words}"') for one in laws], [one.words for one in laws]),
-        constant("no", "number", "", "", [one.number for one in laws]),
-        calc("code", "name", "", "",
-             [f'="{one.name}"' if one.basic else one.own("=@called") for one in laws], [one.name for one in laws]),
+        "laws",
+        "The laws by number; a phase takes its law by this name",
+        len(laws),
+        CELLS["laws"](
+            "name", [one.words for one in laws], formula=[one.own(one.page.named or f'="{one.words}"') for one in laws]
+        ),
+        CELLS["laws"]("no", [one.number for one in laws]),
+        CELLS["laws"](
+            "code",
+            [one.name for one in laws],
+            formula=[f'="{one.name}"' if one.basic else one.own("=@called") for one in laws],
+        ),
         *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
         stated("start", "velocity it begins with", "", "start", [one.law.start.v for one in laws]),
         stated("v_low", "lowest velocity", "", "lowest", [slowest(one.law) for one in laws], scale=1.0),
-        stated("wrong", "step of v the wrong way", "", "wrong_step",
-               [one.page.step_back(one.law, of.sizes) for one in laws]),
+        stated(
+            "wrong",
+            "step of v the wrong way",
+            "",
+            "wrong_step",
+            [one.page.step_back(one.law, of.sizes) for one in laws],
+        ),
         *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
         stated("low", "lowest position", "s_min", "low", [low for low, _ in reaches], scale=1.0),
         stated("high", "highest position", "s_max", "high", [high for _, high in reaches], scale=1.0),
         *ends,
-    )  # fmt: skip
+    )
     sheet.book.name("laws", **{f"law_{name}": name for name in (*LAW_NAMES, *(q.name for q in ends))})
 
 
@@ -174,6 +220,7 @@ FIRST_POWERS = {"piece_y": "s0", "piece_dy": "s1", "piece_ddy": "c0", "piece_ddd
 
 def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
     """Declare the stacked pieces, entries taken from the laws' pages, with a second sine where any law has one."""
+    cell = CELLS["pieces"]
     second, last = stacked.second_sine, POWERS[stacked.room - 1]
 
     def column(name: str, label: str, symbol: str, formula: str, added: str = "", **more: Any) -> Quantity:
@@ -185,24 +232,32 @@ def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
         return calc(name, *LABELS[name], "", formulas, values)
 
     sheet.table(
-        "pieces", "Pieces of all laws", len(rows),
-        calc("law", "law", "", "", "=INDEX(law_code,[number])", [row.law for row in rows]),
-        constant("number", "number", "", "", [row.number for row in rows]),
-        constant("k", "piece", "k", "", [row.k for row in rows]),
+        "pieces",
+        "Pieces of all laws",
+        len(rows),
+        cell("law", [row.law for row in rows]),
+        cell("number", [row.number for row in rows]),
+        cell("k", [row.k for row in rows]),
         entry("d"),
-        column("s0", "constant of position", "S0", "=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])",
-               source="s_k + P/ω² sin φ"),
+        column(
+            "s0", "constant of position", "S0", "=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])", source="s_k + P/ω² sin φ"
+        ),
         column("s1", "slope of position", "S1", "=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])", source="v_k + P/ω cos φ"),
         *map(entry, (*POWERS, *SINE, *(SECOND if second else ()))),
         column("xi", "begins at", "ξ_k", "=IF([k]=1,0,[xi-1]+[d-1])"),
         *(column(*one) for one in AMPLITUDES[: 6 if second else 3]),
-        column("v", "velocity carried", "v_k", "=IF([k]=1,INDEX(law_start,[number]),[v-1]+[dv-1])",
-               source="v + ∫a of the piece before"),
+        column(
+            "v",
+            "velocity carried",
+            "v_k",
+            "=IF([k]=1,INDEX(law_start,[number]),[v-1]+[dv-1])",
+            source="v + ∫a of the piece before",
+        ),
         column("dv", "gain of velocity", "Δv", GAINED, TURNED2, source="∫a over the piece"),
         column("s", "position carried", "s_k", "=IF([k]=1,0,[s-1]+[ds-1])", source="s + ∫v of the piece before"),
         column("ds", "gain of position", "Δs", TRAVELLED, SWUNG2, scale=RISE, source="∫v over the piece"),
         column("key", "key", "", "=2*[number]+MIN(1,MAX(0,[xi]))", source="2 · number + ξ_k, within its law"),
-    )  # fmt: skip
+    )
     one, two = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
     sheet.book.name(
         "pieces", **one, **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()}, **(two if second else {})

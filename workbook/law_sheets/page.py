@@ -7,8 +7,9 @@ import numpy as np
 
 from engine.laws.piece import begins
 from engine.motion import Phase
+from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Sheet, calc, constant, given, result
+from workbook.book.declare import Book, Sheet, calc, given, result
 from workbook.entries.machine import Sizes
 from workbook.fields.paths import get, split
 from workbook.fields.texts import sheet_title
@@ -17,10 +18,18 @@ from workbook.law_sheets.library import NamedLaw
 from workbook.laws import sampling
 from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, entries_of
 
+CELLS = cell_tables(__file__)
+
 SPELLED = {  # what the columns of a table of pieces add to a(u)
-    "c0": "c0", "c1": "c1 u", "c2": "c2 u²", "c3": "c3 u³", "c4": "c4 u⁴", "c5": "c5 u⁵",
-    "P": "P sin(ωu + φ)", "P2": "P₂ sin(ω₂u + φ₂)",
-}  # fmt: skip
+    "c0": "c0",
+    "c1": "c1 u",
+    "c2": "c2 u²",
+    "c3": "c3 u³",
+    "c4": "c4 u⁴",
+    "c5": "c5 u⁵",
+    "P": "P sin(ωu + φ)",
+    "P2": "P₂ sin(ω₂u + φ₂)",
+}
 
 
 def finite(value: float) -> float | str:
@@ -30,6 +39,7 @@ def finite(value: float) -> float | str:
 
 def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> Sheet:
     """Declare the sheet of one law, and return it."""
+    cell = CELLS["pieces"]
     page, law, entered = named.page, named.law, named.entered
     title = sheet_title(named.called, [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"{page.title} ({page.source})")
@@ -47,20 +57,30 @@ def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces)
             rows, pieces = page.pieces, law.monotone_pieces()
             values = [entries_of(piece) for piece in pieces]
             sheet.table(
-                "@pieces", "Pieces of the law", len(rows),
-                constant("name", "piece", "", "", [row.name for row in rows], align="left"),
-                constant("k", "number", "k", "", list(range(1, len(rows) + 1))),
-                calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
-                *(calc(name, *LABELS[name], "", [row.formulas[name] for row in rows], [entry[name] for entry in values])
-                  for name in page.columns),
-                constant("equation", "equation in the books", "", "", [row.equation for row in rows], align="left"),
-            )  # fmt: skip
+                "@pieces",
+                "Pieces of the law",
+                len(rows),
+                cell("name", [row.name for row in rows]),
+                cell("k", list(range(1, len(rows) + 1))),
+                cell("xi", begins(pieces)),
+                *(
+                    calc(
+                        name, *LABELS[name], "", [row.formulas[name] for row in rows], [entry[name] for entry in values]
+                    )
+                    for name in page.columns
+                ),
+                cell("equation", [row.equation for row in rows]),
+            )
         sheet.checks(*page.verdicts(named, sizes))
         for row, d, words in ((5, "s", "position"), (20, "v", "velocity"), (35, "a", "acceleration")):
             chart = Chart(
-                f"{named.called}: {words} {d}(ξ)", "ξ = t / t_a", d, (Series(d, "[@samples.xi]", f"[@samples.{d}]"),),
-                f"Dimensionless {words} of the law {named.called} over the rise, from 0 to 1", (0, 1, 0.1),
-            )  # fmt: skip
+                f"{named.called}: {words} {d}(ξ)",
+                "ξ = t / t_a",
+                d,
+                (Series(d, "[@samples.xi]", f"[@samples.{d}]"),),
+                f"Dimensionless {words} of the law {named.called} over the rise, from 0 to 1",
+                (0, 1, 0.1),
+            )
             sheet.chart(chart, column=BEHIND - 6, row=row, width=6, height=14)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = BEHIND - 1
@@ -73,58 +93,69 @@ def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces)
 
 def entries(sheet: Sheet, named: NamedLaw) -> None:
     """Declare the law's name, the rise that is shown, and the law's parameters."""
+    cell = CELLS["entries"]
     page, entered = named.page, named.entered
     called = (
-        given("@called", "Name of the law", "", "",
-              named.name, f"{named.key}.called", align="center", source="by which a phase takes it"),
-        constant("@built", "Named when the book was built", "", "",
-                 named.called, align="center", source="the sheet and its checks keep this name"),
-    )  # fmt: skip
+        cell("@called", named.name, named=named),
+        cell("@built", named.called),
+    )
     sheet.rows(
         *(() if named.basic else called),
-        given("@h", "Rise shown", "h", "mm", entered.lift, f"{named.key}.lift", source="any; a return is negative"),
-        given("@t", "Time of the rise", "t_a", "s", entered.time, f"{named.key}.time"),
-        *(given(p.name, p.label, p.symbol, "",
-                get(entered, split(p.key)), f"{named.key}.{p.key}", format="0.0000", source=p.source)
-          for p in page.parameters),
-    )  # fmt: skip
+        cell("@h", entered.lift, named=named),
+        cell("@t", entered.time, named=named),
+        *(
+            given(
+                p.name,
+                p.label,
+                p.symbol,
+                "",
+                get(entered, split(p.key)),
+                f"{named.key}.{p.key}",
+                format="0.0000",
+                source=p.source,
+            )
+            for p in page.parameters
+        ),
+    )
 
 
 def results(sheet: Sheet, named: NamedLaw, rise: Phase) -> None:
     """Declare the law's coefficients and what they are worked out from, then the largest rates of the rise."""
+    cell = CELLS["results"]
     page, law = named.page, named.law
     sheet.heading("Results: the coefficients, for unit rise and time")
     for name, label, symbol in COEFFICIENTS:
         formula, words = page.coefficients[name]
         value = finite(getattr(law.coefficients, name))
-        sheet.rows(result(f"@{name}", label, symbol, "", formula, value, source=words))
+        sheet.rows(cell("@{name}", value, name=name, label=label, symbol=symbol, formula=formula, source=words))
     if workings := page.workings(law):
         sheet.heading("Workings")
         sheet.rows(*workings)
     finding = f'=MATCH("{named.name}",law_code,0)' if named.basic else "=MATCH(@called,law_code,0)"
     sheet.heading("Results: the rise h in the time t_a")
     sheet.rows(
-        calc("@h_m", "Rise in metres", "h", "m", "=@h/1000", rise.lift, source="h / 1000"),
-        result("@yv", "Largest velocity", "ẏ_max", "m/s", "=@cv*ABS(@h_m)/@t", rise.y1_max, source="C_v h / t_a"),
-        result("@ya", "Largest acceleration", "ÿ_max", "m/s²",
-               "=MAX(@ca_max,-@ca_min)*ABS(@h_m)/@t^2", rise.y2_max, source="C_a h / t_a²"),
-        result("@yrms", "RMS acceleration over the rise", "ÿ_rms", "m/s²",
-               "=@ca_rms*ABS(@h_m)/@t^2", rise.y2_rms, source="C_a,rms h / t_a²"),
-        calc("@no", "Number on the sheet Laws", "", "", finding, named.number, format="0"),
-    )  # fmt: skip
+        cell("@h_m", rise.lift),
+        cell("@yv", rise.y1_max),
+        cell("@ya", rise.y2_max),
+        cell("@yrms", rise.y2_rms),
+        cell("@no", named.number, formula=finding),
+    )
 
 
 def samples(sheet: Sheet, rise: Phase, lift: float, n: int, stack: sampling.Pieces, entries: Sequence[str]) -> None:
     """Declare the sampled table: ξ, s, v, a, j and the dimensional y, ẏ, ÿ, by the ``entries`` that pieces may have."""
+    cell = CELLS["samples"]
     xi = np.arange(n + 1) / n
     at, h, t = rise.law.evaluate(xi), rise.lift, rise.duration
     sheet.table(
-        "@samples", "The law over ξ = t / t_a, and the rise h in the time t_a", n + 1,
-        constant("k", "sample", "k", "", list(range(n + 1))),
-        calc("xi", "abscissa", "ξ", "", "=[k]/[@samples.k.last]", xi, source="k / N", format="0.0000"),
+        "@samples",
+        "The law over ξ = t / t_a, and the rise h in the time t_a",
+        n + 1,
+        cell("k", list(range(n + 1))),
+        cell("xi", xi),
         *stack.columns(dict(zip("svaj", at, strict=True)), "svaj", result, entries),
-        result("y", "position", "y", "mm", "=@h*[s]", shown(h * at.s, MM), scale=abs(lift), source="h s"),
-        result("yv", "velocity", "ẏ", "m/s", "=@h_m/@t*[v]", h / t * at.v, source="h v / t_a"),
-        result("ya", "acceleration", "ÿ", "m/s²", "=@h_m/@t^2*[a]", h / t**2 * at.a, source="h a / t_a²"),
+        cell("y", shown(h * at.s, MM), scale=abs(lift)),
+        cell("yv", h / t * at.v),
+        cell("ya", h / t**2 * at.a),
         *stack.finding("@no", stack.number(rise.law), "xi", xi, entries),
-    )  # fmt: skip
+    )

@@ -6,11 +6,15 @@ a family has of them it states by number, with the formula of each duration. Sou
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 from engine.laws.pulse_law import K, PulseLaw
-from workbook.book.declare import Quantity, calc
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity
 from workbook.laws.family import Page, PieceRow
+
+CELLS = cell_tables(__file__)
 
 RISE, CRUISE, FALL = (1, 2, 3), 4, (7, 6, 5)
 """stages of the first pulse, of uniform velocity, and of the second pulse told from its end"""
@@ -41,6 +45,8 @@ LINE_OUT = Form("straight from the dwell", "1/2", "1/6", "1/3", "1", UP, DOWN)
 LINE_IN = Form("straight inside", "1/2", "1/3", "1/3", "1", DOWN, UP)
 HALF_SINE = Form("half sine", "@k", "@k/2", "1/2", "PI()", WAVE, WAVE)
 """cut at its peak into two quarters: its second is :data:`CREST`"""
+SEARCHED = {SINE_IN.word: CELLS["quarter sine inside"], LINE_IN.word: CELLS["straight inside"]}
+"""by the edge next to the greatest velocity: how the greatest v·a is found on it"""
 CREST = {"P": "H", "omega": "PI()/D", "phi": "PI()/2", "equation": "a = H cos(πu / D)"}
 
 
@@ -133,21 +139,19 @@ class Stages:
 
     def workings(self, law: PulseLaw) -> list[Quantity]:
         """Return the rows of what the coefficients are worked out from."""
-        (gained, rise), (lost, fall) = law.lobes
-        mean = [calc("@k", "Mean of a half, or a quarter, sine", "k", "", "=2/PI()", K, source="2/π")]
+        cell, (gained, rise), (lost, fall) = CELLS["workings"], *law.lobes
         stages = zip(sorted(self.stages.items()), law.as_pieces(), strict=True)
+        lasting = [(k, piece.duration, stage.duration) for (k, stage), piece in stages if stage.duration]
+        curved = any("@k" in form.gain for _, form in self.forms((*RISE, *FALL)))
         return [
-            *(calc(f"@d{k}", f"Duration of stage {k}", f"d{k}", "", stage.duration, piece.duration)
-              for (k, stage), piece in stages if stage.duration),
-            *(mean if any("@k" in form.gain for _, form in self.forms((*RISE, *FALL))) else []),
-            calc("@m", "Velocity gained for A = 1", "m", "", f"={self.total(RISE, 'gain')}", gained),
-            calc("@n", "Velocity lost for B = 1", "n", "", f"={self.total(FALL, 'gain')}", lost),
-            calc("@sa", "Stroke of the first pulse for A = 1", "S_a", "", f"={self.travel(RISE)}", rise,
-                 source="∬p from rest"),
-            calc("@sd", "Stroke of the second for B = 1", "S_d", "", f"={self.travel(FALL)}", fall,
-                 source="the same from the end"),
+            *(cell("@d{k}", duration, k=k, formula=formula) for k, duration, formula in lasting),
+            *([cell("@k", K)] if curved else []),
+            cell("@m", gained, total=self.total(RISE, "gain")),
+            cell("@n", lost, total=self.total(FALL, "gain")),
+            cell("@sa", rise, travel=self.travel(RISE)),
+            cell("@sd", fall, travel=self.travel(FALL)),
             *self.searched(law),
-        ]  # fmt: skip
+        ]
 
     def searched(self, law: PulseLaw) -> list[Quantity]:
         """Return the rows that find the greatest v·a of either side on an edge that ends without acceleration."""
@@ -155,25 +159,14 @@ class Stages:
         sides = (("@drive", "driving", RISE, "@ca_max"), ("@brake", "braking", FALL, "(0-@ca_min)"))
         for (name, side, stages, height), edge in zip(sides, law.inner_edges, strict=True):
             k, form = self.forms(stages)[-1]
-            if form.word in SEARCHES:
-                words, where, formula, source = SEARCHES[form.word]
+            if form.word in SEARCHED:
+                cell, before = partial(SEARCHED[form.word], name=name, side=side), self.total(stages[:-1], "gain")
                 rows += [
-                    calc(f"{name}_v", f"Velocity before {words}, {side}", "v₂", "",
-                         f"={height}*({self.total(stages[:-1], 'gain')})", edge.velocity),
-                    calc(f"{name}_g", f"Velocity gained on it, {side}", "G", "",
-                         f"={height}*{times(form.gain, f'@d{k}')}", edge.gain),
-                    calc(f"{name}_x", f"Where v·a is greatest, {side}", where, "",
-                         formula.replace("NAME", name), edge.at, source=source),
-                ]  # fmt: skip
+                    cell("{name}_v", edge.velocity, height=height, before=before),
+                    cell("{name}_g", edge.gain, height=height, gain=times(form.gain, f"@d{k}")),
+                    cell("{name}_x", edge.at),
+                ]
         return rows
-
-
-SEARCHES = {
-    SINE_IN.word: ("the quarter sine", "sin x", "=2*NAME_g/(NAME_v+SQRT(NAME_v^2+8*NAME_g^2))",
-              "2G sin²x + v₂ sin x = G; v = v₂ + G sin x, a = A cos x"),
-    LINE_IN.word: ("the straight edge", "y", "=IF(NAME_g>0,MIN(1,SQRT((NAME_v+NAME_g)/(3*NAME_g))),1)",
-              "3G y² = v₂ + G, at most 1; v = v₂ + G(1 − y²), a = A y"),
-}  # fmt: skip
 
 
 def times(factor: str, of: str) -> str:
@@ -187,7 +180,10 @@ def edged(forms: Mapping[int, Stage], **stated: Any) -> Page:
     rise = [k for k, _ in stages.forms(RISE)]
     rows = {k: stages.pieces(k, forms[k].form) for k in sorted(forms)}
     return Page(
-        pieces=tuple(row for found in rows.values() for row in found), workings=stages.workings,
-        coefficients=stages.coefficients(), fastest=f"={added([f'@d{k}' for k in rise])}",
-        early=sum(len(rows[k]) for k in rise), **{"end_mode": "=1", **stated},
-    )  # fmt: skip
+        pieces=tuple(row for found in rows.values() for row in found),
+        workings=stages.workings,
+        coefficients=stages.coefficients(),
+        fastest=f"={added([f'@d{k}' for k in rise])}",
+        early=sum(len(rows[k]) for k in rise),
+        **{"end_mode": "=1", **stated},
+    )

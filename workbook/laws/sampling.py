@@ -16,20 +16,19 @@ from engine.laws import Law, Piece
 from engine.laws.base import Array
 from engine.laws.piece import located
 from engine.motion import Phase
-from workbook.book.declare import Quantity, calc
-from workbook.book.rows import LEAST, NOT_ZERO, constants, filled
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, calc, result
+from workbook.book.rows import LEAST, constants, filled
 from workbook.laws.family import ENTRIES
 
-FIND = "=MATCH(2*{law}+MIN([{xi}]+break_eps,1-break_eps),piece_key,1)"
-ARGUMENTS = (  # of each sine: the entry of its amplitude, and the column of its argument
-    ("P", "x", "sine argument", "x", "=INDEX(piece_omega,[q])*[u]+INDEX(piece_phi,[q])", "ωu + φ"),
-    ("P2", "z", "second sine's argument", "z", "=INDEX(piece_omega2,[q])*[u]+INDEX(piece_phi2,[q])", "ω₂u + φ₂"),
-)
-SPELLED = {  # of each derivative: what it is called, the block of its coefficients, its equation, what a sine adds
-    "s": ("position", "piece_y", "S0 + S1 u + … − P/ω² sin x", "-INDEX(piece_ps{0},[q])*SIN([{1}])"),
-    "v": ("velocity", "piece_dy", "S1 + c0 u + … − P/ω cos x", "-INDEX(piece_pv{0},[q])*COS([{1}])"),
-    "a": ("acceleration", "piece_ddy", "c0 + c1 u + … + P sin x", "+INDEX(piece_P{0},[q])*SIN([{1}])"),
-    "j": ("jerk", "piece_dddy", "c1 + 2 c2 u + … + P ω cos x", "+INDEX(piece_pj{0},[q])*COS([{1}])"),
+CELLS = cell_tables(__file__)
+
+SINES = {"x": "P", "z": "P2"}  # of each sine: the column of its argument, and the entry of its amplitude
+SPELLED = {  # of each derivative: the block of its coefficients, and what a sine adds
+    "s": ("piece_y", "-INDEX(piece_ps{0},[q])*SIN([{1}])"),
+    "v": ("piece_dy", "-INDEX(piece_pv{0},[q])*COS([{1}])"),
+    "a": ("piece_ddy", "+INDEX(piece_P{0},[q])*SIN([{1}])"),
+    "j": ("piece_dddy", "+INDEX(piece_pj{0},[q])*COS([{1}])"),
 }
 
 
@@ -45,9 +44,12 @@ def polynomial(derivative: str, highest: int, room: int) -> str:
     if used <= 2:
         factors = ("", "2*" if order > 2 else "")
         return "+".join(f"{factors[k]}INDEX(piece_{name},[q]){'*[u]' * k}" for k, name in enumerate(names[:used]))
-    factor = {"s": f"/{constants([1, 1, *(perm(k, 2) for k in range(2, room + 2))])}",
-              "v": f"/{constants([1, *range(1, room + 1)])}", "j": f",{constants(range(1, room))}"}  # fmt: skip
-    block = f"INDEX({SPELLED[derivative][1]},[q],0){factor.get(derivative, '')}"
+    factor = {
+        "s": f"/{constants([1, 1, *(perm(k, 2) for k in range(2, room + 2))])}",
+        "v": f"/{constants([1, *range(1, room + 1)])}",
+        "j": f",{constants(range(1, room))}",
+    }
+    block = f"INDEX({SPELLED[derivative][0]},[q],0){factor.get(derivative, '')}"
     return f"SUMPRODUCT({block},[u]^{constants(range(len(names)))})"
 
 
@@ -67,40 +69,40 @@ class Pieces:
 
     def finding(self, law: str, number: int, name: str, xi: Array, entries: Container[str] = ENTRIES) -> list[Quantity]:
         """Return the workings of samples of a law by its cell and number: piece, u in it, arguments of its sines."""
-        place, find = located(self.pieces[number], xi), FIND.format(law=law, xi=name)
-        row = (self.first[number] + place.piece).astype(float)
+        place = located(self.pieces[number], xi)
+        row, angles = (self.first[number] + place.piece).astype(float), (place.angle, place.angle2)
         return [
-            calc("q", "piece row", "q", "", find, row, format="0", source="last key not above the sample's"),
-            *self.within(f"=[{name}]-INDEX(piece_xi,[q])", "ξ − ξ_k", place.u,
-                         *(place.angle, place.angle2)[: 1 + self.second_sine], entries=entries),
-        ]  # fmt: skip
+            CELLS["finding"]("q", row, law=law, xi=name),
+            *self.within(f"=[{name}]-INDEX(piece_xi,[q])", "ξ − ξ_k", place.u, *angles, entries=entries),
+        ]
 
     def within(
         self, formula: str, words: str, u: Array, *angles: Any, entries: Container[str] = ENTRIES
     ) -> list[Quantity]:
         """Return u by its formula, and the argument of each sine, of points whose piece is known."""
-        return [
-            calc("u", "within piece", "u", "", f"{formula}{NOT_ZERO}", u + LEAST,
-                 source=f"{words}; never 0, so that u⁰ is 1"),
-            *(calc(name, label, symbol, "rad", formula, values, source=source)
-              for (amplitude, name, label, symbol, formula, source), values in zip(ARGUMENTS, angles, strict=False)
-              if amplitude in entries),
-        ]  # fmt: skip
+        cell, angles_of = CELLS["within"], zip(self.sines.items(), angles, strict=False)
+        arguments = [cell(name, values) for (name, amplitude), values in angles_of if amplitude in entries]
+        return [cell("u", u + LEAST, place=formula, words=words), *arguments]
+
+    @property
+    def sines(self) -> dict[str, str]:
+        """The entry of the amplitude of each sine that a piece may have, by the column of its argument."""
+        return SINES if self.second_sine else {"x": SINES["x"]}
 
     def columns(
         self, values: dict[str, Array], derivatives: str, role: Any = calc, entries: Container[str] = ENTRIES
     ) -> list[Quantity]:
-        """Return the columns of ``derivatives``, a part of ``svaj``, with the engine's values."""
-        both = ARGUMENTS if self.second_sine else ARGUMENTS[:1]
-        sines = [(entry[1:], x) for entry, x, *_ in both if entry in entries]
-        made = []
-        for d in derivatives:
-            label, _, source, sine = SPELLED[d]
-            highest = max((k for k in range(self.room) if f"c{k}" in entries), default=-1)
-            formula = polynomial(d, highest, self.room) + "".join(sine.format(*each) for each in sines)
-            made.append(role(d, label, d, "", f"={formula.removeprefix('+') or 'INDEX(piece_c1,[q])'}", values[d],
-                             source=source))  # fmt: skip
-        return made
+        """Return the columns of ``derivatives``, a part of ``svaj``, with the engine's values: workings, or results."""
+        cell = CELLS["results"] if role is result else CELLS["workings"]
+        sines = [(amplitude[1:], x) for x, amplitude in self.sines.items() if amplitude in entries]
+        highest = max((k for k in range(self.room) if f"c{k}" in entries), default=-1)
+
+        def derivative(name: str) -> Quantity:
+            adds = "".join(SPELLED[name][1].format(*one) for one in sines)
+            text = f"{polynomial(name, highest, self.room)}{adds}".removeprefix("+")
+            return cell(name, values[name], sampled=text or "INDEX(piece_c1,[q])")
+
+        return [*map(derivative, derivatives)]
 
 
 LAW_NUMBER = '=IF([law]="",1,MATCH([law],law_code,0))'

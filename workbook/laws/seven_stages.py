@@ -7,10 +7,14 @@ from typing import Annotated
 from pydantic import Field
 
 from engine.laws.modified import CLASSIC
+from workbook.book.cell_tables import cell_tables
 from workbook.book.sentence import figure
 from workbook.fields.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws import family
-from workbook.laws.family import BRIEF, SUM_SAYS, LawCheck, LawSheet, Parameter
+from workbook.laws.family import BRIEF, LawSheet
+from workbook.laws.page_tables import checks_in, parameters_in
+
+CELLS = cell_tables(__file__)
 
 Seven = Annotated[list[Share], Field(min_length=7, max_length=7)]
 
@@ -30,22 +34,10 @@ class SevenDurations(LawSheet):
         yield from family.too_brief(self.durations, "durations", list(CLASSIC))
 
 
-KINDS = ("edge up", "constant", "edge down", "uniform velocity", "edge down", "constant", "edge up")
-DURATIONS = tuple(
-    Parameter(f"@d{k}", f"Duration of stage {k}: {kind}", f"d{k}", f"durations.{k - 1}", f"stage {k}",
-              source="shares of the rise that sum to 1; 0 is allowed" if k == 1 else "")
-    for k, kind in enumerate(KINDS, 1)
-)  # fmt: skip
+DURATIONS = parameters_in(CELLS["durations"])
+LASTING = (*checks_in(CELLS["checks"]), BRIEF)
 
 
 def lasting(*rows: list[float]) -> tuple[dict[str, list[float]], ...]:
     """Return variations by the durations of the seven stages."""
     return tuple({"durations": row} for row in rows)
-
-
-LASTING = (
-    LawCheck("@sum", "the seven durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", SUM_SAYS),
-    LawCheck("@lasts", "the law starts and stops", "MIN(@d1+@d2+@d3,@d5+@d6+@d7)>0", "lasts",
-             '"stages 1 to 3, or 5 to 7, are all 0"'),
-    BRIEF,
-)  # fmt: skip

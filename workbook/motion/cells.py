@@ -1,13 +1,16 @@
 """Where a motion stands in a book, and what the engine has for it there."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 from engine.laws import Dwell
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, ScaledLaw, motion_pieces
+from workbook.book.cell_tables import CellTable
+from workbook.book.declare import Quantity
 from workbook.book.rows import spread
 from workbook.laws.sampling import Pieces
 
@@ -25,6 +28,15 @@ def last_before(number: str, xi: str) -> str:
 def of_law(column: str) -> str:
     """Return the formula of an entry of the law's piece, in the row ``m`` of the stack."""
     return f"INDEX(piece_{column},[m])"
+
+
+def sharing(table: CellTable, **shared: Any) -> Callable[..., Quantity]:
+    """Return a function that declares a cell by its row, which takes of shared parts those that its texts have."""
+
+    def cell(name: str, value: Any, /, **more: Any) -> Quantity:
+        return table(name, value, **{part: shared[part] for part in table[name].parts & shared.keys()} | more)
+
+    return cell
 
 
 @dataclass(frozen=True)
@@ -113,8 +125,14 @@ class PieceRows:
         return [found[k] for k in range(len(self.firsts))]
 
 
-def rows_of_parts(at: Cells, parts: Sequence[ScaledLaw], pieces: Sequence[MotionPiece], stack: Pieces, end: float,
-                  begun: Sequence[int] = ()) -> PieceRows:  # fmt: skip
+def rows_of_parts(
+    at: Cells,
+    parts: Sequence[ScaledLaw],
+    pieces: Sequence[MotionPiece],
+    stack: Pieces,
+    end: float,
+    begun: Sequence[int] = (),
+) -> PieceRows:
     """Return the pieces of a motion of parts, from 0 to its ``end``; each may begin with any piece of its law."""
     numbers = [1 if isinstance(part.law, Dwell) else stack.number(part.law) for part in parts]  # there is one dwell
     starts = [stack.first[number] for number in numbers]

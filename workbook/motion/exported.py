@@ -8,11 +8,14 @@ import numpy as np
 from engine.laws.base import Array
 from engine.motion.pieces import PieceTable
 from engine.motion.shifted import Unshifted
-from workbook.book.declare import Book, Quantity, calc, constant, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Quantity
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.machine import Exporting, named
 from workbook.motion.cells import PieceRows
-from workbook.motion.pieces import POSITION, finding, sampled
+from workbook.motion.pieces import finding, sampled
+
+CELLS = cell_tables(__file__)
 
 TITLE = "Export"
 
@@ -55,8 +58,8 @@ def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> No
     sheet.heading("Axis")
     with sheet.scoped(axis.scope):
         sheet.rows(
-            calc("export_axis", "Axis", "", "", axis.called, axis.name, align="left"),
-            constant(named(number), "Number of the axis", "", "", number, source="as the description says"),
+            CELLS["export_sheet"]("export_axis", axis.name, formula=axis.called),
+            CELLS["export_sheet"]("{named}", number, named=named(number)),
             straight_loss(axis, table),
         )
         sheet.row += 1
@@ -69,42 +72,38 @@ def straight_loss(axis: Exportable, table: Sequence[Quantity]) -> Quantity:
     """Return by how much straight lines between the points miss the motion, about."""
     x, accelerations = np.asarray(table[0].value), np.asarray(table[3].value)
     step, most = float(x[1] - x[0]), float(np.abs(accelerations).max())
-    formula = "=([export.at.2]-[export.at.first])^2/8*MAX(MAX([export.y2]),0-MIN([export.y2]))"
-    return result("export_loss", "Straight lines between the points are off by, about", "", axis.units[1], formula,
-                  step**2 / 8.0 * most, source="Δx²/8 · max|y''|; motionbook export places points")  # fmt: skip
+    return CELLS["straight_loss"]("export_loss", step**2 / 8.0 * most, unit=axis.units[1])
 
 
 def columns(axis: Exportable, n: int) -> list[Quantity]:
     """Return x, y, y' and y'', then how each sample finds its piece."""
-    rows, later = axis.rows, axis.later
+    cell, rows, later, unit = CELLS["columns"], axis.rows, axis.later, axis.unit[0]
     at = np.linspace(0.0, rows.end, n + 1)
     told = later.unshifted(at) if later else Unshifted(np.zeros(n + 1), at)
     found = PieceTable(rows.pieces, rows.end).at(told.x)
     values = found.y + told.cycles * (later.lifts if later else 0.0), found.y1, found.y2
-    unit, factors = axis.unit[0], [axis.unit[1] / axis.unit[0] ** order for order in range(len(values))]
-    per = [axis.over.from_rad(order) if rows.at.degrees else "" for order in range(3)]
-    end = axis.over.shown_formula(axis.rows.at.end)
-    told_as = (
-        ("y", "position", "y", POSITION), ("y1", "velocity", "y'", "dy/dx"), ("y2", "acceleration", "y''", "d²y/dx²"),
-    )  # fmt: skip
-    found_by = [f"({sampled(rows, order)}){axis.y_factor}{per[order]}" for order in range(len(told_as))]
-    found_by[0] += f"+[n]*{later.travel}" if later and later.travel else ""
+
+    def derivative(name: str, order: int, goes_on: str = "") -> Quantity:
+        factor = axis.unit[1] / unit**order
+        per = axis.over.from_rad(order) if rows.at.degrees else ""
+        shows = f"({sampled(rows, order)}){axis.y_factor}{per}{goes_on}"
+        size, own = axis.size(order) * factor, axis.units[order + 1]
+        return cell(name, values[order] * factor, unit=own, sampled=shows, scale=size)
+
     at_phases: list[Quantity] = []  # where each sample is as phases tell it, if elsewhere
     if later:
         here = axis.over.degrees_formula("[at]")
-        turns = f"=INT((MIN({here},360-2*{later.near})-{later.by}+{later.near})/360)"
         at_phases = [
-            calc("n", "cycles", "n", "", turns, told.cycles, format="0"),
-            calc("p", "angle of its phases", "", "°", f"={here}-{later.by}-360*[n]",
-                 axis.over.degrees(told.x * unit), scale=360.0, format="0.0##"),
-        ]  # fmt: skip
+            cell("n", told.cycles, here=here, later=later),
+            cell("p", axis.over.degrees(told.x * unit), here=here, later=later, scale=360.0),
+        ]
+    end = axis.over.shown_formula(rows.at.end)
     return [
-        calc("at", "abscissa", "x", axis.units[0], f"=[k]*{end}/[export.k.last]", at * unit,
-             scale=rows.end * unit, format="0.0##"),
-        *(result(name, label, symbol, axis.units[order + 1], f"={found_by[order]}", values[order] * factors[order],
-                 scale=axis.size(order) * factors[order], source=source)
-          for order, (name, label, symbol, source) in enumerate(told_as)),
-        constant("k", "sample", "k", "", list(range(n + 1))),
+        cell("at", at * unit, unit=axis.units[0], end=end, scale=rows.end * unit),
+        derivative("y", 0, f"+[n]*{later.travel}" if later and later.travel else ""),
+        derivative("y1", 1),
+        derivative("y2", 2),
+        cell("k", list(range(n + 1))),
         *at_phases,
         *finding(rows, "p" if later else "at", told.x),
-    ]  # fmt: skip
+    ]

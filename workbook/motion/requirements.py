@@ -6,11 +6,14 @@ from typing import Any, Literal, get_args
 
 from engine.laws import Law
 from engine.laws.inverse import law_pieces
-from workbook.book.declare import Quantity, given
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity
 from workbook.entries.machine import Machine
 from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import Laws
+
+CELLS = cell_tables(__file__)
 
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 """what must be continuous: velocity; acceleration too; jerk too"""
@@ -56,15 +59,19 @@ def jump_values(required: RequiredSmoothness, x: float, size: float, order: int)
     return x / required.speed[1], size * required.speed[1] ** order / required.lift[1]
 
 
-def rate_columns(velocities: list[Any], accelerations: list[Any], key: str, units: tuple[str, str],
-            symbols: tuple[str, str] = ("y'", "y''")) -> list[Quantity]:  # fmt: skip
+def rate_columns(
+    velocities: list[Any],
+    accelerations: list[Any],
+    key: str,
+    units: tuple[str, str],
+    symbols: tuple[str, str] = ("y'", "y''"),
+) -> list[Quantity]:
     """Return the columns of velocity and acceleration entered; ``key`` is that of the rows in the description."""
+    cell = CELLS["rate_columns"]
     return [
-        given("velocity", "velocity at its start", symbols[0], units[0], velocities, f"{key}.velocity",
-              format="0.0####", source="between two curved phases; empty: 0"),
-        given("acceleration", "and with", symbols[1], units[1], accelerations, f"{key}.acceleration",
-              format="0.0####", source="between two curved phases; empty: 0"),
-    ]  # fmt: skip
+        cell("velocity", velocities, symbol=symbols[0], unit=units[0], key=key),
+        cell("acceleration", accelerations, symbol=symbols[1], unit=units[1], key=key),
+    ]
 
 
 FEW = 8  # rows more than are used, where a description does not say how many

@@ -9,22 +9,22 @@ import numpy as np
 from engine.motion import Motion, Phase
 from engine.motion.joining import JUMP, ORDERS, Joint, Rates, joints, scales_of, slope
 from engine.motion.pieces import MotionPiece
-from workbook.book.declare import Quantity, Sheet, calc, check, constant
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, Sentence, figure, quoted
 from workbook.fields.units import DEGREE, shown
-from workbook.motion.cells import PieceRows
+from workbook.motion.cells import PieceRows, sharing
 from workbook.motion.pieces import at_begin, at_place, place_columns
 from workbook.motion.requirements import ABOUT, RequiredSmoothness, jump_formulas, jump_values
 
-RATES = ("v", "a", "j")
+CELLS = cell_tables(__file__)
+
 NOTHING: dict[str, Any] = {  # the values of the cells on a jump, by name, where nothing jumps
     **dict.fromkeys(("what", "unit", "jump", "who", "lines", "says"), ""),
     **dict.fromkeys(("before", "after", "other", "straight"), 0),
     **dict.fromkeys(("place", "size", "slope0", "slope1"), 0.0),
 }
-EMPTY = '""'
-WORDS = ",".join(f'"{word}"' for word in ORDERS)
 
 
 def opening(piece: MotionPiece) -> float:
@@ -54,16 +54,14 @@ class Joints:
 
     def order(self) -> list[Quantity]:
         """Return the rows that say how many derivatives must be continuous, and which jumps of each are rounding."""
-        entry, (v, a), scales = self.required.entry, self.required.largest, self.scales
-        jerk = f"{self.required.order}_a*{self.required.quickest or f'MAX([{self.rows.at.phases}.rate])'}"
-        lost = (f"check_zero*{v}", f"check_zero*{a}", jerk)
-        formula = f'=IF({entry}="velocity",1,IF({entry}="acceleration",2,3))'
+        scales, quickest = self.scales, self.required.quickest or f"MAX([{self.rows.at.phases}.rate])"
+        cell = sharing(CELLS["order"], order=self.required.order)
         return [
-            calc(self.required.order, "Derivatives that must not jump", "", "", formula,
-                 ORDERS.index(self.required.smooth) + 1, format="0"),
-            *(calc(f"{self.required.order}_{name}", f"A jump of {word} up to this is none", "", "", f"={formula}",
-                   JUMP * scale) for name, word, formula, scale in zip(RATES, ORDERS, lost, scales, strict=True)),
-        ]  # fmt: skip
+            cell("{order}", ORDERS.index(self.required.smooth) + 1, entry=self.required.entry),
+            cell("{order}_v", JUMP * scales[0], largest=self.required.largest[0]),
+            cell("{order}_a", JUMP * scales[1], largest=self.required.largest[1]),
+            cell("{order}_j", JUMP * scales[2], quickest=quickest),
+        ]
 
     @property
     def units(self) -> Sequence[str]:
@@ -80,28 +78,28 @@ class Joints:
         pieces = filled(self.rows.pieces, room, replace(self.rows.pieces[-1], duration=0.0))
         found = filled(self.found, room, self.found[-1]._replace(before=-1, jump=Rates(), order=0))
         sheet.table(
-            self.name, title, room,
-            constant("r", "piece", "k", "", list(range(1, room + 1))),
-            *self._lasting(pieces, found), *self._ends(pieces), *self._rates(pieces, found),
-            *self._jumps(pieces, found), blank=f"[r]>{self.rows.at.count}",
-        )  # fmt: skip
+            self.name,
+            title,
+            room,
+            *self._lasting(pieces, found),
+            *self._ends(pieces),
+            *self._rates(pieces, found),
+            *self._jumps(pieces, found),
+            blank=f"[r]>{self.rows.at.count}",
+        )
         sheet.rows(*self._first())
 
     def _lasting(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
         """Return which pieces last, and which phases meet where they begin."""
-        at = self.rows.at
+        cell = sharing(CELLS["lasting"], at=self.rows.at, joints=self.name)
         return [
-            calc("d", "duration", "d", at.x, f"=[{at.pieces}.d.same]", [piece.duration for piece in pieces],
-                 scale=self.rows.end),
-            calc("p", "phase", "", "", f"=[{at.pieces}.p.same]", [piece.phase + 1 for piece in pieces], format="0"),
-            calc("n", "pieces that last, so far", "", "", "=IF([r]=1,0,[n-1])+IF([d]>0,1,0)",
-                 [joint.piece_count for joint in found], format="0"),
-            calc("of", "phase of the last of them", "", "", "=IF([d]>0,[p],IF([r]=1,0,[of-1]))",
-                 [joint.phase + 1 for joint in found], format="0"),
-            calc("from", "phase before", "", "",
-                 f"=IF([d]>0,IF([n]=1,[{self.name}.of.last],INDEX([{self.name}.of],[r]-1)),0)",
-                 [joint.before + 1 for joint in found], format="0"),
-        ]  # fmt: skip
+            cell("r", list(range(1, len(pieces) + 1))),
+            cell("d", [piece.duration for piece in pieces], scale=self.rows.end),
+            cell("p", [piece.phase + 1 for piece in pieces]),
+            cell("n", [joint.piece_count for joint in found]),
+            cell("of", [joint.phase + 1 for joint in found]),
+            cell("from", [joint.before + 1 for joint in found]),
+        ]
 
     def _ends(self, pieces: list[MotionPiece]) -> list[Quantity]:
         """Return where each piece ends, with the powers of that; of a motion that opens within one, its begin too."""
@@ -113,53 +111,51 @@ class Joints:
         begins, begin = [opening(piece) for piece in pieces], f"[{at.pieces}.begin.same]"
         after = f"IF([r]<{room},INDEX([{at.pieces}.begin],MIN([r]+1,{room})),{at.end})"
         from_origin = f"=IF([d]>0,{{}}-[{at.pieces}.origin.same],0)"
-        return [*place_columns(self.rows, "0", "begin", from_origin.format(begin), np.array(begins), pieces),
-                *place_columns(self.rows, "1", "end", from_origin.format(after), np.array(ends), pieces)]  # fmt: skip
+        return [
+            *place_columns(self.rows, "0", "begin", from_origin.format(begin), np.array(begins), pieces),
+            *place_columns(self.rows, "1", "end", from_origin.format(after), np.array(ends), pieces),
+        ]
 
     def _rates(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
         """Return y', y'' and y''' at both ends of each piece."""
-        rows = self.rows
+        cell, rows, at_begins = CELLS["rates"], self.rows, [np.array(opening(piece)) for piece in pieces]
 
-        def begun(n: int) -> list[float]:
-            return [float(piece.curves[n].at(np.array(opening(piece)))) for piece in pieces]
+        def begun(name: str, n: int) -> Quantity:
+            values = [float(piece.curves[n].at(u)) for piece, u in zip(pieces, at_begins, strict=True)]
+            begin = at_place(rows, n, "0") if rows.at.opens else at_begin(rows, n)
+            return cell(name, values, begin=begin, scale=self.scales[n - 1])
 
-        def begin(n: int) -> str:
-            return at_place(rows, n, "0") if rows.at.opens else at_begin(rows, n)
+        def reached(name: str, n: int) -> Quantity:
+            values = [joint.end[n - 1] for joint in found]
+            return cell(name, values, end=at_place(rows, n, "1"), scale=self.scales[n - 1])
 
-        names = list(zip(RATES, ORDERS, strict=True))
         return [
-            *(calc(f"{name}0", word, "", "", f"={begin(n)}", begun(n), scale=self.scales[n - 1],
-                   source="at its begin") for n, (name, word) in enumerate(names, 1)),
-            *(calc(f"{name}1", f"{word} reached", "", "",
-                   f"=IF([d]>0,{at_place(rows, n, '1')},IF([r]=1,0,[{name}1-1]))",
-                   [joint.end[n - 1] for joint in found], scale=self.scales[n - 1], source="at its end")
-              for n, (name, word) in enumerate(names, 1)),
-        ]  # fmt: skip
+            begun("v0", 1),
+            begun("a0", 2),
+            begun("j0", 3),
+            reached("v1", 1),
+            reached("a1", 2),
+            reached("j1", 3),
+        ]
 
     def _jumps(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
         """Return the columns of the jumps at the begin of each piece."""
-        wraps, marks = self.required.wraps, ("'", "''", "'''")
-        last, wrapped = f"[{self.name}.r.last]", len(pieces) * self.required.periodic
+        wraps, wrapped = self.required.wraps, len(pieces) * self.required.periodic
+        last = f"[{self.name}.r.last]"
         last = f"IF({wraps},{last},0)" if wraps else last
         met = [
             (k if joint.piece_count > 1 else wrapped) * (piece.duration > 0.0)
             for k, (joint, piece) in enumerate(zip(found, pieces, strict=True))
         ]
-        cell = self.required.order
-        jerk = f"IF(({cell}>2)*(ABS([dj])>{cell}_j),3,0)"
-        order = f"=IF(ABS([dv])>{cell}_v,1,IF(({cell}>1)*(ABS([da])>{cell}_a),2,{jerk}))"
+        cell, scales = sharing(CELLS["jumps"], joints=self.name, order=self.required.order), self.scales
         return [
-            calc("met", "row of the piece before", "", "", f"=IF([d]>0,IF([n]=1,{last},[r]-1),0)",
-                 met, format="0", source="0: none"),
-            *(calc(f"d{name}", f"jump of {word}", f"Δy{mark}", "",
-                   f"=IF([met]>0,[{name}0]-INDEX([{self.name}.{name}1],[met]),0)",
-                   [joint.jump[n - 1] for joint in found], scale=self.scales[n - 1], source="at its begin")
-              for n, (name, word, mark) in enumerate(zip(RATES, ORDERS, marks, strict=True), 1)),
-            calc("order", "what jumps", "", "", order, [joint.order for joint in found],
-                 format="0", source="1 y', 2 y'', 3 y" "'''"),
-            calc("size", "by how much", "", "", "=CHOOSE([order]+1,0,[dv],[da],[dj])",
-                 [joint.size for joint in found], scale=max(self.scales)),
-        ]  # fmt: skip
+            cell("met", met, last=last),
+            cell("dv", [joint.jump.v for joint in found], scale=scales.v),
+            cell("da", [joint.jump.a for joint in found], scale=scales.a),
+            cell("dj", [joint.jump.j for joint in found], scale=scales.j),
+            cell("order", [joint.order for joint in found]),
+            cell("size", [joint.size for joint in found], scale=max(scales)),
+        ]
 
     @property
     def _worst(self) -> tuple[MotionPiece, Joint] | None:
@@ -169,69 +165,44 @@ class Joints:
 
     def _first(self) -> list[Quantity]:
         """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
-        required, name, told = self.required, self.required.order, self._told()
+        required, order, told = self.required, self.required.order, self._told()
+        at, asked, named = self.rows.at, self.rows.at.required, bool(self.required.names)
+        cell = sharing(CELLS["first"], order=order, joints=self.name, phases=at.phases, asked=asked)
 
-        def at(column: str) -> str:
-            return f"INDEX([{column}],{name}_piece)"
+        def row(name: str, **parts: str) -> Quantity:
+            return cell(name, told[name.removeprefix("{order}_")], **parts)
 
-        order = at(f"{self.name}.order")
-        x, size = jump_formulas(required, at(f"{self.rows.at.pieces}.begin"), f"ABS({at(f'{self.name}.size')})", order)
-        units = ",".join(map(quoted, self.units))
-        who, straight = self._who(), self._straight_lines()
-        number = self.found.index(self._worst[1]) + 1 if self._worst else 0
-        says = (
-            f'{f"{name}_who&" if who else ""}"at "&ROUND({name}_place,9)&{quoted(required.place)}&": "&{name}_what'
-            f'&" jumps by "&{name}_jump&" "&{name}_unit{f"&{name}_lines" if straight else ""}'
-        )
-        phases = [
-            ("before", "Phase before", at(f"{self.name}.from")),
-            ("after", "Phase that begins or goes on", at(f"{self.name}.p")),
-            ("other", "Another phase begins: 1 yes, 0 no",
-             f"IF(OR({name}_before<>{name}_after,{at(f'{self.name}.n')}=1),1,0)"),
-        ]  # fmt: skip
-        rows = [
-            ("place", "Where it begins", x),
-            ("what", "What jumps there", f"CHOOSE({order},{WORDS})"),
-            ("size", "It jumps by", size),
-            ("unit", "in", f"CHOOSE({order},{units})"),
-            ("jump", "as told", f'IF({name}_size<1000000000,ROUND({name}_size,9)&"","beyond 1E9")'),
-            *(phases if who or straight else []),
-            *([("who", "Between", who)] if who else []),
-            *straight,
-            ("says", "What is less smooth than asked", says),
-        ]
-        first = f"ROUND(1/SUMPRODUCT(MAX(([{self.name}.order]>0)/[{self.name}.r])),0)"
-        return [
-            calc(f"{name}_piece", "First piece that begins less smoothly than asked", "", "",
-                 f"=IF(SUM([{self.name}.order])=0,0,{first})", number, format="0", source="0 where none does"),
-            *(calc(f"{name}_{mark}", label, "", "",
-                   f"=IF({name}_piece=0,{EMPTY if NOTHING[mark] == '' else 0},{formula})", told[mark])
-              for mark, label, formula in rows),
-        ]  # fmt: skip
-
-    def _who(self) -> str:
-        """Return the formula of the phases between which the first jump is; nothing where they have no names."""
-        name = self.required.order
-        one, two = (f"INDEX([{self.rows.at.phases}.what],{name}_{end})" for end in ("before", "after"))
-        return f'{one}&IF({name}_other=1," to "&{two},"")&" "' if self.required.names else ""
-
-    def _straight_lines(self) -> list[tuple[str, str, str]]:
-        """Return the rows of the slopes on both sides of the first jump, where both are straight."""
-        table, name = self.rows.at.required, self.required.order
-        if not table:
-            return []
-        both = "+".join(f"INDEX([{table}.way],{name}_{end})" for end in ("before", "after"))
+        def of_piece(column: str) -> str:
+            return f"INDEX([{column}],{order}_piece)"
 
         def slope_of(end: str) -> str:
-            _, formula = jump_formulas(self.required, "", f"INDEX([{table}.slope],{name}_{end})", "1")
-            return f"{name}_straight*{formula}"
+            return jump_formulas(required, "", f"INDEX([{asked}.slope],{order}_{end})", "1")[1]
 
-        says = f'": straight lines of "&ROUND({name}_slope0,9)&" and "&ROUND({name}_slope1,9)'
+        begin, jump = of_piece(f"{at.pieces}.begin"), f"ABS({of_piece(f'{self.name}.size')})"
+        place, size = jump_formulas(required, begin, jump, of_piece(f"{self.name}.order"))
+        phases = [row("{order}_before"), row("{order}_after"), row("{order}_other")]
+        straight = [
+            row("{order}_straight"),
+            row("{order}_slope0", slope=slope_of("before")),
+            row("{order}_slope1", slope=slope_of("after")),
+            row("{order}_lines"),
+        ]
         return [
-            ("straight", "Two straight lines meet there", f"IF({both}=-2,1,0)"),
-            ("slope0", "Slope of the first", slope_of("before")),
-            ("slope1", "Slope of the second", slope_of("after")),
-            ("lines", "as told", f'IF({name}_straight=1,{says},"")'),
+            cell("{order}_piece", self.found.index(self._worst[1]) + 1 if self._worst else 0),
+            row("{order}_place", place=place),
+            row("{order}_what"),
+            row("{order}_size", size=size),
+            row("{order}_unit", units=",".join(map(quoted, self.units))),
+            row("{order}_jump"),
+            *(phases if named or asked else []),
+            *([row("{order}_who")] if named else []),
+            *(straight if asked else []),
+            row(
+                "{order}_says",
+                who=f"{order}_who&" if named else "",
+                behind=quoted(required.place),
+                lines=f"&{order}_lines" if asked else "",
+            ),
         ]
 
     def check(self, name: str, label: str) -> Quantity:
@@ -239,8 +210,8 @@ class Joints:
         required = self.required
         head = f'{required.of[0]}&" "&' if required.of[0] else ""
         said = f"{required.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
-        says = CheckSentence(f"{head}{required.order}_says", said)
-        return check(name, label, f"{required.order}_piece=0", not self._worst, ABOUT, says=says)
+        says, ok = CheckSentence(f"{head}{required.order}_says", said), not self._worst
+        return CELLS["check"]("{name}", ok, name=name, label=label, order=required.order, source=ABOUT, says=says)
 
     def _told(self) -> dict[str, Any]:
         """Return the values of the cells on the first joint that is less smooth than required, by name."""
@@ -258,11 +229,20 @@ class Joints:
         what, unit = ORDERS[joint.order - 1], self.units[joint.order - 1]
         says = f"{who}at {figure(x)}{required.place}: {what} jumps by {jump} {unit}{lines}"
         return NOTHING | {
-            "place": x, "what": what, "size": size, "unit": unit, "jump": Sentence(jump), "who": who,
-            "before": joint.before + 1, "after": piece.phase + 1, "other": int(not within),
-            "straight": int(bool(slopes)), **{f"slope{i}": slope for i, slope in enumerate(slopes)},
-            "lines": Sentence(lines), "says": Sentence(says),
-        }  # fmt: skip
+            "place": x,
+            "what": what,
+            "size": size,
+            "unit": unit,
+            "jump": Sentence(jump),
+            "who": who,
+            "before": joint.before + 1,
+            "after": piece.phase + 1,
+            "other": int(not within),
+            "straight": int(bool(slopes)),
+            **{f"slope{i}": slope for i, slope in enumerate(slopes)},
+            "lines": Sentence(lines),
+            "says": Sentence(says),
+        }
 
     def _slopes(self, piece: MotionPiece, joint: Joint) -> tuple[float, ...]:
         """Return the slopes of the phases on both sides, where both are straight."""

@@ -21,17 +21,35 @@ FOLDER = Path(workbook.__file__).parent.parent.joinpath("templates")
 TEXTS = ("name", "source")
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")  # Python takes 1_000 and ١٢ too
 MOTOR_COLUMNS = {
-    "name": "name", "inertia_kgcm2": "inertia", "stall_torque_Nm": "stall_torque", "rated_torque_Nm": "rated_torque",
-    "rated_speed_rpm": "rated_speed", "peak_torque_Nm": "peak_torque", "max_speed_rpm": "max_speed",
-    "full_torque_to_rpm": "full_torque_to", "torque_at_max_speed_Nm": "end_torque",
-    "copper_losses_kW": "copper_losses", "mass_kg": "mass", "cost": "cost", "source": "source",
-}  # fmt: skip
+    "name": "name",
+    "inertia_kgcm2": "inertia",
+    "stall_torque_Nm": "stall_torque",
+    "rated_torque_Nm": "rated_torque",
+    "rated_speed_rpm": "rated_speed",
+    "peak_torque_Nm": "peak_torque",
+    "max_speed_rpm": "max_speed",
+    "full_torque_to_rpm": "full_torque_to",
+    "torque_at_max_speed_Nm": "end_torque",
+    "copper_losses_kW": "copper_losses",
+    "mass_kg": "mass",
+    "cost": "cost",
+    "source": "source",
+}
 REDUCER_COLUMNS = {
-    "name": "name", "reduction": "reduction", "efficiency": "efficiency", "inertia_at_input_kgcm2": "inertia",
-    "no_load_torque_Nm": "no_load_torque", "max_input_speed_rpm": "max_speed", "max_output_torque_Nm": "max_torque",
-    "full_torque_to_cycles_per_h": "full_cycles", "factor_beyond": "cycle_factor",
-    "max_mean_torque_Nm": "mean_torque", "mass_kg": "mass", "cost": "cost", "source": "source",
-}  # fmt: skip
+    "name": "name",
+    "reduction": "reduction",
+    "efficiency": "efficiency",
+    "inertia_at_input_kgcm2": "inertia",
+    "no_load_torque_Nm": "no_load_torque",
+    "max_input_speed_rpm": "max_speed",
+    "max_output_torque_Nm": "max_torque",
+    "full_torque_to_cycles_per_h": "full_cycles",
+    "factor_beyond": "cycle_factor",
+    "max_mean_torque_Nm": "mean_torque",
+    "mass_kg": "mass",
+    "cost": "cost",
+    "source": "source",
+}
 
 
 def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]:

@@ -1,6 +1,7 @@
 """The sheets Selection, Pairs and Catalogue: motors by reducers for the axis that is named, within limits, ranked."""
 
-from workbook.book.declare import FIRST, Book, Sheet, calc, check, columns_of, given, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import FIRST, Book, Sheet
 from workbook.book.sentence import CheckSentence
 from workbook.selection.best import best_table, chart, order_table, points_of_pairs
 from workbook.selection.catalogue import FALLING, HALF
@@ -9,6 +10,8 @@ from workbook.selection.entries import UNCHOSEN, Limits, Products, SelectionSize
 from workbook.selection.grids import grids, products
 from workbook.selection.limits import limit_cells
 from workbook.selection.pair_selection import PairSelection, rms_of
+
+CELLS = cell_tables(__file__)
 
 TITLE = "Selection"
 SOURCE = 100  # characters of the column of sources, the same in both tables; it is not printed
@@ -51,126 +54,92 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
 
 def entries(sheet: Sheet, view: PairSelection, axis: str, limits: Limits | None) -> None:
     """Declare the axis, what pairs are ranked by, what a usable one holds, and what the axis asks for."""
+    cell = CELLS["entries"]
     s = view.given
     sheet.heading("Enter", ABOUT)
     sheet.rows(
-        *([given("@axis", "Axis", "", "", axis, "selection.axis", choices="=sel_axes", align="left",
-                 source="one with a drive")] if axis else []),
-        given("@rank", "Rank usable pairs by", "", "", s.rank, "selection.rank", align="left",
-              source="smallest motor: the least rated torque, then the least of it used"),
-        given("@greatest", "Greatest margin", "", "", s.greatest_margin, "selection.greatest_margin", format="0.0##",
-              source="continuous torque at the mean speed / T_rms: so that no motor is far too large"),
+        *([cell("@axis", axis)] if axis else []),
+        cell("@rank", s.rank),
+        cell("@greatest", s.greatest_margin),
         *(limit_cells(limits) if limits else ()),
-    )  # fmt: skip
+    )
     load = view.grid.task
     scale = view.shaft.torque
     sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")
     sheet.rows(
-        calc("@wrms", "RMS acceleration", "ω̇_rms", "rad/s²", "=SQRT(@own)", load.acceleration_rms),
-        calc("@trms", "RMS torque", "S_rms", "Nm", "=SQRT(@square+@square_back)", load.torque_rms, scale=scale),
-        calc("@wmax", "Largest speed", "ω", "rad/s", "=@speed+0", load.max_speed),
-        calc("@tmax", "Torque that the reducer must carry", "f S_max", "Nm", "=@torque_factor*@smax",
-             view.grid.output_torque, scale=scale),
-        calc("@little", "Least share of it", "", "", "=1/@greatest", 1.0 / view.given.greatest_margin),
-        result("@beta", "Load factor", "β", "W/s", "=2*(@wrms*@trms+@product+@product_back)",
-               2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean),
-               "2 (ω̇_rms S_rms + mean ω̇ S); S5, eq. (15)", scale=view.shaft.product),
-    )  # fmt: skip
+        cell("@wrms", load.acceleration_rms),
+        cell("@trms", load.torque_rms, scale=scale),
+        cell("@wmax", load.max_speed),
+        cell("@tmax", view.grid.output_torque, scale=scale),
+        cell("@little", 1.0 / view.given.greatest_margin),
+        cell("@beta", 2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean), scale=view.shaft.product),
+    )
 
 
 def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
     """Declare what is proposed, and what the pair does that the drive has."""
+    cell = CELLS["outcome"]
     pair = None if view.proposed is None else view.ranked[view.proposed]
-    first = "INDEX([@best.{0}],MATCH(1,[@best.holds],0))"
-    there = "SUM([@best.holds])=0"
     usable = int((view.grid.verdicts == "yes").sum())
     message = WORDS[(pair is not None, bool(view.ranked), usable > 0, True).index(True)]
     sheet.heading("Results")
     sheet.rows(
-        result("@message", "In words", "", "", MESSAGE, message, align="left"),
-        result("@motor", "Proposed motor", "", "", f'=IF({there},"none",{first.format("motor")})',
-               view.motors.names[pair[0]] if pair else "none", align="left"),
-        result("@reducer", "Proposed reducer", "", "", f'=IF({there},"none",{first.format("reducer")})',
-               view.reducers.names[pair[1]] if pair else "none", align="left"),
-        result("@usable", "Usable pairs", "", "", f'=COUNTIF({view.whole("word")},"yes")', usable, format="0"),
-        calc("@count", "… of these, ranked", "", "", f"=COUNT({view.whole('key')})", len(view.ranked),
-             "those that have the mass or cost they are ranked by", format="0"),
-    )  # fmt: skip
+        cell("@message", message, formula=MESSAGE),
+        cell("@motor", view.motors.names[pair[0]] if pair else "none"),
+        cell("@reducer", view.reducers.names[pair[1]] if pair else "none"),
+        cell("@usable", usable, words=view.whole("word")),
+        cell("@count", len(view.ranked), keys=view.whole("key")),
+    )
+    chosen = "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis"
     sheet.checks(
-        *([check("@ok_axis", "Selection: its axis has a drive",
-                 "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis", True, rule=":chosen",
-                 says=f'"{UNCHOSEN}"&@axis')] if axis else []),
-        check("@ok", "Selection: a motor and a reducer fit", "SUM([@best.holds])>0", pair is not None,
-              says=CheckSentence("@message", message))
-    )  # fmt: skip
+        *([cell("@ok_axis", True, chosen=chosen, unchosen=UNCHOSEN)] if axis else []),
+        cell("@ok", pair is not None, says=CheckSentence("@message", message)),
+    )
     sheet.heading("The pair that the drive has")
     (motor, reducer), own, torque = view.names_in_use, view.own, max(view.own.peak, 1e-3)
     rms = rms_of("@held_j", "@held_i", "@held_mixed", "@held_square")
     sheet.rows(
-        result("@own_motor", "Motor", "", "", "=@held_motor&\"\"", motor, align="left"),
-        result("@own_reducer", "Reducer", "", "", "=@held_reducer&\"\"", reducer, align="left"),
-        result("@own_rms", "RMS torque of the motor", "T_rms", "Nm", f"={rms}", own.rms, "that of the drive's sheet",
-               scale=torque),
-        result("@own_margin", "Margin", "", "", "=IF(@own_rms>0,@held_rated/@own_rms,0)", own.margin,
-               "continuous torque / T_rms"),
-        result("@own_peak", "Peak torque of the motor", "T_max", "Nm", "=@held_top+0", own.peak,
-               "that of the drive's sheet", scale=torque),
-        result("@own_speed", "Largest speed of the motor", "n_max", "rpm", "=@speed*@held_i*30/PI()", own.speed),
-        result("@own_inertias", "Inertia ratio", "", "",
-               "=IF(@held_jm>0,(@held_j-@held_jm+@inertia/@held_i^2)/@held_jm,0)", own.inertias),
-        result("@own_spare", "Least reserve below the motor's curve", "", "Nm", "=@held_spare+0", own.spare,
-               "that of the drive's sheet", scale=torque),
-    )  # fmt: skip
+        cell("@own_motor", motor),
+        cell("@own_reducer", reducer),
+        cell("@own_rms", own.rms, rms=rms, scale=torque),
+        cell("@own_margin", own.margin),
+        cell("@own_peak", own.peak, scale=torque),
+        cell("@own_speed", own.speed),
+        cell("@own_inertias", own.inertias),
+        cell("@own_spare", own.spare, scale=torque),
+    )
 
 
 WORDS = (
-    "the first below its motor's curve", "none of the best is below its motor's curve",
-    "no usable pair has what it is ranked by", "no pair can do it",
-)  # fmt: skip
+    "the first below its motor's curve",
+    "none of the best is below its motor's curve",
+    "no usable pair has what it is ranked by",
+    "no pair can do it",
+)
 MESSAGE = '=IF(SUM([@best.holds])>0,"{}",IF(@count>0,"{}",IF(@usable>0,"{}","{}")))'.format(*WORDS)
 
 
 def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> None:
     """Declare the sheet of motors and reducers, from which drives take theirs by name."""
-    motor = columns_of(products.motors, "selection.motors", sizes.motors)
-    reducer = columns_of(products.reducers, "selection.reducers", sizes.reducers)
+    motor = CELLS["motors"].columns(products.motors, "selection.motors", sizes.motors)
+    reducer = CELLS["reducers"].columns(products.reducers, "selection.reducers", sizes.reducers)
     sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
     sheet.one_page = True
     sheet.heading("Motors and reducers", "No empty row in between. A limit that is not given is none.")
     book.column_names |= {"motor_name": ("motors", "name"), "reducer_name": ("reducers", "name")}
     sheet.table(
-        "motors", "Motors", sizes.motors,
-        motor("name", "motor", "", "", "name", align="left"),
-        motor("inertia", "inertia", "J_M", "kg cm²", "inertia", format="0.0####"),
-        motor("stall", "stall torque, if more", "T_0", "Nm", "stall_torque", format="0.0##"),
-        motor("rated", "rated torque", "T_N", "Nm", "rated_torque", format="0.0##"),
-        motor("nn", "rated speed, if less", "n_N", "rpm", "rated_speed", format="0.##"),
-        motor("peak", "peak torque", "T_M,max", "Nm", "peak_torque", format="0.0##"),
-        motor("nmax", "largest speed", "n_M,max", "rpm", "max_speed", format="0.##"),
-        motor("knee", "peak torque up to, if less", "n_1", "rpm", "full_torque_to", format="0.##"),
-        motor("end", "peak torque at n_M,max, if less", "", "Nm", "end_torque", format="0.0##"),
-        motor("pcu", "copper losses at T_N", "P_Cu", "kW", "copper_losses", format="0.0##"),
-        motor("mass", "mass", "", "kg", "mass", format="0.0##"),
-        motor("cost", "cost", "", "", "cost", format="0.##"),
-        motor("source", "source", "", "", "source", align="left"),
+        "motors",
+        "Motors",
+        sizes.motors,
+        *map(motor, CELLS["motors"]),
         rules=[HALF, FALLING],
-    )  # fmt: skip
+    )
     sheet.row += 1
     sheet.table(
-        "reducers", "Reducers", sizes.reducers,
-        reducer("name", "reducer", "", "", "name", align="left"),
-        reducer("i", "reduction", "i", "", "reduction", format="0.0##"),
-        reducer("eta", "efficiency", "η", "", "efficiency", format="0.0##"),
-        reducer("inertia", "inertia at the input", "J_T", "kg cm²", "inertia", format="0.0####"),
-        reducer("t012", "no-load torque at the input", "T_012", "Nm", "no_load_torque", format="0.0##"),
-        reducer("nmax", "largest input speed", "", "rpm", "max_speed", format="0.##"),
-        reducer("tmax", "largest output torque", "T_2B", "Nm", "max_torque", format="0.0##"),
-        reducer("full", "cycles an hour for T_2B", "Z_h", "1/h", "full_cycles", format="0.##"),
-        reducer("fs", "T_2B over this beyond", "f_s", "", "cycle_factor", format="0.0##"),
-        reducer("t2n", "largest mean output torque", "T_2N", "Nm", "mean_torque", format="0.0##"),
-        reducer("mass", "mass", "", "kg", "mass", format="0.0##"),
-        reducer("cost", "cost", "", "", "cost", format="0.##"),
-        reducer("source", "source", "", "", "source", align="left"),
-    )  # fmt: skip
+        "reducers",
+        "Reducers",
+        sizes.reducers,
+        *map(reducer, CELLS["reducers"]),
+    )
     source = sheet.blocks[0].columns["source"]
     sheet.widths, sheet.print_columns = {source: SOURCE}, source - 1

@@ -13,6 +13,7 @@ from engine.laws.points import POINTS
 from engine.selection.catalogue import Motors, Reducers
 from engine.selection.pair_matrix import RANKS, Pair, PairMatrix, Requirements
 from engine.selection.point_load import PairArrays, PointLoad, shares_of
+from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import in_scope
 from workbook.book.rows import filled
 from workbook.fields.units import KG_CM2, PER_HOUR, RPM, shown, si
@@ -22,27 +23,7 @@ from workbook.selection.limits import LIMITS
 
 BEST = 20  # rows of the list of the best pairs
 AS_ENTERED = "as entered"
-LABELS = {
-    "own": ("mean of α²", "rad²/s⁴"), "square": ("mean of S², driving", "Nm²"), "square_back": ("… driven", "Nm²"),
-    "product": ("mean of α S, driving", "W/s"), "product_back": ("… driven", "W/s"),
-    "way": ("share of the cycle in motion", ""), "way_turning": ("mean of α d", "rad/s²"),
-    "way_behind": ("mean of S d, driving", "Nm"), "way_back": ("… driven", "Nm"), "speed": ("largest speed", "rad/s"),
-    "mean": ("mean speed", "rad/s"), "smax": ("largest torque", "Nm"), "smean": ("mean torque", "Nm"),
-    "cycles": ("cycles an hour", "1/h"), "inertia": ("inertia", "kg m²"), "beside": ("parts beside the motor", "kg m²"),
-    "brake": ("held by a brake in every dwell", ""), "by_power": ("losses by the flow of power", ""),
-    "left": ("rated torque available at the ambient temperature", ""),
-    "rms_reserve": ("least reserve of RMS torque", ""),
-    "peak_reserve": ("least reserve of peak torque", ""), "speed_reserve": ("least reserve of speed", ""),
-    "inertia_ratio": ("largest inertia ratio", ""), "torque_factor": ("factor on the reducer's torque", ""),
-    "held_j": ("inertia with its motor", "kg m²"),
-    "held_jm": ("its motor", "kg m²"), "held_i": ("its reduction", ""), "held_eta": ("its efficiency", ""),
-    "held_no_load": ("its no-load torque", "Nm"), "held_rated": ("its continuous torque", "Nm"),
-    "held_peak": ("its peak torque", "Nm"), "held_top": ("peak torque demand", "Nm"),
-    "held_spare": ("reserve below the motor's curve", "Nm"), "held_nmax": ("its largest speed", "rpm"),
-    "held_row": ("its row of motors", ""), "held_gear": ("its row of reducers", ""),
-    "turns": ("acceleration of its shaft over that of its points", ""),
-}  # fmt: skip
-"""of each figure of a shaft and of the pair that drives it, in the order of the sheet: what it is, and its unit"""
+FIGURES = cell_tables(__file__)["figures"]  # of a shaft and of the pair that drives it, in the order of the sheet
 MIXED = "@product/{eta}+@product_back*{eta}+{i}*{own}*@way_turning"
 """the mean of ω̇ S, of the shaft's acceleration and the load's torque before the reducer's losses, with its own"""
 SQUARE = "(@square/{eta}^2+@square_back*{eta}^2)/{i}^2+2*{own}*(@way_behind/{eta}+@way_back*{eta})/{i}+{own}^2*@way"
@@ -64,17 +45,26 @@ def load_figures(load: PointLoad, turning: float, torque: float) -> dict[str, tu
     """Return the figures of a load with their scales, by those of its acceleration (rad/s²) and its torque (Nm)."""
     own, mixed, mixed_back, square, square_back, way, way_turning, way_behind, way_back = load.squares
     return {
-        "own": (own, turning**2), "square": (square, torque**2), "square_back": (square_back, torque**2),
-        "product": (mixed, turning * torque), "product_back": (mixed_back, turning * torque), "way": (way, 0.0),
-        "way_turning": (way_turning, turning), "way_behind": (way_behind, torque), "way_back": (way_back, torque),
-        "speed": (load.speed, 0.0), "mean": (load.mean_speed, 0.0), "smax": (load.torque, torque),
-        "smean": (load.mean_torque, torque), "inertia": (load.inertia, 0.0),
-    }  # fmt: skip
+        "own": (own, turning**2),
+        "square": (square, torque**2),
+        "square_back": (square_back, torque**2),
+        "product": (mixed, turning * torque),
+        "product_back": (mixed_back, turning * torque),
+        "way": (way, 0.0),
+        "way_turning": (way_turning, turning),
+        "way_behind": (way_behind, torque),
+        "way_back": (way_back, torque),
+        "speed": (load.speed, 0.0),
+        "mean": (load.mean_speed, 0.0),
+        "smax": (load.torque, torque),
+        "smean": (load.mean_torque, torque),
+        "inertia": (load.inertia, 0.0),
+    }
 
 
 def limit_figures(limits: Limits, scope: str) -> dict[str, tuple[str, float]]:
     """Return the cells and values of limits, behind the beginning of the cells' names."""
-    return {name: (f"{scope}{name}", getattr(limits, name)) for name, *_ in LIMITS}
+    return {name: (f"{scope}{name}", getattr(limits, name)) for name in LIMITS}
 
 
 Cell = str | tuple[str, float] | tuple[str, float, float]
@@ -83,7 +73,12 @@ Cell = str | tuple[str, float] | tuple[str, float, float]
 def shaft_figures(scope: str, load: Mapping[str, tuple[float, float]], cells: Mapping[str, Cell]) -> list[Figure]:
     """Return the figures of a shaft by their cells: a formula of a figure of the load, or one with value and scale."""
     each = {name: (cell, *load[name]) if isinstance(cell, str) else cell for name, cell in cells.items()}
-    return [Figure(name, *of, in_scope(each[name][0], scope), *each[name][1:]) for name, of in LABELS.items()]
+    found = []
+    for name, row in FIGURES.items():
+        formula, *value_and_scale = each[name]
+        label, unit = row.texts["label"], row.texts["unit"]
+        found.append(Figure(name, label, unit, in_scope(formula, scope), *value_and_scale))
+    return found
 
 
 @dataclass
@@ -136,20 +131,37 @@ def engine_motors(rows: Sequence[MotorRow]) -> Motors:
     """Return the engine's catalogue of the motors entered."""
     of = partial(column, rows)
     return Motors(
-        tuple(row.name for row in rows), si(of("inertia"), KG_CM2), of("rated_torque"), of("peak_torque"),
-        si(of("max_speed"), RPM), of("mass"), of("cost"), si(of("full_torque_to"), RPM), of("end_torque"),
-        of("stall_torque"), si(of("rated_speed"), RPM),
-    )  # fmt: skip
+        tuple(row.name for row in rows),
+        si(of("inertia"), KG_CM2),
+        of("rated_torque"),
+        of("peak_torque"),
+        si(of("max_speed"), RPM),
+        of("mass"),
+        of("cost"),
+        si(of("full_torque_to"), RPM),
+        of("end_torque"),
+        of("stall_torque"),
+        si(of("rated_speed"), RPM),
+    )
 
 
 def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
     """Return the engine's catalogue of the reducers entered."""
     of, none = partial(column, rows), math.inf
     return Reducers(
-        tuple(row.name for row in rows), of("reduction"), of("efficiency"), si(of("inertia", 0.0), KG_CM2),
-        si(of("max_speed", none), RPM), of("max_torque", none), of("mean_torque", none), of("mass"), of("cost"),
-        of("no_load_torque", 0.0), si(of("full_cycles", FULL_CYCLES), PER_HOUR), of("cycle_factor", 1.0),
-    )  # fmt: skip
+        tuple(row.name for row in rows),
+        of("reduction"),
+        of("efficiency"),
+        si(of("inertia", 0.0), KG_CM2),
+        si(of("max_speed", none), RPM),
+        of("max_torque", none),
+        of("mean_torque", none),
+        of("mass"),
+        of("cost"),
+        of("no_load_torque", 0.0),
+        si(of("full_cycles", FULL_CYCLES), PER_HOUR),
+        of("cycle_factor", 1.0),
+    )
 
 
 class PairFigures(NamedTuple):
@@ -177,9 +189,13 @@ class PairSelection:
         self.rank = RANKS.index(given.rank) + 1
         own = self.shaft.values
         self.requirements = Requirements(
-            own["inertia_ratio"], own["rms_reserve"], given.greatest_margin, own["torque_factor"], own["peak_reserve"],
+            own["inertia_ratio"],
+            own["rms_reserve"],
+            given.greatest_margin,
+            own["torque_factor"],
+            own["peak_reserve"],
             own["speed_reserve"],
-        )  # fmt: skip
+        )
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
         self.bare = PairArrays(0.0 * r.reduction, r.reduction, r.efficiency, r.no_load)  # before any motor
@@ -220,8 +236,10 @@ class PairSelection:
     def names_in_use(self) -> tuple[str, str]:
         """The names of the drive's motor and reducer."""
         motor, reducer = int(self.in_use("row")), int(self.in_use("gear"))
-        return (self.motors.names[motor - 1] if motor else AS_ENTERED,
-                self.reducers.names[reducer - 1] if reducer else AS_ENTERED)  # fmt: skip
+        return (
+            self.motors.names[motor - 1] if motor else AS_ENTERED,
+            self.reducers.names[reducer - 1] if reducer else AS_ENTERED,
+        )
 
     @cached_property
     def listed(self) -> list[PairFigures]:

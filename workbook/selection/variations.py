@@ -41,14 +41,18 @@ def motor(i: int, k: int) -> dict[str, Any]:
     top = 3000.0 + 170 * i + 29 * k
     curve = {"full_torque_to": top * (0.3 + 0.05 * k), "end_torque": rated * 1.1} if (i + k) % 3 == 0 else {}
     return {
-        "name": f"motor {k}-{i + 1}", "inertia": (0.0006 + 0.0001 * k) * 3.1**i, "rated_torque": rated,
-        "peak_torque": rated * (2.2 + 0.1 * i), "max_speed": top, "source": "a variation" if i % 2 else None,
+        "name": f"motor {k}-{i + 1}",
+        "inertia": (0.0006 + 0.0001 * k) * 3.1**i,
+        "rated_torque": rated,
+        "peak_torque": rated * (2.2 + 0.1 * i),
+        "max_speed": top,
+        "source": "a variation" if i % 2 else None,
         "mass": 3.0 + 2.5 * i + 0.1 * k if i % 4 != 3 else None,
         "cost": 400.0 + 90 * i if k == 3 and i % 3 != 2 else None,
         "copper_losses": None if i % 3 else 0.01 * rated,
         "stall_torque": rated * (0.9 + 0.3 * (i % 4)) if (i + k) % 5 else None,
         "rated_speed": top * 0.35 * (i % 3) or None,
-    } | curve  # fmt: skip
+    } | curve
 
 
 def reducer(i: int, k: int) -> dict[str, Any]:

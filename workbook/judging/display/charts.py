@@ -24,7 +24,8 @@ TEXTS = ("t", "f", "v")  # elements that hold texts and references, which are re
 T = TypeVar("T")
 ADDED = re.compile(
     r"\b(trendline|upDownBars|dropLines|hiLowLines|dTable|view3D|pivotFmts|userShapes|errBars|dPt.* spPr|dLbl.* tx"
-    r"|numFmt|show(Val|SerName|CatName|Percent)|scaling|dispUnits|smooth|tickLblPos|overlay|prstDash|custDash|dispBlanksAs|latin|strike"
+    r"|numFmt|show(Val|SerName|CatName|Percent)|scaling|dispUnits|smooth|tickLblPos|overlay|prstDash|custDash"
+    r"|dispBlanksAs|latin|strike"
     r"|\w*[rR]Pr (noFill|solidFill|sz)|plotArea spPr solidFill|legend layout)\b"
 )
 

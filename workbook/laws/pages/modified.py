@@ -7,23 +7,32 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from engine.laws import modified as engine
+from workbook.book.cell_tables import cell_tables
 from workbook.book.sentence import figure
 from workbook.fields.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws import family, seven_stages
 from workbook.laws.edged import FLAT, SINE_IN, SINE_OUT, Stage, edged
-from workbook.laws.family import LawCheck, Parameter
+from workbook.laws.page_tables import checks_in, parameters_in
+
+CELLS = cell_tables(__file__)
 
 MODIFIED_TRAPEZOIDAL = edged(
     dict(enumerate(map(Stage, (SINE_OUT, FLAT, SINE_IN, None, SINE_IN, FLAT, SINE_OUT)), 1)),
-    titled="Modified trapezoidal acceleration", source="S1, seven parameters; S3, figure 2",
-    entries=seven_stages.SevenDurations, law=engine.ModifiedTrapezoidal, parameters=seven_stages.DURATIONS,
+    titled="Modified trapezoidal acceleration",
+    source="S1, seven parameters; S3, figure 2",
+    entries=seven_stages.SevenDurations,
+    law=engine.ModifiedTrapezoidal,
+    parameters=seven_stages.DURATIONS,
     variations=seven_stages.lasting(
-        [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13], [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0],
-        [0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2], [0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0],
-        [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1], [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25],
+        [0.1, 0.2, 0.15, 0.05, 0.12, 0.25, 0.13],
+        [0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0],
+        [0.3, 0.0, 0.25, 0.1, 0.15, 0.0, 0.2],
+        [0.0, 0.2, 0.2, 0.0, 0.25, 0.35, 0.0],
+        [0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1],
+        [0.15, 0.1, 0.0, 0.2, 0.0, 0.3, 0.25],
     ),
     checks=seven_stages.LASTING,
-)  # fmt: skip
+)
 
 
 TRAPEZOID_BY_SHARE = edged(
@@ -35,22 +44,19 @@ TRAPEZOID_BY_SHARE = edged(
         6: Stage(FLAT, '=(1-@share)*IF(@reversal="end",1-@edge,1/2)'),
         7: Stage(SINE_OUT, '=IF(@reversal="end",0,(1-@share)/4)'),
     },
-    source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D", law=engine.TrapezoidByShare,
+    source="LCamHdl, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D",
+    law=engine.TrapezoidByShare,
     entries=family.parameters_of(
         engine.TrapezoidByShare, share=family.Between, reversal=Literal["none", "start", "end"], edge=Share
     ),
-    parameters=(
-        family.SHARE,
-        Parameter("@reversal", "It turns round at", "", "reversal", "reversal",
-                  source="none, start or end: there the acceleration stands"),
-        Parameter("@edge", "Edge of the pulse that is cut off", "ρ", "edge", "edge",
-                  source="share of the pulse; without a reversal of no account"),
-    ),
+    parameters=(family.SHARE, *parameters_in(CELLS["trapezoid by share"])),
     variations=(
-        {"share": 0.4, "reversal": "end", "edge": 0.3}, {"share": 0.6, "reversal": "start", "edge": 0.7},
-        {"share": 0.3, "reversal": "none", "edge": 0.4}, {"share": 0.55, "reversal": "end", "edge": 1.0},
+        {"share": 0.4, "reversal": "end", "edge": 0.3},
+        {"share": 0.6, "reversal": "start", "edge": 0.7},
+        {"share": 0.3, "reversal": "none", "edge": 0.4},
+        {"share": 0.55, "reversal": "end", "edge": 1.0},
     ),
-)  # fmt: skip
+)
 
 
 MODIFIED_SINE = edged(
@@ -60,22 +66,19 @@ MODIFIED_SINE = edged(
         5: Stage(SINE_IN, "=(1-@fall_edge)*(1-@share)"),
         7: Stage(SINE_OUT, "=@fall_edge*(1-@share)"),
     },
-    source="LCamHdl, D_D_MOD_SINE", law=engine.ModifiedSine,
+    source="LCamHdl, D_D_MOD_SINE",
+    law=engine.ModifiedSine,
     entries=family.parameters_of(
         engine.ModifiedSine, family.Staged, share=family.Between, rise_edge=Share, fall_edge=Share
     ),
-    parameters=(
-        family.SHARE,
-        Parameter("@rise_edge", "First edge, as a share of the acceleration", "β_1", "rise_edge", "first edge",
-                  source="¼; ½: cycloidal, 0: simple harmonic"),
-        Parameter("@fall_edge", "Last edge, as a share of the deceleration", "β_2", "fall_edge", "last edge"),
-    ),
+    parameters=(family.SHARE, *parameters_in(CELLS["modified sine"])),
     variations=(
-        {"share": 0.4, "rise_edge": 0.25, "fall_edge": 0.4}, {"share": 0.6, "rise_edge": 0.0, "fall_edge": 1.0},
+        {"share": 0.4, "rise_edge": 0.25, "fall_edge": 0.4},
+        {"share": 0.6, "rise_edge": 0.0, "fall_edge": 1.0},
         {"share": 0.3, "rise_edge": 0.5, "fall_edge": 0.1},
     ),
     checks=(family.BRIEF,),
-)  # fmt: skip
+)
 
 PARTS = ("sine", "constant", "cosine", "straight")
 
@@ -106,31 +109,18 @@ SINE_CONSTANT_COSINE = edged(
         7: Stage(SINE_OUT, "=@sine*(1-@share)"),
     },
     titled="Sine-constant-cosine (SCCA)",
-    source="PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'", law=engine.SineConstantCosine,
-    entries=family.parameters_of(
-        engine.SineConstantCosine, Parts, share=family.Between, **dict.fromkeys(PARTS, Share)
-    ),
-    parameters=(
-        Parameter("@sine", "Sine edges at the dwells", "b", "sine", "sine edges",
-                  source="shares of the whole time; all four sum to 1"),
-        Parameter("@constant", "Constant acceleration", "c", "constant", "constant"),
-        Parameter("@cosine", "Cosine edges inside", "d", "cosine", "cosine edges"),
-        Parameter("@straight", "Constant velocity", "e", "straight", "constant velocity"),
-        family.SHARE,
-    ),
+    source="PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'",
+    law=engine.SineConstantCosine,
+    entries=family.parameters_of(engine.SineConstantCosine, Parts, share=family.Between, **dict.fromkeys(PARTS, Share)),
+    parameters=(*parameters_in(CELLS["parts"]), family.SHARE),
     variations=(
         {"sine": 0.1, "constant": 0.6, "cosine": 0.3, "straight": 0.0, "share": 0.4},
         {"sine": 0.2, "constant": 0.0, "cosine": 0.6, "straight": 0.2, "share": 0.6},
         {"sine": 0.0, "constant": 0.5, "cosine": 0.2, "straight": 0.3, "share": 0.3},
         {"sine": 0.15, "constant": 0.25, "cosine": 0.35, "straight": 0.25, "share": 0.55},
     ),
-    checks=(
-        LawCheck("@sum", "the four shares sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", "sum", family.SUM_SAYS),
-        LawCheck("@lasts", "the law starts and stops", "@sine+@constant+@cosine>0", "lasts",
-                 '"all of the time is straight"'),
-        family.BRIEF,
-    ),
-)  # fmt: skip
+    checks=(*checks_in(CELLS["parts: checks"]), family.BRIEF),
+)
 
 
 HARMONIC_COMBINATION = edged(
@@ -155,13 +145,10 @@ SINE_STRAIGHT_SINE = edged(
         4: Stage(None, "=1-@curved"),
         5: Stage(SINE_IN, "=@curved*(1-@share)"),
     },
-    source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286", law=engine.SineStraightSine,
+    source="LCamHdl, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286",
+    law=engine.SineStraightSine,
     entries=family.parameters_of(engine.SineStraightSine, family.Staged, curved=Curved, share=family.Between),
-    parameters=(
-        family.SHARE,
-        Parameter("@curved", "Share of the time that is curved", "c", "curved", "share of the sines",
-                  source="1: simple harmonic"),
-    ),
+    parameters=(family.SHARE, *parameters_in(CELLS["sine, straight, sine"])),
     checks=(family.BRIEF,),
     variations=({"share": 0.4, "curved": 0.3}, {"share": 0.7, "curved": 1.0}, {"share": 0.55, "curved": 0.8}),
-)  # fmt: skip
+)

@@ -12,15 +12,19 @@ from engine import laws as engine
 from engine.laws import Law, PieceLaw
 from engine.laws.piece import begins
 from engine.laws.points import PointedLaw, Points, piece_ends
-from workbook.book.declare import Quantity, RowRule, Sheet, calc, check, constant, given
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, RowRule, Sheet, given
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure
 from workbook.book.summary import ZERO
 from workbook.fields.texts import Text
 from workbook.fields.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, ENTRIES, LABELS, REACHES, LawSheet, Page
+from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page
 from workbook.laws.own import OWN_ENTRIES, extremes, missing, points_table
+from workbook.laws.page_tables import coefficients_in
+
+CELLS = cell_tables(__file__)
 
 
 def not_slow(omega: float) -> float:
@@ -71,18 +75,16 @@ class OwnLaw(LawSheet):
 
 
 POLYNOMIAL_345 = {"duration": 1.0, "c1": 60.0, "c2": -180.0, "c3": 120.0}
-VARIATIONS = (
-    {"pieces": [POLYNOMIAL_345]},
-    {"pieces": [
-        {"duration": 0.4, "c0": 3.0, "c1": 1.5, "c2": -2.0, "c3": 0.7, "amplitude": 1.2, "omega": 7.0, "phase": 0.4},
-        {"duration": 0.35, "c0": -1.0, "amplitude": 2.0, "omega": 3.0, "phase": 1.1},
-        {"duration": 0.25, "c0": -2.0, "c2": 4.0},
-    ]},
-    {"pieces": [
-        {"duration": 0.5, "amplitude": 6.5, "omega": 6.0},
-        {"duration": 0.5, "amplitude": -6.0, "omega": 6.5, "phase": 0.1},
-    ]},
-)  # fmt: skip
+MIXED = [
+    {"duration": 0.4, "c0": 3.0, "c1": 1.5, "c2": -2.0, "c3": 0.7} | {"amplitude": 1.2, "omega": 7.0, "phase": 0.4},
+    {"duration": 0.35, "c0": -1.0, "amplitude": 2.0, "omega": 3.0, "phase": 1.1},
+    {"duration": 0.25, "c0": -2.0, "c2": 4.0},
+]
+TWO_SINES = [
+    {"duration": 0.5, "amplitude": 6.5, "omega": 6.0},
+    {"duration": 0.5, "amplitude": -6.0, "omega": 6.5, "phase": 0.1},
+]
+VARIATIONS = ({"pieces": [POLYNOMIAL_345]}, {"pieces": MIXED}, {"pieces": TWO_SINES})
 
 
 WITHIN = "Against the exact law, peaks of s, v, a and j are right to 1 %, of v·a to 4 %, the RMS to 0.0001 %."
@@ -121,18 +123,19 @@ class OwnPage(Page):
 
     def enter(self, sheet: Sheet, named: Any, sizes: Any) -> None:
         """Declare the name and the table of pieces."""
-        sheet.rows(given("@name", "Name of the own law", "", "", named.entered.name, f"{named.key}.name"))
+        cell = CELLS["enter"]
+        sheet.rows(cell("@name", named.entered.name, named=named))
         pieces_entered(sheet, named.entered, named.key, sizes.pieces)
 
     def work(self, sheet: Sheet, named: Any, stack: sampling.Pieces, sizes: Any) -> None:
         """Declare what the coefficients are worked out from, and by how much the law misses."""
+        cell = CELLS["work"]
         sheet.heading("Workings", WITHIN)
         sheet.rows(
-            calc("@first", "Row of its first piece on the sheet Laws", "", "",
-                 "=MATCH(@no,piece_number,0)", float(stack.first[named.number]), format="0"),
-            constant("@most_turn", "Largest turn of a sine on its piece", "", "rad", MOST_TURN),
+            cell("@first", float(stack.first[named.number])),
+            cell("@most_turn", MOST_TURN),
             *extremes(spread_of(named.law, sizes.pieces)),
-        )  # fmt: skip
+        )
         missing(sheet, named.law, sizes.pieces)
 
     def step_back(self, law: Law, sizes: Any) -> float:
@@ -146,18 +149,17 @@ class OwnPage(Page):
 
     def verdicts(self, named: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the own law."""
-        turn, end, name = max(p.omega * p.duration for p in named.law.as_pieces()), named.law.end, named.called
+        cell = CELLS["verdicts"]
+        turn, end = max(piece.omega * piece.duration for piece in named.law.as_pieces()), named.law.end
+        reached = amount("[@samples.s.last]", end.s, "s(1) = ", "")
+        left = amount("[@samples.v.last]", end.v, "v(1) = ", "")
+        turns = amount("MAX([@worked.turn])", turn, "a sine turns by ", " rad over its piece")
         return [
-            check("@sum", f"{name}: the durations sum to 1", "ABS(SUM([@pieces.d])-1)<check_zero", True,
-                  rule=f"{named.key}:sum", says='"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'),
-            check("@reaches", f"{name}: the law reaches s = 1", REACHES, abs(end.s - 1) < ZERO,
-                  says=amount("[@samples.s.last]", end.s, "s(1) = ", "")),
-            check("@rests", f"{name}: the law ends at rest", "ABS([@samples.v.last])<check_zero", abs(end.v) < ZERO,
-                  says=amount("[@samples.v.last]", end.v, "v(1) = ", "")),
-            check("@dense", f"{name}: the points tell its extremes", "MAX([@worked.turn])<=@most_turn",
-                  turn <= MOST_TURN, "of a sine with many turns: split its piece",
-                  says=amount("MAX([@worked.turn])", turn, "a sine turns by ", " rad over its piece")),
-        ]  # fmt: skip
+            cell("@sum", True, named=named),
+            cell("@reaches", abs(end.s - 1) < ZERO, named=named, says=reached),
+            cell("@rests", abs(end.v) < ZERO, named=named, says=left),
+            cell("@dense", turn <= MOST_TURN, named=named, says=turns),
+        ]
 
 
 def spread_of(law: Law, room: int) -> Points:
@@ -166,22 +168,20 @@ def spread_of(law: Law, room: int) -> Points:
 
 
 PAGE = OwnPage(
-    source="entered piece by piece", entries=OwnLaw, law=PointedLaw, pieces=(),
-    coefficients={
-        "cv": ("=MAX(@v_most,0-@v_least)", "largest of its extremes"),
-        "ca_max": ("=@a_most", "largest acceleration"),
-        "ca_min": ("=@a_least", "lowest acceleration"),
-        "ca_rms": ("=SQRT(SUMPRODUCT([@points.part],[@points.a],[@points.a]))", "√∫a², by the points' weights"),
-        "cj": (
-            '=IF(MAX(MAX([@worked.jump]),ABS([@worked.reached.last]))>check_zero,"∞",MAX(@j_most,0-@j_least))',
-            "∞ where the acceleration jumps",
-        ),
-        "va_max": ("=@va_most", "largest v·a"),
-        "va_min": ("=@va_least", "lowest v·a"),
-    },
-    fastest="=@v_at", lowest="=@v_least", low="=@s_least", high="=@s_most", named="=@name",
-    of_pieces=OWN_ENTRIES, wrong_step="=@back", variations=VARIATIONS,
-)  # fmt: skip
+    source="entered piece by piece",
+    entries=OwnLaw,
+    law=PointedLaw,
+    pieces=(),
+    coefficients=coefficients_in(CELLS["coefficients"]),
+    fastest="=@v_at",
+    lowest="=@v_least",
+    low="=@s_least",
+    high="=@s_most",
+    named="=@name",
+    of_pieces=OWN_ENTRIES,
+    wrong_step="=@back",
+    variations=VARIATIONS,
+)
 
 
 def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
@@ -192,21 +192,21 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
         digits = "0.0000" if name == "d" else "General"
         return given(name, *LABELS[name], "", values, f"{key}.pieces.*.{field}", format=digits)
 
-    pieces = filled([piece.made for piece in own.pieces], n, engine.Piece(0.0))
+    title = "Fill one row each, in order; the durations sum to 1; leave spare rows empty"
+    numbers = CELLS["pieces"]("k", list(range(1, n + 1)))
+    entered = sheet.table("@pieces", title, n, numbers, *map(entry, OWN_ENTRIES, Piece.model_fields), rules=[TURNING])
+    sheet.workings(entered, "@worked", "Workings: the pieces", BEHIND, *worked(own, n))
+
+
+def worked(own: OwnLaw, n: int) -> list[Quantity]:
+    """Return the columns of where the pieces begin, and of the acceleration at both their ends."""
+    cell, pieces = CELLS["worked"], filled([piece.made for piece in own.pieces], n, engine.Piece(0.0))
     at = piece_ends(pieces)
-    entered = sheet.table(
-        "@pieces", "Fill one row each, in order; the durations sum to 1; leave spare rows empty", n,
-        constant("k", "piece", "k", "", list(range(1, n + 1))),
-        *map(entry, OWN_ENTRIES, Piece.model_fields),
-        rules=[TURNING],
-    )  # fmt: skip
-    sheet.workings(
-        entered, "@worked", "Workings: the pieces", BEHIND,
-        calc("xi", "begins at", "ξ_k", "", "=IF([k]=1,0,[xi-1]+[d-1])", begins(pieces)),
-        calc("turn", "angle of the sine", "ω d", "rad", "=[omega]*[d]", [one.omega * one.duration for one in pieces]),
-        calc("a0", "a at its start", "", "", "=[c0]+[P]*SIN([phi])", [row.begin for row in at]),
-        calc("a1", "a at its end", "", "",
-             "=[c0]+[d]*([c1]+[d]*([c2]+[d]*[c3]))+[P]*SIN([omega]*[d]+[phi])", [row.end for row in at]),
-        calc("reached", "a reached", "", "", "=IF([d]>0,[a1],IF([k]=1,0,[reached-1]))", [row.reached for row in at]),
-        calc("jump", "jump of a", "", "", "=IF([d]>0,ABS([a0]-IF([k]=1,0,[reached-1])),0)", [row.jump for row in at]),
-    )  # fmt: skip
+    return [
+        cell("xi", begins(pieces)),
+        cell("turn", [piece.omega * piece.duration for piece in pieces]),
+        cell("a0", [row.begin for row in at]),
+        cell("a1", [row.end for row in at]),
+        cell("reached", [row.reached for row in at]),
+        cell("jump", [row.jump for row in at]),
+    ]

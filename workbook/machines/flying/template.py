@@ -5,7 +5,8 @@ from typing import Any
 
 from engine.flying.pieces import cut_pieces
 from engine.motion.profile import profile_of
-from workbook.book.declare import Book, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
@@ -25,9 +26,12 @@ from workbook.selection.variations import KEPT, vary_selection
 from workbook.template import Template, finish
 from workbook.template_outputs import CamAxis, ExactJudgement, deviations, judged_limits
 
+CELLS = cell_tables(__file__)
+
 
 def declare(given: FlyingCutter) -> Book:
     """Declare the book."""
+    cell = CELLS["declare"]
     book_laws = BookLaws(given.laws, given.sizes)
     view = CutterView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
@@ -36,13 +40,17 @@ def declare(given: FlyingCutter) -> Book:
     about = (
         "A tool that follows the line while it works: the motion of its drum or slide, and what its drive must give."
     )
-    summary_sheet(book, given, about, [
-        result("about_rate", "Products", "", "1/min", "=fly_rate", shown(cut.rate, PER_MINUTE)),
-        result("about_n", "Greatest speed of the shaft", "n", "rpm", "=fly_w_max*60/(2*PI())", fastest),
-        result("about_dw", "Peak acceleration of the shaft", "ω̇_max", "rad/s²", "=fly_dw",
-               cut.max_angular_acceleration),
-        result("about_beta", "Load factor", "β", "W/s", "=fly_beta", beta),
-    ])  # fmt: skip
+    summary_sheet(
+        book,
+        given,
+        about,
+        [
+            cell("about_rate", shown(cut.rate, PER_MINUTE)),
+            cell("about_n", fastest),
+            cell("about_dw", cut.max_angular_acceleration),
+            cell("about_beta", beta),
+        ],
+    )
     rows = rows_of(view, book_laws.stack)
     drive = ToolDrive(view, given.selection, given.limits, given.sizes)
     cutter_sheet(book, view, joints_of(view, rows), drive.stroke, book_laws.named)
@@ -54,11 +62,17 @@ def declare(given: FlyingCutter) -> Book:
     catalogue_sheet(book, given.selection, given.sizes)
     book_laws.sheets(book)
     shaft = shown(cut.tool.angle(1.0), DEGREE)
-    export_sheet(book, given, [
-        Exportable(name, f'="{name}"', rows, ("s", y, f"{y}/s", f"{y}/s²"), (1.0, one), times, cut.size)
-        for name, y, one, times in (("tool", "mm", shown(1.0, MM), "*1000"),
-                                    ("shaft", "°", shaft, "*1000/fly_r*180/PI()"))
-    ])  # fmt: skip
+    export_sheet(
+        book,
+        given,
+        [
+            Exportable(name, f'="{name}"', rows, ("s", y, f"{y}/s", f"{y}/s²"), (1.0, one), times, cut.size)
+            for name, y, one, times in (
+                ("tool", "mm", shown(1.0, MM), "*1000"),
+                ("shaft", "°", shaft, "*1000/fly_r*180/PI()"),
+            )
+        ],
+    )
     return finish(book, ("S5", "S1", "S3"))
 
 
@@ -116,8 +130,11 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
 
 
 SIZES = LAW_SIZES | {
-    "cycle": ("cycle", 1), "lengths": ("lengths", 1), "motion_pieces": ("tool_pieces", 0), "motors": ("motors", 0),
+    "cycle": ("cycle", 1),
+    "lengths": ("lengths", 1),
+    "motion_pieces": ("tool_pieces", 0),
+    "motors": ("motors", 0),
     "reducers": ("reducers", 0),
-}  # fmt: skip
+}
 VARIED = varying(FlyingCutter, varied, single_humped)
 TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, SIZES, check, axes=axes, judgement=judgement)

@@ -1,56 +1,48 @@
 """The Comparison sheet: curves of up to four laws, and every law with what it costs."""
 
 from engine.laws.inverse import DERIVATIVES, joint_code
+from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant, given, result
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, result
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
 from workbook.law_sheets.page import finite
 from workbook.laws.sampling import Pieces
 from workbook.machines.laws.entries import MOST_CURVES
 from workbook.machines.laws.view import ComparedLaws
 
+CELLS = cell_tables(__file__)
+
 CURVES = range(1, MOST_CURVES + 1)
 NAMES = {"s": "Position", "v": "Velocity", "a": "Acceleration", "j": "Jerk"}
-VENDORS = {"siemens": "Siemens LCamHdl", "twincat": "TwinCAT", "codesys": "CODESYS", "sew": "SEW MOVI-C"}
+VENDORS = "siemens", "twincat", "codesys", "sew"
 LEFT, RIGHT, TOP, BELOW = 9, 14, 5, 28  # columns and rows at which the charts begin
 COSTS = (
     "C_a,rms²/12: heat in the motor's copper for a pure inertia, against the cubic's, the least possible between two "
     "rests; max |v·a|: the largest power; C_j: what shakes the machine."
 )
-NONE = "–"  # in place of a name
+LOOKED_UP = "cv", "ca_max", "ca_min", "ca_rms", "cj", "va_max", "va_min"
 SPELLED = ",".join(f'"{word}"' for word in DERIVATIVES)
-RATES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
-ORDER = (
-    "=IF(COUNTIF([joints.code],8*[no]+{0})>0,0,IF(COUNTIF([joints.code],8*[no]+{0}+1)>0,1,"
-    "IF(COUNTIF([joints.code],8*[no]+{0}+2)>0,2,3)))"
-)  # the least order of a law's joints: between its pieces, or, of codes that are 4 more, at its ends
-PIECE = "=IF([k]>COUNTIF(piece_number,[no]),MATCH(1,piece_number,0),MATCH([no],piece_number,0)+[k]-1)"
-"""behind the last piece the dwell's, law 1"""
+NONE = "–"  # in place of a name
+RATES = "v", "a", "j"
 ORDERS = {"a": 0, "j": 1}  # of derivatives of the acceleration
 SINES = {"a": "+INDEX(piece_P{n},[q])*SIN({x})", "j": "+INDEX(piece_pj{n},[q])*COS({x})"}
-ORDERED = (
-    "=IF(ABS([dv])>check_zero*INDEX(law_cv,[no]),0,IF(ABS([da])>check_zero*[ca],1,IF(ABS([dj])>check_zero*[ca],2,3)))"
-)
 
 
 def comparison_sheet(book: Book, view: ComparedLaws) -> None:
     """Declare the sheet: the laws to draw and their curves, the table of all laws, then samples and joints."""
+    cell, least = CELLS["curves"], CELLS["least"]
     sheet = book.sheet("Comparison", "Every law of the book side by side: curves, coefficients, and what each costs.")
     sheet.heading("Enter: up to four laws, whose curves are drawn over one another")
     sheet.table(
-        "curves", "One law each row; leave spare rows empty", MOST_CURVES,
-        given("law", "law", "", "",
-              filled(view.entered, MOST_CURVES, None), "comparison.curves.*.law", choices="=law_code"),
-        constant("k", "curve", "k", "", list(range(1, MOST_CURVES + 1))),
-        calc("no", "number", "", "", '=MATCH(IF([law]="",[curves.law.first],[law]),law_code,0)',
-             [one.number for one in view.curves], "of a spare row that of the first", format="0"),
-    )  # fmt: skip
+        "curves",
+        "One law each row; leave spare rows empty",
+        MOST_CURVES,
+        cell("law", filled(view.entered, MOST_CURVES, None)),
+        cell("k", list(range(1, MOST_CURVES + 1))),
+        cell("no", [curve.number for curve in view.curves]),
+    )
     sheet.heading("Results: the least, of laws whose acceleration does not jump")
-    sheet.rows(
-        *(result(f"least_{name}", f"Least {words}", "", "",
-                 f"=MIN([costs_worked.{name}_of])", view.least(name), source, format="0.0000")
-          for name, words, source in (("loss", "copper loss", "C_a,rms² / 12"), ("va", "largest power", "max |v·a|"))),
-    )  # fmt: skip
+    sheet.rows(least("least_loss", view.least("loss")), least("least_va", view.least("va")))
     draw(sheet)
     sheet.heading("The laws, for unit rise and unit time", COSTS)
     costs(sheet, view)
@@ -75,127 +67,109 @@ def draw(sheet: Sheet) -> None:
 
 def costs(sheet: Sheet, view: ComparedLaws) -> None:
     """Declare the table of all laws with their coefficients, costs and continuity."""
-    laws, found = view.moving, [one.law.coefficients for one in view.moving]
-
-    def of(name: str, label: str, symbol: str, source: str = "") -> Quantity:
-        values = [finite(getattr(each, name)) for each in found]
-        return result(name, label, symbol, "", f"=INDEX(law_{name},[no])", values, source, format="0.0000")
-
+    cell, laws = CELLS["costs"], view.moving
+    coefficients = [law.law.coefficients for law in laws]
     table = sheet.table(
-        "costs", "Laws, in the order of the sheet Laws", len(laws),
-        calc("law", "law", "", "", "=INDEX(law_code,[no])", [one.name for one in laws]),
-        calc("family", "family", "", "", "=INDEX(law_name,[no])", [one.words for one in laws], align="left"),
-        of("cv", "velocity", "C_v"),
-        of("ca_max", "acceleration", "C_a+"),
-        of("ca_min", "deceleration", "C_a−"),
-        of("ca_rms", "RMS acceleration", "C_a,rms"),
-        of("cj", "jerk", "C_j"),
-        of("va_max", "largest v·a", "max(v·a)"),
-        of("va_min", "lowest v·a", "min(v·a)"),
-        result("loss", "copper loss", "", "",
-               "=[ca_rms]^2/12", [each.loss for each in found], "C_a,rms² / 12", format="0.0000"),
-        result("va", "largest power", "max |v·a|", "",
-               "=MAX([va_max],-[va_min])", [each.va for each in found], format="0.0000"),
-        result("at_ends", "continuous at its ends", "", "",
-               f"=CHOOSE([ends]+1,{SPELLED})", [DERIVATIVES[ends] for ends, _ in view.smooth], "against rest"),
-        result("within", "and between them", "", "",
-               f"=CHOOSE([inside]+1,{SPELLED})", [DERIVATIVES[inside] for _, inside in view.smooth]),
-    )  # fmt: skip
+        "costs",
+        "Laws, in the order of the sheet Laws",
+        len(laws),
+        cell("law", [law.name for law in laws]),
+        cell("family", [law.words for law in laws]),
+        *(cell(name, [finite(getattr(each, name)) for each in coefficients]) for name in LOOKED_UP),
+        cell("loss", [each.loss for each in coefficients]),
+        cell("va", [each.va for each in coefficients]),
+        cell("at_ends", [DERIVATIVES[ends] for ends, _ in view.smooth], derivatives=SPELLED),
+        cell("within", [DERIVATIVES[inside] for _, inside in view.smooth], derivatives=SPELLED),
+    )
+    both = list(zip(coefficients, view.smooth, strict=True))
     sheet.workings(
-        table, "costs_worked", "Workings", RIGHT + RIGHT - LEFT + 1,
-        constant("no", "number", "", "", [one.number for one in laws], format="0"),
-        calc("ends", "order at its ends", "", "", ORDER.format(4), [ends for ends, _ in view.smooth],
-             "highest continuous derivative", format="0"),
-        calc("inside", "order between them", "", "", ORDER.format(0), [inside for _, inside in view.smooth],
-             format="0"),
-        *(calc(f"{name}_of", f"{words}, if it does not jump", "", "", f'=IF(MIN([ends],[inside])>1,[{name}],"∞")',
-               [getattr(one, name) if min(orders) > 1 else "∞" for one, orders in zip(found, view.smooth, strict=True)],
-               format="0.0000")
-          for name, words in (("loss", "copper loss"), ("va", "largest power"))),
-    )  # fmt: skip
+        table,
+        "costs_worked",
+        "Workings",
+        RIGHT + RIGHT - LEFT + 1,
+        cell("no", [law.number for law in laws]),
+        cell("ends", [ends for ends, _ in view.smooth]),
+        cell("inside", [inside for _, inside in view.smooth]),
+        cell("loss_of", [each.loss if min(orders) > 1 else "∞" for each, orders in both]),
+        cell("va_of", [each.va if min(orders) > 1 else "∞" for each, orders in both]),
+    )
 
 
 def names_sheet(book: Book, view: ComparedLaws) -> None:
     """Declare the sheet that says what the laws are called by those who make controllers."""
+    cell = CELLS["elsewhere"]
     sheet = book.sheet("Names", "What the laws are called in the libraries of controllers, as far as it is sure.")
     sheet.widths |= dict.fromkeys(range(FIRST + 1, FIRST + 1 + len(VENDORS)), 34.0)
     sheet.heading(
         "Names, with the number there", f"{NONE} where there is none, or none is sure; with parameters as delivered."
     )
+    laws = view.moving
     sheet.table(
-        "elsewhere", "Laws", len(view.moving),
-        calc("law", "law", "", "",
-             [f"=[costs.law.{i}]" for i in range(1, len(view.moving) + 1)], [one.name for one in view.moving]),
-        *(constant(name, label, "", "", [getattr(one.law.vendors, name) or NONE for one in view.moving], align="left")
-          for name, label in VENDORS.items()),
-    )  # fmt: skip
+        "elsewhere",
+        "Laws",
+        len(laws),
+        cell("law", [law.name for law in laws], formula=[f"=[costs.law.{i}]" for i in range(1, len(laws) + 1)]),
+        *(cell(vendor, [getattr(law.law.vendors, vendor) or NONE for law in laws]) for vendor in VENDORS),
+    )
 
 
 def samples(sheet: Sheet, view: ComparedLaws) -> None:
     """Declare what the curves are called and the numbers by which they are found, and each sampled in a table."""
+    cell, names = CELLS["samples"], filled(view.entered, MOST_CURVES, "")
     sheet.rows(
-        *(calc(f"curve{i}_name", f"Name of curve {i}", "", "",
-               f'=IF([curves.law.{i}]="","",INDEX(law_code,curve{i}_no))', name, align="center")
-          for i, name in zip(CURVES, filled(view.entered, MOST_CURVES, ""), strict=True)),
-        *(calc(f"curve{i}_no", f"Number of its law, of curve {i}", "", "", f"=[curves.no.{i}]", one.number, format="0")
-          for i, one in zip(CURVES, view.curves, strict=True)),
-    )  # fmt: skip
+        *(cell("curve{i}_name", name, i=i) for i, name in zip(CURVES, names, strict=True)),
+        *(cell("curve{i}_no", curve.number, i=i) for i, curve in zip(CURVES, view.curves, strict=True)),
+    )
     sheet.row += 1
     n, stack = view.sizes.cycle, view.stack
-    for i, one in zip(CURVES, view.curves, strict=True):
-        values = dict(zip("svaj", one.law.evaluate(view.xi), strict=True))
+    for i, curve in zip(CURVES, view.curves, strict=True):
+        values = dict(zip("svaj", curve.law.evaluate(view.xi), strict=True))
         sheet.table(
-            f"samples{i}", f"Curve {i} over ξ = t / t_a", n + 1,
-            constant("k", "sample", "k", "", list(range(n + 1))),
-            calc("xi", "abscissa", "ξ", "", f"=[k]/[samples{i}.k.last]", view.xi, "k / N", format="0.0000"),
+            f"samples{i}",
+            f"Curve {i} over ξ = t / t_a",
+            n + 1,
+            cell("k", list(range(n + 1))),
+            cell("xi", view.xi, i=i),
             *stack.columns(values, "svaj", result),
-            *stack.finding(f"curve{i}_no", one.number, "xi", view.xi),
-        )  # fmt: skip
+            *stack.finding(f"curve{i}_no", curve.number, "xi", view.xi),
+        )
         sheet.row += 1
 
 
 def joints_table(sheet: Sheet, view: ComparedLaws) -> None:
     """Declare the table of joints: rates at both ends of each piece, what jumps before it, and what stays smooth."""
-    rows = view.joints
-
-    def rate(name: str, i: int, at_end: bool) -> Quantity:
-        words = f"{RATES[name]} at its {'end' if at_end else 'begin'}"
-        values = [(row.at.end if at_end else row.at.begin)[i] for row in rows]
-        formula = at_place(name, at_end, view.stack)
-        return calc(
-            f"{name}{int(at_end)}", words, f"{name}_{int(at_end)}", "", formula, values, scale=max(map(abs, values))
-        )
-
+    cell, rows, sines = CELLS["joints"], view.joints, 1 + view.stack.second_sine
     sheet.table(
-        "joints", "Pieces of each law, and the rest behind it", len(rows),
-        calc("law", "law", "", "", "=INDEX(law_code,[no])", [row.law.name for row in rows]),
-        constant("no", "number", "", "", [row.law.number for row in rows], format="0"),
-        constant("k", "piece", "k", "", [row.k for row in rows], format="0"),
-        calc("q", "piece row", "q", "", PIECE, [row.row for row in rows], "on the sheet Laws", format="0"),
-        calc("d", "duration", "d", "", "=INDEX(piece_d,[q])", [row.at.duration for row in rows]),
-        calc("u", "its end", "u", "", f"=[d]{NOT_ZERO}", [row.at.duration + LEAST for row in rows],
-             "never 0, so that u⁰ is 1"),
-        *(calc(f"x{n}", f"argument of sine{words} at its end", "", "rad",
-               f"=INDEX(piece_omega{n},[q])*[u]+INDEX(piece_phi{n},[q])", [row.at.angles[i] for row in rows])
-          for i, (n, words) in enumerate((("", ""), ("2", " 2"))[: 1 + view.stack.second_sine])),
-        *(rate(name, i, at_end) for at_end in (False, True) for i, name in enumerate(RATES)),
-        calc("p", "last before it that lasts", "", "",
-             "=IF([k]=1,0,IF([d-1]>0,[k-1],[p-1]))", [row.at.before for row in rows], "0: rest", format="0"),
-        *(calc(f"d{name}", f"jump of {words}", f"Δ{name}", "",
-               f"=IF([d]>0,[{name}0]-IF([p]=0,0,INDEX([joints.{name}1],[first]+[p]-1)),0)",
-               [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
-          for i, (name, words) in enumerate(RATES.items())),
-        calc("ca", "largest |a| of its law", "C_a", "",
-             "=MAX(INDEX(law_ca_max,[no]),-INDEX(law_ca_min,[no]))", [row.law.law.coefficients.ca for row in rows]),
-        calc("order", "highest continuous derivative", "", "",
-             ORDERED, [row.at.order for row in rows], "0 s, 1 v, 2 a, 3 j", format="0"),
-        calc("outer", "is an end of the law", "", "", "=IF(AND([d]>0,OR([p]=0,[k]>COUNTIF(piece_number,[no]))),1,0)",
-             [int(row.at.outer) for row in rows], format="0"),
-        calc("code", "law, end and order", "", "", "=8*[no]+4*[outer]+[order]",
-             [joint_code(row.law.number, row.at) for row in rows], "8 · number + 4 at an end + order", format="0"),
-        calc("first", "row of its law's first piece", "", "", "=MATCH([no],[joints.no],0)", [row.first for row in rows],
-             format="0"),
-    )  # fmt: skip
+        "joints",
+        "Pieces of each law, and the rest behind it",
+        len(rows),
+        cell("law", [row.law.name for row in rows]),
+        cell("no", [row.law.number for row in rows]),
+        cell("k", [row.k for row in rows]),
+        cell("q", [row.row for row in rows]),
+        cell("d", [row.at.duration for row in rows]),
+        cell("u", [row.at.duration + LEAST for row in rows], not_zero=NOT_ZERO),
+        *(cell(name, [row.at.angles[i] for row in rows]) for i, name in enumerate(("x", "x2")[:sines])),
+        *(rate(view, i, at_end) for at_end in (False, True) for i, _ in enumerate(RATES)),
+        cell("p", [row.at.before for row in rows]),
+        *(
+            cell(f"d{name}", [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
+            for i, name in enumerate(RATES)
+        ),
+        cell("ca", [row.law.law.coefficients.ca for row in rows]),
+        cell("order", [row.at.order for row in rows]),
+        cell("outer", [int(row.at.outer) for row in rows]),
+        cell("code", [joint_code(row.law.number, row.at) for row in rows]),
+        cell("first", [row.first for row in rows]),
+    )
+
+
+def rate(view: ComparedLaws, i: int, at_end: bool) -> Quantity:
+    """Return the column of v, a or j at the begin of each piece, or at its end."""
+    name, rows = RATES[i], view.joints
+    values = [(row.at.end if at_end else row.at.begin)[i] for row in rows]
+    formula, size = at_place(name, at_end, view.stack), max(map(abs, values))
+    return CELLS["rates"](f"{name}{int(at_end)}", values, formula=formula, scale=size)
 
 
 def at_place(name: str, at_end: bool, stack: Pieces) -> str:

@@ -2,7 +2,8 @@
 
 from typing import Any
 
-from workbook.book.declare import Book, calc, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
@@ -12,20 +13,26 @@ from workbook.machines.laws.sheet import comparison_sheet, names_sheet
 from workbook.machines.laws.view import ComparedLaws
 from workbook.template import Template, finish
 
+CELLS = cell_tables(__file__)
+
 
 def declare(given: MotionLaws) -> Book:
     """Declare the book."""
+    cell = CELLS["declare"]
     book_laws = BookLaws(given.laws, given.sizes)
     view = ComparedLaws(given, book_laws.named, book_laws.stack)
     book = Book(given.template, given.title, limit=limits(type(given)))
     about = "Motion laws side by side: coefficients, curves over one another, and what each costs."
-    summary_sheet(book, given, about, [
-        calc("about_laws", "Laws compared", "", "", "=COUNT([costs_worked.no])", len(view.moving), format="0"),
-        result("about_loss", "Least copper loss without a jump of acceleration", "", "", "=least_loss",
-               view.least("loss"), "C_a,rms² / 12", format="0.0000"),
-        result("about_va", "Least power without a jump of acceleration", "", "", "=least_va", view.least("va"),
-               "max |v·a|", format="0.0000"),
-    ])  # fmt: skip
+    summary_sheet(
+        book,
+        given,
+        about,
+        [
+            cell("about_laws", len(view.moving)),
+            cell("about_loss", view.least("loss")),
+            cell("about_va", view.least("va")),
+        ],
+    )
     comparison_sheet(book, view)
     names_sheet(book, view)
     book_laws.sheets(book)

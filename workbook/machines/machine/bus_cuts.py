@@ -7,11 +7,14 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.laws.points import POINTS
-from workbook.book.declare import Sheet, calc, constant
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Sheet
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, shown
 from workbook.machines.machine.drive.view import DriveView
+
+CELLS = cell_tables(__file__)
 
 CUTS = (
     "Between two cuts of any drive each takes at most what it takes in the half of an interval that it is in: the sums "
@@ -32,8 +35,12 @@ def half_powers(view: DriveView) -> Array:
     begin, length = halves[0][:, 0], halves[0][:, -1] - halves[0][:, 0]
     ways = (np.maximum(way.max(axis=1), 0.0) for way in (halves[1], -halves[1]))
     last = float(power[-1, -1])
-    return np.array([filled(each, rows, spare) for each, spare in zip(
-        (begin, length, *ways), (TURN, 0.0, max(last, 0.0), max(-last, 0.0)), strict=True)])  # fmt: skip
+    return np.array(
+        [
+            filled(each, rows, spare)
+            for each, spare in zip((begin, length, *ways), (TURN, 0.0, max(last, 0.0), max(-last, 0.0)), strict=True)
+        ]
+    )
 
 
 class BusCuts:
@@ -82,6 +89,7 @@ class BusCuts:
 
 def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
     """Declare what each drive takes and returns at most in each half of its intervals, and all between cuts."""
+    cell = CELLS["bus_cuts"]
     each = [(row, drive.driven.number) for row, drive in enumerate(cuts.drives, 1) for _ in range(2 * drive.rows)]
     first = [1 + POINTS * k + side for drive in cuts.drives for k in range(drive.rows) for side in (0, HALF)]
     numbers = [number for _, number in each]
@@ -90,23 +98,31 @@ def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
     powers = ",".join(f"INDEX(drive{{0}}_P,[k]+{n})" for n in range(HALF + 1))
     sheet.heading("Bounds of the power of the bus", CUTS)
     sheet.table(
-        "bus_cuts", "Halves of the intervals of all drives, and what they add up to between all cuts", len(each),
-        constant("row", "number", "", "", list(range(1, len(each) + 1))),
-        constant("axis", "axis", "", "", numbers),
-        constant("k", "its first point", "", "", first),
-        calc("from", "from", "", "°", [f"={at.format(n)}-360*INT(({at.format(n)}+eps)/360)" for n in numbers],
-             cuts.begin, "of the master shaft", scale=TURN),
-        calc("to", "to", "", "°", [f"=[from]+INDEX(drive{n}_at,[k]+{HALF})-INDEX(drive{n}_at,[k])" for n in numbers],
-             cuts.end, scale=TURN),
-        calc("draws", "its drive takes at most", "", "kW",
-             [f"=[power.up.{row}]*MAX(0,{powers.format(n)})" for row, n in each], kw(cuts.draws)),
-        calc("returns", "returns at most", "", "kW",
-             [f"=0-[power.down.{row}]*MIN(0,{powers.format(n)})" for row, n in each], kw(cuts.returns)),
-        calc("at", "cut", "", "°", "=SMALL([bus_cuts.from],[row])", cuts.cuts, "of any drive", scale=TURN),
-        calc("span", "to the next", "", "°",
-             f"=IF([row]={len(each)},[bus_cuts.at.first]+360,SMALL([bus_cuts.from],MIN([row]+1,{len(each)})))-[at]",
-             cuts.span, scale=TURN),
-        calc("most", "all take at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.draws])", kw(cuts.drawn)),
-        calc("back", "all return at most", "", "kW", f"=SUMPRODUCT({acts},[bus_cuts.returns])", kw(cuts.returned)),
-        calc("both", "the smaller", "", "kW", "=MIN([most],[back])", kw(cuts.both), "what some can take of others"),
-    )  # fmt: skip
+        "bus_cuts",
+        "Halves of the intervals of all drives, and what they add up to between all cuts",
+        len(each),
+        cell("row", list(range(1, len(each) + 1))),
+        cell("axis", numbers),
+        cell("k", first),
+        cell(
+            "from",
+            cuts.begin,
+            formula=[f"={at.format(n)}-360*INT(({at.format(n)}+eps)/360)" for n in numbers],
+            scale=TURN,
+        ),
+        cell(
+            "to",
+            cuts.end,
+            formula=[f"=[from]+INDEX(drive{n}_at,[k]+{HALF})-INDEX(drive{n}_at,[k])" for n in numbers],
+            scale=TURN,
+        ),
+        cell("draws", kw(cuts.draws), formula=[f"=[power.up.{row}]*MAX(0,{powers.format(n)})" for row, n in each]),
+        cell(
+            "returns", kw(cuts.returns), formula=[f"=0-[power.down.{row}]*MIN(0,{powers.format(n)})" for row, n in each]
+        ),
+        cell("at", cuts.cuts, scale=TURN),
+        cell("span", cuts.span, len=len(each), scale=TURN),
+        cell("most", kw(cuts.drawn), acts=acts),
+        cell("back", kw(cuts.returned), acts=acts),
+        cell("both", kw(cuts.both)),
+    )

@@ -4,18 +4,28 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from engine.motion import Phase
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import HIGH, LOW, Pieces
-from workbook.machines.machine.boundary import curves
 from workbook.machines.machine.boundary.bends import bends_table
-from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
+from workbook.machines.machine.boundary.curve_extremes import (
+    points,
+    polynomial_extremes,
+    pulse_extremes,
+    step_extremes,
+)
+from workbook.machines.machine.boundary.curves import curves_between_ends, end_kinds
+from workbook.machines.machine.boundary.handover import AxisHandover, taken_by_pieces
+from workbook.machines.machine.boundary.required import required_ends
 from workbook.machines.machine.turning import AxisTurns, middles_table, moves_table
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.cells import Cells, rows_of
 from workbook.motion.pieces import ABOUT, phase_columns, pieces_in_all, pieces_table
 from workbook.motion.requirements import RequiredSmoothness
 from workbook.motion.smooth import Joints
+
+CELLS = cell_tables(__file__)
 
 Figure = Callable[[int, Phase], Any]
 STEPS = "Steps of axis {}: its phases, and the rests between them"
@@ -41,9 +51,16 @@ class AxisTables:
         """Where the motion stands."""
         t, base = self.name, self.axis.base
         return Cells(
-            f"{t}_steps", f"{t}_pieces", f"{t}_count", "360", base, "rad", degrees=True, near="eps",
+            f"{t}_steps",
+            f"{t}_pieces",
+            f"{t}_count",
+            "360",
+            base,
+            "rad",
+            degrees=True,
+            near="eps",
             ends=f"{t}_ends" if self.machine.hands_over else "",
-        )  # fmt: skip
+        )
 
     @property
     def required(self) -> RequiredSmoothness:
@@ -51,12 +68,18 @@ class AxisTables:
         t, i, over = self.name, self.axis.number, self.machine.over
         lift = over.lift(self.axis.given.unit)
         return RequiredSmoothness(
-            self.axis.given.smoothness, f"[axes.smooth.{i}]", f"{t}_order",
-            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"), over.after, (f"[axes.name.{i}]", self.axis.given.name),
-            wraps=f'[axes.closes.{i}]<>"open"', periodic=self.axis.given.repeats,
+            self.axis.given.smoothness,
+            f"[axes.smooth.{i}]",
+            f"{t}_order",
+            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"),
+            over.after,
+            (f"[axes.name.{i}]", self.axis.given.name),
+            wraps=f'[axes.closes.{i}]<>"open"',
+            periodic=self.axis.given.repeats,
             units=over.rates(self.axis.given.unit) if over.measured else (),
-            speed=("omega", self.axis.speed) if over.measured else None, lift=(lift.shown, lift.size),
-        )  # fmt: skip
+            speed=("omega", self.axis.speed) if over.measured else None,
+            lift=(lift.shown, lift.size),
+        )
 
 
 def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
@@ -68,7 +91,7 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
         sheet.rows(pieces_in_all(one.pieces), *one.joints.order())
         steps_table(sheet, one)
         room, ends = one.machine.room, one.ends
-        columns, halves = (curves.pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
+        columns, halves = (pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
         title, size = f"Pieces of axis {one.axis.number}", one.axis.motion.size
         pieces_table(sheet, title, one.pieces, room, size, *columns, taken=halves)
         one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
@@ -86,51 +109,65 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
 
 def steps_table(sheet: Sheet, tables: AxisTables) -> None:
     """Declare the steps: a rest before each phase and behind the last, of no length where there is none."""
-    t, n, axis = tables.name, tables.rows, tables.axis
-    motion, base = axis.motion, axis.base
+    title = STEPS.format(tables.axis.number)
+    columns = [*step_columns(tables), *phase_columns(tables.pieces), *(fastest(tables) if tables.ends else [])]
+    sheet.table(f"{tables.name}_steps", title, tables.steps, *columns)
+
+
+def of_steps(tables: AxisTables, figure: Figure, spare: Any = 0.0) -> list[Any]:
+    """Return a figure of each step, by its number and phase, in the rows of the table."""
+    each = (figure(k, phase) for k, phase in enumerate(tables.axis.motion.phases))
+    return spread(each, tables.axis.places, tables.steps, spare)
+
+
+def row_by_row(tables: AxisTables, rest: str, phase: str) -> list[str]:
+    """Return formulas of all rows by those of a rest, by the phases ``before`` and ``behind``, and of a phase."""
+    texts = [rest.format(before=0, behind=1)]
+    for k in range(1, tables.rows + 1):
+        texts += [phase.format(k), rest.format(before=k, behind=k + 1)]
+    return texts
+
+
+def step_columns(tables: AxisTables) -> list[Quantity]:
+    """Return the columns of where steps begin, how long they last, their laws, lifts and positions."""
+    cell, t, axis, handed = CELLS["step_columns"], tables.name, tables.axis, tables.ends
+    motion, base, end = axis.motion, axis.base, f"[{tables.name}.begin.{tables.rows + 1}]"
+    start, size = f"[axes_taken.y0.{axis.number}]", motion.size(0)
+    entered = [end for p in axis.given.phases for end in (p.start, p.stop)]
 
     def each(rest: str, phase: str) -> list[str]:
-        found = [rest.format(before=0, behind=1)]
-        for k in range(1, n + 1):
-            found += [phase.format(k), rest.format(before=k, behind=k + 1)]
-        return found
+        return row_by_row(tables, rest, phase)
 
-    def of(figure: Figure, spare: Any) -> list[Any]:
-        each = (figure(k, phase) for k, phase in enumerate(motion.phases))
-        return spread(each, axis.places, tables.steps, spare)
+    def reached(name: str, formula: str, i: int) -> Quantity:
+        values = of_steps(tables, lambda k, _: motion.reaches[k][i], motion.position)
+        own = handed.own(name, formula) if handed else formula
+        return cell(name, values, base=base, formula=own, scale=size)
 
     begin = [text.replace(f"[{t}.end.0]", "0") for text in each(f"=[{t}.end.{{before}}]", f"=[{t}.begin.{{}}]")]
     rest = f"=IF([{t}.begin.{{behind}}]-[begin]>check_zero,RADIANS([{t}.begin.{{behind}}]-[begin]),0)"
-    span = [text.replace(f"[{t}.begin.{n + 1}]", "360") for text in each(rest, f"=[{t}.span.{{}}]")]
-    ends, handed, start = motion.ends, tables.ends, f"[axes_taken.y0.{axis.number}]"
+    span = [text.replace(end, "360") for text in each(rest, f"=[{t}.span.{{}}]")]
+    positions = of_steps(tables, lambda k, _: motion.ends[k].begin.y, None)
+    return [
+        cell("k", list(range(1, tables.steps + 1))),
+        cell("begin", filled([0.0, *entered], tables.steps, 360.0), formula=begin, scale=360.0),
+        cell("span", of_steps(tables, lambda _, p: p.duration), formula=span),
+        cell("no", list(tables.pieces.numbers), formula=each("=1", f"=[{t}.no.{{}}]")),
+        cell("h", of_steps(tables, lambda _, p: p.lift), base=base, formula=each("=0", f"=[{t}.h.{{}}]")),
+        cell("y0", carried_back(positions, motion.position + motion.lifts_sum), base=base, start=start, scale=size),
+        reached("low", LOW.format(start), 0),
+        reached("high", HIGH.format(start), 1),
+    ]
 
-    def own(column: str, formula: str) -> str:
-        return handed.own(column, formula) if handed else formula
 
-    fastest: list[tuple[str, Figure]] = [("velocity", lambda _, p: p.y1_max), ("acceleration", lambda _, p: p.y2_max)]
-    entered = [end for p in axis.given.phases for end in (p.start, p.stop)]
-    sheet.table(
-        f"{t}_steps", STEPS.format(axis.number), tables.steps,
-        constant("k", "step", "k", "", list(range(1, tables.steps + 1))),
-        calc("begin", "begins at", "", "°", begin, filled([0.0, *entered], tables.steps, 360.0), scale=360.0,
-             format="0.0##"),
-        calc("span", "duration", "δ", "rad", span, of(lambda _, p: p.duration, 0.0)),
-        calc("no", "law number", "", "", each("=1", f"=[{t}.no.{{}}]"), list(tables.pieces.numbers), format="0"),
-        calc("h", "lift", "h", base, each("=0", f"=[{t}.h.{{}}]"), of(lambda _, p: p.lift, 0.0)),
-        calc("y0", "start position", "y_0", base, f"=IF([k]=1,{start},[y0-1]+[h-1])",
-             carried_back(of(lambda k, _: ends[k].begin.y, None), motion.position + motion.lifts_sum), "lifts before",
-             scale=motion.size(0)),
-        calc("low", "lowest position", "", base, own("low", LOW.format(start)),
-             of(lambda k, _: motion.reaches[k][0], motion.position), scale=motion.size(0)),
-        calc("high", "highest position", "", base, own("high", HIGH.format(start)),
-             of(lambda k, _: motion.reaches[k][1], motion.position), scale=motion.size(0)),
-        *phase_columns(tables.pieces),
-        *([] if not handed else [
-            calc(f"y{order}", f"greatest {word}", "", tables.at.unit(order), each("=0*[k]", f"=[{t}.y{order}.{{}}]"),
-                 of(figure, 0.0), scale=motion.size(order))
-            for order, (word, figure) in enumerate(fastest, 1)
-        ]),
-    )  # fmt: skip
+def fastest(tables: AxisTables) -> list[Quantity]:
+    """Return the columns of the greatest velocity and acceleration of the steps."""
+
+    def most(name: str, order: int, figure: Figure) -> Quantity:
+        formula = row_by_row(tables, "=0*[k]", f"=[{tables.name}.{name}.{{}}]")
+        unit, scale = tables.at.unit(order), tables.axis.motion.size(order)
+        return CELLS["fastest"](name, of_steps(tables, figure), unit=unit, formula=formula, scale=scale)
+
+    return [most("y1", 1, lambda _, p: p.y1_max), most("y2", 2, lambda _, p: p.y2_max)]
 
 
 def carried_back(values: list[float | None], last: float) -> list[float]:
@@ -152,20 +189,15 @@ ABOUT_TAKEN = (
 
 def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
-
-    def how(one: AxisHandover) -> list[Quantity]:
-        return [*curves.curves_between_ends(one), *curves.polynomial_extremes(one), *curves.step_extremes(one)]
-
     sheet.heading(TAKEN, ABOUT_TAKEN)
     for one in axes:
-        at, axis, spare = one.rows.at, f"axis {one.axis.number}", f"INDEX([{one.rows.at.phases}.span],[k])=0"
-        sheet.rows(calc(one.last, f"Last step of {axis}", "", "",
-                        f"=SUMPRODUCT(MAX(([{at.phases}.span]>0)*[{at.phases}.k]))", one.axis.places[-1] + 1,
-                        format="0"))  # fmt: skip
+        at, axis = one.rows.at, f"axis {one.axis.number}"
+        sheet.rows(CELLS["taken"]("{last}", one.axis.places[-1] + 1, last=one.last, axis=axis, phases=at.phases))
+        carried_out = [*curves_between_ends(one), *polynomial_extremes(one), *step_extremes(one)]
         for name, title, columns in (
-            (one.required, f"What the steps of {axis} take", required_ends),
-            (at.ends, f"How the steps of {axis} are carried out", how),
-            (one.kinds, f"Ends of the steps of {axis}", curves.end_kinds),
+            (one.required, f"What the steps of {axis} take", required_ends(one)),
+            (at.ends, f"How the steps of {axis} are carried out", carried_out),
+            (one.kinds, f"Ends of the steps of {axis}", end_kinds(one)),
         ):
-            sheet.table(name, title, one.room, *columns(one), blank=spare)
-    curves.points(sheet.book, sheet)
+            sheet.table(name, title, one.room, *columns, blank=f"INDEX([{at.phases}.span],[k])=0")
+    points(sheet.book, sheet)

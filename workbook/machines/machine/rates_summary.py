@@ -4,7 +4,8 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple
 
 from engine.timing import turn_time
-from workbook.book.declare import Quantity, calc, check, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, check
 from workbook.book.sentence import CheckSentence, Sentence, amount, quoted
 from workbook.book.summary import ZERO
 from workbook.entries.abscissa import Abscissa
@@ -13,11 +14,13 @@ from workbook.machines.machine.axes_summary import NO_DRIVE
 from workbook.machines.machine.drive.max_rate import RATE_LOOK, range_in_words
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
 
+CELLS = cell_tables(__file__)
+
 NO_RATE = quoted(AT_NO_RATE)
 RATE_CHECK = "about_held"
 WITHIN = (
-    "AND(IF(ISNUMBER(about_lowest),about_rate>=about_lowest*(1-check_zero),FALSE),"
-    "IF(ISNUMBER(about_highest),about_rate<=about_highest*(1+check_zero),TRUE))"
+    "AND(COUNT(about_lowest)=1,about_rate>=MAX(about_lowest)*(1-check_zero),"
+    "OR(COUNT(about_highest)=0,about_rate<=MAX(about_highest)*(1+check_zero)))"
 )
 
 
@@ -65,10 +68,14 @@ def rate_check(found: Rates, rate: float) -> Quantity:
     limit, words = found.low_limit if slow else found.high_limit, range_in_words(found, "about_", "hold")
     shows = "IF(AND(ISNUMBER(about_lowest),about_rate<about_lowest),about_binds_low,about_binds)"
     return check(
-        RATE_CHECK, "The machine's rate is within the range of all drives", WITHIN, hold_at(rate, found),
+        RATE_CHECK,
+        "The machine's rate is within the range of all drives",
+        WITHIN,
+        hold_at(rate, found),
         says=amount("about_rate", rate, "runs at ", "; the drives ").then(
-            CheckSentence(f'about_range&" ("&{shows}&")"', f"{words.said} ({limit})")),
-    )  # fmt: skip
+            CheckSentence(f'about_range&" ("&{shows}&")"', f"{words.said} ({limit})")
+        ),
+    )
 
 
 def first(
@@ -81,6 +88,7 @@ def first(
 
 def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantity]:
     """Return the results of the whole machine: the rates at which all drives hold all limits, and who binds."""
+    cell = CELLS["range_of_rates"]
     most, least = "[axes_short.highest]", "[axes_short.lowest]"
 
     def binds(limit: str, row: str) -> str:
@@ -97,23 +105,29 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
     apart = f'IF(COUNT({most})=0,"{NONE_BINDS}",IF(MAX({least})<MIN({most}),MIN({most}),{NO_RATE}))'
     words = range_in_words(found.rates, "about_", "hold")
     return [
-        calc("about_range", "All drives together", "", "", f"={words.says}", Sentence(words.said), align="right"),
-        result("about_highest", "Highest rate", "N_max", "cycles/min", f"=IF({unmet},{NO_RATE},{apart})", high,
-               align="right", source="of all drives"),
-        *([result("about_shortest", "Shortest cycle", "t_c,min", "s",
-                  f'=IF(ISNUMBER(about_highest),60/about_highest,"{NO_DRIVE}")',
-                  turn_time(si(high, PER_MINUTE)) if isinstance(high, float) else NO_DRIVE, align="right",
-                  source="all times scaled")] if over.measured else []),
-        calc("about_first", "Number of the axis that has it", "", "",
-             f"=IF({unmet},{row_of(NO_RATE, most)},IF(COUNT({most})=0,0,{row_of(f'MIN({most})', most)}))",
-             found.high_axis, "the first, of equal ones", format="0"),
-        result("about_binds", "Axis and limiting factor", "", "", binds("binds", "about_first"), found.rates.high_limit,
-               align="right"),
-        result("about_lowest", "Lowest rate", "N_min", "cycles/min",
-               f"=IF(about_highest={NO_RATE},about_highest,MAX({least}))", found.rates.low,
-               "of all drives; 0: standstill", align="right", format=RATE_LOOK),
-        calc("about_first_low", "Number of the axis that has it", "", "",
-             f"=IF(MAX({least})>0,{row_of(f'MAX({least})', least)},0)", found.low_axis, "0: none", format="0"),
-        result("about_binds_low", "Axis and limiting factor", "", "", binds("binds_low", "about_first_low"),
-               found.rates.low_limit, align="right"),
-    ]  # fmt: skip
+        cell("about_range", Sentence(words.said), words=words),
+        cell("about_highest", high, unmet=unmet, no_rate=NO_RATE, apart=apart),
+        *(
+            [
+                cell(
+                    "about_shortest",
+                    turn_time(si(high, PER_MINUTE)) if isinstance(high, float) else NO_DRIVE,
+                    no_drive=NO_DRIVE,
+                )
+            ]
+            if over.measured
+            else []
+        ),
+        cell(
+            "about_first",
+            found.high_axis,
+            unmet=unmet,
+            failing=row_of(NO_RATE, most),
+            most=most,
+            slowest=row_of(f"MIN({most})", most),
+        ),
+        cell("about_binds", found.rates.high_limit, formula=binds("binds", "about_first")),
+        cell("about_lowest", found.rates.low, no_rate=NO_RATE, least=least, format=RATE_LOOK),
+        cell("about_first_low", found.low_axis, least=least, fastest=row_of(f"MAX({least})", least)),
+        cell("about_binds_low", found.rates.low_limit, formula=binds("binds_low", "about_first_low")),
+    ]

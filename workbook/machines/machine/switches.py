@@ -6,16 +6,19 @@ from itertools import chain
 from typing import Any
 
 from engine.timing import Switch
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant, given, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Quantity, Sheet, calc, result
 from workbook.book.rows import filled, spread
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
 from workbook.machines.machine.file_layout import switch_name
+from workbook.machines.machine.timing.cycle import LANE_SHARE
 from workbook.machines.machine.timing.phases import going_beyond, no_fault
-from workbook.machines.machine.timing.sheet import LANE_SHARE
 from workbook.machines.machine.view import MachineView
+
+CELLS = cell_tables(__file__)
 
 NUMBERS = range(1, TIMES + 1)
 NEXT = (
@@ -92,58 +95,95 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
     """Declare the table of switches: a row each."""
     over = machine.over
     times = [
-        given(f"{name}{t}", f"{label} ({t})", "", over.unit, [getattr(lane.typed[t - 1], name) for lane in lanes],
-              f"switches.*.on.{t - 1}.{name}", format=over.format)
+        CELLS["entries"](
+            "{name}{t}",
+            [getattr(lane.typed[t - 1], name) for lane in lanes],
+            name=name,
+            t=t,
+            label=label,
+            unit=over.unit,
+            t_before=t - 1,
+            format=over.format,
+        )
         for t in NUMBERS
         for label, name in (("on from", "start"), ("to", "stop"))
-    ]  # fmt: skip
+    ]
     shown_as, source = (calc, "in all") if over.measured else (result, "at the production rate")
     lasting = [
-        shown_as("on", "on in all", "", "°", [f"=SUM([switch{one.number}_times.span])" for one in lanes],
-                 [shown(one.switch.total, DEGREE) for one in lanes]),
-        result("time", "on for", over.lasting, over.unit if over.measured else "s", "=RADIANS([on])/omega",
-               [one.switch.total / machine.speed for one in lanes], source=source),
-    ]  # fmt: skip
+        shown_as(
+            "on",
+            "on in all",
+            "",
+            "°",
+            [f"=SUM([switch{one.number}_times.span])" for one in lanes],
+            [shown(one.switch.total, DEGREE) for one in lanes],
+        ),
+        CELLS["entries"](
+            "time",
+            [one.switch.total / machine.speed for one in lanes],
+            symbol=over.lasting,
+            unit=over.unit if over.measured else "s",
+            source=source,
+        ),
+    ]
     sheet.table(
-        "switches", "Switches: a row each; leave spare times empty", len(lanes),
-        given("name", "switch", "", "", [lane.given.name for lane in lanes], "switches.*.name"),
-        constant("k", "number", "k", "", [lane.number for lane in lanes]),
+        "switches",
+        "Switches: a row each; leave spare times empty",
+        len(lanes),
+        CELLS["switches"]("name", [lane.given.name for lane in lanes]),
+        CELLS["switches"]("k", [lane.number for lane in lanes]),
         *times,
         *(reversed(lasting) if over.measured else lasting),
         rules=[HALF],
-    )  # fmt: skip
-    sheet.rows(*(calc(switch_name(one.number), f"Switch {one.number}", "", "", f"=[switches.name.{one.number}]",
-                      one.given.name, align="left") for one in lanes))  # fmt: skip
+    )
+    sheet.rows(
+        *(
+            calc(
+                switch_name(one.number),
+                f"Switch {one.number}",
+                "",
+                "",
+                f"=[switches.name.{one.number}]",
+                one.given.name,
+                align="left",
+            )
+            for one in lanes
+        )
+    )
 
 
 def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
     """Declare the times of a switch: begin, end and duration, the next begin, and the fault of each."""
+    cell = CELLS["times_of"]
     i, times, after = lane.number, lane.times, over.after
     block, name = f"[switches.start1:stop{TIMES}]", f"switch{i}_times"
     start, stop = f"INDEX({block},{i},2*[t]-1)", f"INDEX({block},{i},2*[t])"
     more = f'"is on "&ROUND({over.shown_formula("[span]-[next]")},9)&"{after} beyond the begin of another"'
     wrong = f'IF([span]<=check_zero,"does not last",IF([span]-[next]>check_zero,{more},""))'
     beyond = going_beyond(over.shown_formula("MAX([begin],[end])"), over)
-    late = calc(
-        "late", "beyond the cycle", "", "", f'=IF(MAX([begin],[end])-360>check_zero,{beyond},"")', "", align="left"
-    )
+    late = cell("late", "", beyond=beyond)
 
     def angle(column: str, label: str, formula: str, values: list[float]) -> Quantity:
         return calc(column, label, "", "°", formula, values, scale=TURN, format="0.0##")
 
     sheet.table(
-        name, f"Switch {i}: its times in degrees of the {over.period}", TIMES,
-        constant("t", "time", "", "", list(NUMBERS)),
-        calc("used", "is entered", "", "", f'=IF(OR({start}="",{stop}=""),0,1)', lane.each([1] * len(lane.entered), 0),
-             format="0"),
+        name,
+        f"Switch {i}: its times in degrees of the {over.period}",
+        TIMES,
+        cell("t", list(NUMBERS)),
+        cell("used", lane.each([1] * len(lane.entered), 0), start=start, stop=stop),
         angle("begin", "on from", f"={over.degrees_formula(start)}", [time.start or 0.0 for time in times]),
         angle("end", "to", f"={over.degrees_formula(stop)}", [time.stop or 0.0 for time in times]),
-        angle("span", "lasts", "=IF([used]=0,0,[end]-[begin]+IF([end]<[begin],360,0))",
-              lane.each(shown(span, DEGREE) for span in lane.switch.spans)),
+        angle(
+            "span",
+            "lasts",
+            "=IF([used]=0,0,[end]-[begin]+IF([end]<[begin],360,0))",
+            lane.each(shown(span, DEGREE) for span in lane.switch.spans),
+        ),
         angle("next", "to the next begin", f"=IF([used]=0,0,{NEXT.format(f'[{name}')})", lane.until_next),
-        calc("wrong", "what is wrong", "", "", f'=IF([used]=0,"",{wrong})', "", align="left"),
+        cell("wrong", "", wrong=wrong),
         *([late] if over.measured else []),
-    )  # fmt: skip
+    )
 
 
 def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa, near: float) -> None:
@@ -165,13 +205,22 @@ def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa, near: float) -> Non
         heights = [f"={floor}+[up]*IF({width}>eps,timing_lane,0)" for width in (*widths, widths[0])]
         places = lane.outline(floor, near)
         columns += [
-            calc(f"x{i}", f"switch {i}: {'time' if over.measured else 'angle'}", "", over.unit, [*angles, last],
-                 [over.shown(x) for x, _ in places], format=over.format),
-            calc(f"y{i}", f"switch {i}: in the diagram", "", "", heights, [y for _, y in places]),
-        ]  # fmt: skip
+            CELLS["corners"](
+                "x{i}",
+                [over.shown(x) for x, _ in places],
+                i=i,
+                place="time" if over.measured else "angle",
+                unit=over.unit,
+                formula=[*angles, last],
+                format=over.format,
+            ),
+            CELLS["corners"]("y{i}", [y for _, y in places], i=i, formula=heights),
+        ]
     sheet.table(
-        "switch_lanes", "Corners of the lanes", len(ups),
-        constant("k", "corner", "k", "", list(range(1, len(ups) + 1))),
-        constant("up", "on", "", "", ups, source="1 where a bar is"),
+        "switch_lanes",
+        "Corners of the lanes",
+        len(ups),
+        CELLS["switch_lanes"]("k", list(range(1, len(ups) + 1))),
+        CELLS["switch_lanes"]("up", ups),
         *columns,
-    )  # fmt: skip
+    )

@@ -7,7 +7,8 @@ from functools import partial
 from engine.cams.interpolation import FunctionValues, composed
 from engine.motion.profile import CamProfile, profile_of_motion
 from engine.timing import Switch
-from workbook.book.declare import Book, Quantity, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Quantity
 from workbook.book.summary import group_verdict_column, summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
@@ -32,7 +33,8 @@ from workbook.machines.machine.rates_summary import range_of_rates, rate_check, 
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
-from workbook.machines.machine.timing.sheet import cycle_sheet, exportable, timing_sheet
+from workbook.machines.machine.timing.cycle import cycle_sheet, exportable
+from workbook.machines.machine.timing.sheet import timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.exported import export_sheet
@@ -40,6 +42,8 @@ from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.pair_selection import PairSelection
 from workbook.template import Alternative, Template, finish
 from workbook.template_outputs import CamAxis, CamSwitch
+
+CELLS = cell_tables(__file__)
 
 
 def declare(given: AnyMachine) -> Book:
@@ -89,9 +93,8 @@ def pace(machine: MachineView) -> list[Quantity]:
     """Return the results of how fast the machine goes; where nothing tells that, of how long its cycle is."""
     over, rate = machine.over, machine.given.per_minute
     if not over.timed:
-        return [result("about_cycle", "Length of a cycle", f"{over.symbol}_c", over.unit, "=timing_cycle", over.length)]
-    return [result("about_rate", "Production rate", "N", "cycles/min", "=timing_rate", rate),
-            result("about_cycle", "Time of a cycle", "t_c", "s", "=timing_cycle", machine.time)]  # fmt: skip
+        return [CELLS["pace"]("about_cycle", over.length, over=over, unit=over.unit)]
+    return [CELLS["pace"]("about_rate", rate), CELLS["pace 2"]("about_cycle", machine.time)]
 
 
 POINTS = {"at": "theta", "T": "T", "n": "n", "P": "P"}
@@ -115,6 +118,7 @@ LAW = f'=IF({OTHERS},"{SEVERAL}",IF(MAX([axis{{0}}.no])={DWELL},"{NO_DRIVE}",IND
 
 def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> None:
     """Declare the law of all movements of an axis, and whether the checks of its phases and its drive hold."""
+    cell = CELLS["judge_axes"]
     block = book.blocks["axes_short"]
     found, checks = [], []
     for axis in axes:
@@ -123,10 +127,13 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
         own = (f"axis{axis.number}_", f"drive{axis.number}_")
         checks.append([k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)])
     block.sheet.workings(
-        block, "axes_judged", "", max(block.columns.values()) + 1,
-        result("law", "law", "", "", [LAW.format(axis.number) for axis in axes], found, align="right"),
+        block,
+        "axes_judged",
+        "",
+        max(block.columns.values()) + 1,
+        cell("law", found, formula=[LAW.format(axis.number) for axis in axes]),
         group_verdict_column(book, "axes_judged", "its checks", checks),
-    )  # fmt: skip
+    )
 
 
 def axes(machine: AnyMachine) -> list[CamAxis]:

@@ -6,11 +6,14 @@ from engine.drive.turning import MIDDLES, Directions, Turn, directions, turns_of
 from engine.laws import Law
 from engine.laws.points import slowest
 from engine.motion.pieces import MotionPiece
-from workbook.book.declare import Book, Quantity, Sheet, calc, constant
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Sheet
 from workbook.book.rows import filled
 from workbook.machines.machine.boundary.handover import AxisHandover
 from workbook.machines.machine.view import MovingAxis
 from workbook.motion.cells import PieceRows
+
+CELLS = cell_tables(__file__)
 
 BACKWARD = 1e-9  # share of the mean velocity: a law that is slower than minus this may turn round
 MIDDLE = "mid"  # the name of the shares of a piece at which its direction is looked at
@@ -54,38 +57,26 @@ class AxisTurns:
 
 def moves_table(sheet: Sheet, of: AxisTurns) -> None:
     """Declare where each piece moves which way, and how often the motion has turned round inside a piece."""
-    at, rows, room = of.rows.at, of.rows, of.room
-    p, v = f"[{at.pieces}.p.same]", velocity(rows)
-    taken = f"+(INDEX([{at.ends}.mode],{p})>0)" if at.ends else ""
-    both, each = "MAX([ff],[fb])", zip(*of.directions, strict=True)
-    ff, fb, lf, lb = (filled(values, room, spare) for values, spare in zip(each, Directions(), strict=True))
-
-    def first(name: str, way: str, values: list[float]) -> Quantity:
-        formula = f"=IF([may]=0,2,2-SUMPRODUCT(MAX((2-{MIDDLE})*({v}{way}0))))"
-        return calc(name, f"{WAYS[way]} from", "", "", formula, values, scale=1.0, source="2: never")
-
-    def last(name: str, way: str, values: list[float]) -> Quantity:
-        formula = f"=IF([may]=0,0,SUMPRODUCT(MAX({MIDDLE}*({v}{way}0))))"
-        return calc(name, f"{WAYS[way]} until", "", "", formula, values, scale=1.0, source="0: never")
-
+    cell, at, rows, room = CELLS["moves_table"], of.rows.at, of.rows, of.room
+    taken = f"+(INDEX([{at.ends}.mode],[{at.pieces}.p.same])>0)" if at.ends else ""
     turned = [sum(turn.piece <= k for turn in of.turns) for k in range(len(rows.pieces))]
-    lows = [slowest(of.law_of(piece)) for piece in rows.pieces]
+    lows, speed = [slowest(of.law_of(piece)) for piece in rows.pieces], velocity(rows)
+    both = zip(zip(*of.directions, strict=True), Directions(), strict=True)
+    ff, fb, lf, lb = (filled(values, room, spare) for values, spare in both)
     sheet.table(
-        of.name, f"Which way each piece of axis {of.axis.number} moves, as shares of it", room,
-        constant("r", "piece", "k", "", list(range(1, room + 1))),
-        calc("low", "lowest velocity of its law", "", "", f"=INDEX(law_v_low,INDEX([{at.phases}.no],{p}))",
-             filled(lows, room, lows[-1]), scale=1.0),
-        calc("may", "may turn round", "", "", f"=IF([{at.pieces}.d.same]*(([low]<0-check_zero){taken})>0,1,0)",
-             filled([int(may) for may in of.may_turn], room), "its law does, or it takes velocity", format="0"),
-        first("ff", ">", ff), first("fb", "<", fb), last("lf", ">", lf), last("lb", "<", lb),
-        calc("turns", "turns so far", "", "",
-             f"=IF([r]=1,0,[turns-1])+IF({both}<1,IF(MIN([lf],[lb])>{both}-check_zero,2,1),0)",
-             filled(turned, room, turned[-1]), "inside pieces", format="0"),
+        of.name,
+        f"Which way each piece of axis {of.axis.number} moves, as shares of it",
+        room,
+        cell("r", list(range(1, room + 1))),
+        cell("low", filled(lows, room, lows[-1]), at=at, scale=1.0),
+        cell("may", filled([int(may) for may in of.may_turn], room), at=at, taken=taken),
+        cell("ff", ff, velocity=speed, scale=1.0),
+        cell("fb", fb, velocity=speed, scale=1.0),
+        cell("lf", lf, velocity=speed, scale=1.0),
+        cell("lb", lb, velocity=speed, scale=1.0),
+        cell("turns", filled(turned, room, turned[-1])),
         blank=f"[r]>{at.count}",
-    )  # fmt: skip
-
-
-WAYS = {">": "forward", "<": "backward"}
+    )
 
 
 def velocity(rows: PieceRows) -> str:
@@ -103,6 +94,6 @@ def velocity(rows: PieceRows) -> str:
 
 def middles_table(book: Book, sheet: Sheet) -> None:
     """Declare the middles of the parts of a piece."""
-    sheet.table("middles", "Middles of 200 parts of a piece, as shares of it", len(MIDDLES),
-                constant("mid", "share", "", "", MIDDLES.tolist()))  # fmt: skip
+    title = "Middles of 200 parts of a piece, as shares of it"
+    sheet.table("middles", title, len(MIDDLES), CELLS["middles"]("mid", MIDDLES.tolist()))
     book.name("middles", **{MIDDLE: "mid"})

@@ -8,7 +8,8 @@ from engine.motion.pieces import ScaledLaw
 from engine.overlap.picture import LANE_SHARE, lane
 from engine.overlap.schedule import pieces_of_parts, size_of_parts, whole_turn
 from engine.timing import FULL_TURN
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Quantity, Sheet
 from workbook.fields.units import DEGREE, MM, shown, si
 from workbook.laws.sampling import ACCELERATION, VELOCITY, Pieces
 from workbook.machines.overlap.entries import ToolEntry, TransferEntry
@@ -18,7 +19,8 @@ from workbook.motion.pieces import ABOUT, POSITION, ROOM, finding, phase_columns
 from workbook.motion.requirements import RequiredSmoothness
 from workbook.motion.smooth import Joints
 
-TRAVELS = {"": "travel of the tool", "b": "travel, one after the other", "a": "travel, with overlap"}
+CELLS = cell_tables(__file__)
+
 SCHEDULES = {"b": (1, "one after the other"), "a": (3, "with overlap")}
 """the schedules that are sampled: their row in the table of the tool's angles, and what they are called"""
 WAYS = ("dwell", "way out", "rest", "way in")
@@ -37,30 +39,36 @@ class AtAngles:
     """The tool of a schedule at angles (degrees) of the master shaft: from its arrival dwell, way out, rest, way in."""
 
     def __init__(self, station: Station, schedule: str, theta: Array, pieces: Pieces) -> None:
-        self.row, self.words = SCHEDULES[schedule]
+        self.row, _ = SCHEDULES[schedule]
         self.plan, self.angle = station.schedules[self.row - 1], si(theta, DEGREE)
         self.travel, self.rates = self.plan.travel(self.angle), self.plan.rates(self.angle, station.machine.rate)
         self.rows = rows_of(OF_TOOL[schedule], self.plan.parts, pieces)
 
     def columns(self, suffix: str) -> list[Quantity]:
         """Return the travel and the workings."""
+        cell = CELLS["columns"]
         since, there = self.plan.since(self.angle), f"[@schedules.there.{self.row}]"
         return [
-            calc(f"y{suffix}", TRAVELS[suffix], "y", "mm",
-                 f"=({sampled(self.rows, 0, suffix)})*1000", shown(self.travel, MM), POSITION),
-            calc(f"since{suffix}", "angle since its arrival", "", "°",
-                 f"=[theta]-{there}-360*INT(([theta]-{there})/360+break_eps)", shown(since, DEGREE)),
+            cell(f"y{suffix}", shown(self.travel, MM), sampled=sampled(self.rows, 0, suffix), source=POSITION),
+            cell("since{suffix}", shown(since, DEGREE), suffix=suffix, there=there),
             *finding(self.rows, f"since{suffix}", since, suffix=suffix),
-        ]  # fmt: skip
+        ]
 
-    def rate(self, order: int, name: str, what: str, symbol: str, unit: str, suffix: str) -> Quantity:
+    def rate(self, order: int, name: str, suffix: str) -> Quantity:
         """Return the column of a derivative in time."""
-        formula = f"=({sampled(self.rows, order, suffix)})*overlap_w^{order}"
-        return result(f"{name}{suffix}", f"{what}, {self.words}", symbol, unit, formula, self.rates[order - 1])
+        place = sampled(self.rows, order, suffix)
+        return CELLS["rates"](f"{name}{suffix}", self.rates[order - 1], sampled=place)
 
 
-def joints_of(rows: PieceRows, motion: Motion, given: TransferEntry | ToolEntry, scope: str, after: str, cell: str,
-              names: tuple[str, ...]) -> Joints:  # fmt: skip
+def joints_of(
+    rows: PieceRows,
+    motion: Motion,
+    given: TransferEntry | ToolEntry,
+    scope: str,
+    after: str,
+    cell: str,
+    names: tuple[str, ...],
+) -> Joints:
     """Return the joints of a motion's pieces, and how smooth it must be; ``cell`` has its name."""
     largest = f"MAX([{rows.at.phases}.v])", f"MAX([{rows.at.phases}.a])"
     of = cell, given.name
@@ -75,12 +83,12 @@ def rows_of(at: Cells, parts: Sequence[ScaledLaw], pieces: Pieces) -> PieceRows:
 
 def transfer_columns(machine: OverlapView, theta: Array, pieces: Pieces) -> list[Quantity]:
     """Return the travel of the transfer and its workings."""
+    cell = CELLS["transfer_columns"]
     angle, rows = si(theta, DEGREE), rows_of(TRANSFER, machine.transfer.parts, pieces)
     return [
-        result("yt", "travel of the transfer", "y_t", "mm", f"=({sampled(rows, 0, 't')})*1000",
-               shown(machine.transfer.travel(angle), MM), POSITION),
+        cell("yt", shown(machine.transfer.travel(angle), MM), sampled=sampled(rows, 0, "t"), source=POSITION),
         *finding(rows, "theta", angle, suffix="t"),
-    ]  # fmt: skip
+    ]
 
 
 ALLOWED = "=IF(AND([theta]>@begin+overlap_eps,[theta]<@end-overlap_eps),@clearance,@stroke)"
@@ -97,16 +105,18 @@ def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
         if i == 1:
             theta = machine.angles
             sheet.row += 1
+            cell = CELLS["transfer_motion"]
             sheet.table(
-                "transfer_motion", "Travel of the transfer over the master angle", len(theta),
-                constant("k", "sample", "k", "", list(range(len(theta)))),
-                calc("theta", "master angle", "θ", "°", "=[k]*360/[transfer_motion.k.last]", theta, format="0.0##"),
+                "transfer_motion",
+                "Travel of the transfer over the master angle",
+                len(theta),
+                cell("k", list(range(len(theta)))),
+                cell("theta", theta),
                 *transfer_columns(machine, theta, pieces),
-            )  # fmt: skip
+            )
         sheet.heading("Workings: the motions as pieces", ABOUT)
         if i == 1:
-            sheet.rows(constant("overlap_lane", "Height of a part in the diagrams", "", "", LANE_SHARE,
-                                "as a share of its lane", format="0.0"))  # fmt: skip
+            sheet.rows(CELLS["cycle_sheets"]("overlap_lane", LANE_SHARE))
             sheet.row += 1
             moved = transfer_pieces(sheet, machine, pieces)
         with sheet.scoped(station.scope):
@@ -115,7 +125,9 @@ def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
             most, room = f"MAX({','.join(at.count for at in found)})", "MAX([@a_pieces.r])"
             label = f"{whose}{'the' if whose else 'The'} tables of pieces have room for all"
             says = f'{most}&" pieces, and room for "&{room}'
-            sheet.checks(check("@ok_pieces", label, f"{most}<={room}", True, ROOM, says=says))
+            sheet.checks(
+                CELLS["cycle_sheets"]("@ok_pieces", True, label=label, most=most, room=room, most_rows=ROOM, says=says)
+            )
             sheet.checks(joints.check("@ok_smooth", f"{whose or 'The tool: '}as smooth as asked"))
         if i == 1:
             sheet.checks(moved.check("overlap_ok_smooth", "The transfer: as smooth as asked"))
@@ -123,6 +135,7 @@ def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
 
 def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     """Declare the table over the cycle."""
+    cell = CELLS["motions"]
     theta = station.machine.angles
     before, after = (AtAngles(station, schedule, theta, pieces) for schedule in SCHEDULES)
     first, *work_b = before.columns("b")
@@ -130,36 +143,46 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     at, moved = si(theta, DEGREE), station.machine.transfer
     heights = lane(0, moved.travel(at) / moved.stroke)
     found, h, i = station.clearance, station.tool.stroke, station.number
-    lane_t = calc("lane_t", "transfer in the diagrams", "", "", "=[yt]/overlap_pitch*overlap_lane", heights)
+    lane_t = cell("lane_t", heights)
     sheet.table(
-        "@motions", "Travel, acceleration and clearance over the master angle", len(theta),
-        calc("theta", "master angle", "θ", "°", "=[k]*360/[@motions.k.last]", theta, format="0.0##"),
-        result("yt", "travel of the transfer", "y_t", "mm", "=INDEX([transfer_motion.yt],[k]+1)",
-               shown(moved.travel(at), MM), "as worked out beside the first tool"),
-        first, second,
-        result("limit", "travel allowed to the tool", "", "mm",
-               ALLOWED, shown(found.allowed, MM), "c while the transfer is in the way, else h"),
-        result("free", "free with overlap", "", "mm", "=[limit]-[ya]", shown(found.free, MM), "below 0: collision"),
-        before.rate(2, "acc", "acceleration", "a", "m/s²", "b"),
-        after.rate(2, "acc", "acceleration", "a", "m/s²", "a"),
+        "@motions",
+        "Travel, acceleration and clearance over the master angle",
+        len(theta),
+        cell("theta", theta),
+        cell("yt", shown(moved.travel(at), MM)),
+        first,
+        second,
+        cell("limit", shown(found.allowed, MM), formula=ALLOWED),
+        cell("free", shown(found.free, MM)),
+        before.rate(2, "acc", "b"),
+        after.rate(2, "acc", "a"),
         *([lane_t] if i == 1 else []),
-        calc("lane_b", "tool, one after the other", "", "",
-             f"={i}+[yb]/@stroke*overlap_lane", lane(i, before.travel / h)),
-        calc("lane_a", "tool, with overlap", "", "", f"={i}+[ya]/@stroke*overlap_lane", lane(i, after.travel / h)),
-        constant("k", "sample", "k", "", list(range(len(theta)))),
-        after.rate(1, "vel", "velocity", "v", "m/s", "a"),
-        after.rate(3, "jerk", "jerk", "j", "m/s³", "a"),
-        *work_b, *work_a,
-    )  # fmt: skip
+        cell("lane_b", lane(i, before.travel / h), i=i),
+        cell("lane_a", lane(i, after.travel / h), i=i),
+        cell("k", list(range(len(theta)))),
+        after.rate(1, "vel", "a"),
+        after.rate(3, "jerk", "a"),
+        *work_b,
+        *work_a,
+    )
 
 
 def transfer_pieces(sheet: Sheet, machine: OverlapView, pieces: Pieces) -> Joints:
     """Declare the phases of the transfer and their pieces."""
     parts, moves = machine.transfer.parts, ("movement", "dwell")
     rows = rows_of(TRANSFER, parts, pieces)
-    phases(sheet, "The transfer, from the start of the cycle", moves, parts, rows, no=["=[used.no.1]", "=1"],
-           h=["=overlap_pitch/1000", "=0"], angle=["=overlap_angle", "=360-overlap_angle"],
-           begin=["=0", "=overlap_angle"], y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"])  # fmt: skip
+    phases(
+        sheet,
+        "The transfer, from the start of the cycle",
+        moves,
+        parts,
+        rows,
+        no=["=[used.no.1]", "=1"],
+        h=["=overlap_pitch/1000", "=0"],
+        angle=["=overlap_angle", "=360-overlap_angle"],
+        begin=["=0", "=overlap_angle"],
+        y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
+    )
     joints = joints_of(rows, whole_turn(parts), machine.given.transfer, "overlap_", "°", "overlap_transfer", moves)
     sheet.rows(*joints.order())
     sheet.row += 1
@@ -178,11 +201,17 @@ def tool_pieces(sheet: Sheet, station: Station, pieces: Pieces) -> Joints:
         into, out, h = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]", "@stroke/1000"
         rest = f"360-@dwell-{out}-{into}"
         phases(
-            sheet, f"The tool {words}, from its arrival", WAYS, plan.parts, rows,
-            no=["=1", f"=[used.no.{row_out}]", "=1", f"=[used.no.{row_in}]"], h=["=0", f"=0-{h}", "=0", f"={h}"],
+            sheet,
+            f"The tool {words}, from its arrival",
+            WAYS,
+            plan.parts,
+            rows,
+            no=["=1", f"=[used.no.{row_out}]", "=1", f"=[used.no.{row_in}]"],
+            h=["=0", f"=0-{h}", "=0", f"={h}"],
             angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
-            begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"], y0=[f"={h}", f"={h}", "=0", "=0"],
-        )  # fmt: skip
+            begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"],
+            y0=[f"={h}", f"={h}", "=0", "=0"],
+        )
         pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts))
     joints = joints_of(rows, plan.motion, station.given, "@", "° after its arrival", "@name", WAYS)
     sheet.row += 1
@@ -196,21 +225,24 @@ def phases(
     sheet: Sheet, title: str, names: tuple[str, ...], parts: Sequence[ScaledLaw], rows: PieceRows, **formulas: list[str]
 ) -> None:
     """Declare the phases of a motion over the master angle; ``formulas`` are those of the columns, a row each."""
+    cell = CELLS["phases"]
     size, degrees = size_of_parts(parts), [shown(part.duration, DEGREE) for part in parts]
     sheet.row += 1
     sheet.table(
-        rows.at.phases, title, len(parts),
-        constant("what", "phase", "", "", list(names), align="left"),
-        constant("k", "row", "k", "", [k for k, _ in enumerate(parts, 1)]),
-        calc("no", "law number", "", "", formulas["no"], list(rows.numbers), format="0"),
-        calc("h", "lift", "h", "m", formulas["h"], [part.h for part in parts], scale=size(0)),
-        calc("angle", "duration", "δ", "°", formulas["angle"], degrees),
-        calc("span", "duration", "δ", "rad", "=RADIANS([angle])", [part.duration for part in parts]),
-        calc("begin", "begins at", "", "°", formulas["begin"], [shown(part.x, DEGREE) for part in parts]),
-        calc("y0", "start position", "y_0", "m", formulas["y0"], [part.y for part in parts], scale=size(0)),
-        calc("v", "greatest velocity", "y'", "m/rad", VELOCITY, [part.max_velocity for part in parts]),
-        calc("a", "greatest acceleration", "y''", "m/rad²", ACCELERATION, [part.max_acceleration for part in parts]),
+        rows.at.phases,
+        title,
+        len(parts),
+        cell("what", list(names)),
+        cell("k", [k for k, _ in enumerate(parts, 1)]),
+        cell("no", list(rows.numbers), formula=formulas["no"]),
+        cell("h", [part.h for part in parts], formula=formulas["h"], scale=size(0)),
+        cell("angle", degrees, formula=formulas["angle"]),
+        cell("span", [part.duration for part in parts]),
+        cell("begin", [shown(part.x, DEGREE) for part in parts], formula=formulas["begin"]),
+        cell("y0", [part.y for part in parts], formula=formulas["y0"], scale=size(0)),
+        cell("v", [part.max_velocity for part in parts], formula=VELOCITY),
+        cell("a", [part.max_acceleration for part in parts], formula=ACCELERATION),
         *phase_columns(rows),
-    )  # fmt: skip
+    )
     sheet.rows(pieces_in_all(rows))
     sheet.row += 1

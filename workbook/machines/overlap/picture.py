@@ -4,12 +4,15 @@ import numpy as np
 
 from engine.overlap.picture import BODY, FRAME, LANE_SHARE, PLATE, PUNCH, STEP, WALLS, WIDTH
 from engine.overlap.plan import colliding
+from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Sheet, calc, constant, given, result
+from workbook.book.declare import Book, Sheet
 from workbook.fields.units import DEGREE, MM, shown, si
 from workbook.laws import sampling
 from workbook.machines.overlap.cycle import ALLOWED, SCHEDULES, AtAngles, transfer_columns
 from workbook.machines.overlap.view import OverlapView
+
+CELLS = cell_tables(__file__)
 
 SAYS = '=IF([free]<0-inverse_bound*@stroke,"COLLISION",IF([limit]<@stroke,"in the way","in place"))'
 ACROSS = (
@@ -41,12 +44,12 @@ class States:
 
 def picture_sheet(book: Book, machine: OverlapView, pieces: sampling.Pieces) -> None:
     """Declare the sheet."""
+    cell = CELLS["picture_sheet"]
     sheet = book.sheet(
         "Picture", "All parts at one angle of the master shaft: change the angle and both pictures move."
     )
     sheet.heading("Enter")
-    sheet.rows(given("overlap_view", "Master angle to look at", "θ", "°", machine.given.view, "overlap.view",
-                     format="0.0##", source="0 to 360: step through the cycle"))  # fmt: skip
+    sheet.rows(cell("overlap_view", machine.given.view))
     states = States(machine, pieces)
     outcome(sheet, machine, states)
     sheet.not_printed_below()
@@ -61,19 +64,20 @@ def outcome(sheet: Sheet, machine: OverlapView, states: States) -> None:
     stations = machine.stations
     allowing = ALLOWED.replace("[theta]", "overlap_view")
     sheet.heading("Results")
-    sheet.rows(result("view_t", "Travel of the transfer", "y_t", "mm", "=[view.yt]", shown(states.moved, MM)))
+    sheet.rows(CELLS["outcome"]("view_t", shown(states.moved, MM)))
     sheet.row += 1
+    cell = CELLS["stands"]
     sheet.table(
-        "stands", "The tools at this angle" if len(stations) > 1 else "The tool at this angle", len(stations),
-        calc("name", "tool", "", "", machine.each("=@name"), [s.given.name for s in stations], align="left"),
-        result("b", "travel, one after the other", "y", "mm", machine.each("=[@view.yb]"), shown(states.before, MM)),
-        result("a", "travel, with overlap", "y", "mm", machine.each("=[@view.ya]"), shown(states.after, MM)),
-        result("limit", "travel allowed", "", "mm",
-               machine.each(allowing), shown(states.allowed, MM), "c if in the way, else h"),
-        result("free", "free, with overlap", "", "mm", "=[limit]-[a]", shown(states.free, MM),
-               "below 0 the parts collide"),
-        result("says", "the transfer is", "", "", machine.each(SAYS), states.says()),
-    )  # fmt: skip
+        "stands",
+        "The tools at this angle" if len(stations) > 1 else "The tool at this angle",
+        len(stations),
+        cell("name", [s.given.name for s in stations], formula=machine.each("=@name")),
+        cell("b", shown(states.before, MM), formula=machine.each("=[@view.yb]")),
+        cell("a", shown(states.after, MM), formula=machine.each("=[@view.ya]")),
+        cell("limit", shown(states.allowed, MM), formula=machine.each(allowing)),
+        cell("free", shown(states.free, MM)),
+        cell("says", states.says(), formula=machine.each(SAYS)),
+    )
 
     def lines(column: str) -> tuple[Series, ...]:
         tools = (Series("=@name", "[@punch.x]", f"[@punch.{column}]").within(s.scope) for s in machine.stations)
@@ -82,92 +86,114 @@ def outcome(sheet: Sheet, machine: OverlapView, states: States) -> None:
 
     sheet.row += 1
     sheet.chart_row(
-        *(Chart(title, "across [mm]", "height of the tool above the part [mm]", lines(column),
-                f"Outlines of transfer and tools at the angle entered: {title.lower()}")
-          for title, column in (("One after the other", "yb"), ("With overlap", "ya"))),
-        width=8, height=24,
-    )  # fmt: skip
+        *(
+            Chart(
+                title,
+                "across [mm]",
+                "height of the tool above the part [mm]",
+                lines(column),
+                f"Outlines of transfer and tools at the angle entered: {title.lower()}",
+            )
+            for title, column in (("One after the other", "yb"), ("With overlap", "ya"))
+        ),
+        width=8,
+        height=24,
+    )
 
 
 def workings(sheet: Sheet, machine: OverlapView, states: States, pieces: sampling.Pieces) -> None:
     """Declare the sizes of the parts, their laws at this angle, and the line that marks it in the diagrams."""
     stations, scene = machine.stations, machine.scene
+    cell = CELLS["workings"]
     sheet.rows(
-        constant("picture_width", "Width of a tool", "", "",
-                 WIDTH, "as a share of the transfer's stroke", format="0.0##"),
-        constant("picture_body", "Length of a tool", "", "", BODY, "as a share of its stroke", format="0.0##"),
-        constant("picture_plate", "Thickness of the plate below the part", "", "",
-                 PLATE, "as a share of the longest stroke of a tool", format="0.0##"),
-        constant("picture_step", "From station to station", "", "",
-                 STEP, "as a multiple of the transfer's stroke", format="0.0##"),
-    )  # fmt: skip
+        cell("picture_width", WIDTH),
+        cell("picture_body", BODY),
+        cell("picture_plate", PLATE),
+        cell("picture_step", STEP),
+    )
     sheet.row += 1
+    cell = CELLS["places"]
     sheet.table(
-        "places", "The stations in the picture", len(stations),
-        constant("i", "tool", "", "", [s.number for s in stations]),
-        calc("x", "middle of the station", "X", "mm", "=([i]-1)*picture_step*overlap_pitch", shown(scene.middles, MM)),
-        calc("open", "opening of the transfer", "", "mm",
-             machine.each("=overlap_pitch*(picture_width+2*@remaining/100)"), shown(scene.openings, MM),
-             "the tool, and s_r of the stroke on both sides"),
-        calc("top", "height of the transfer above the part", "", "mm",
-             machine.each("=MAX(@stroke-@clearance,0)"), shown(scene.tops, MM), "h − c"),
-        calc("h", "stroke", "h", "mm", machine.each("=@stroke"), shown(scene.strokes, MM)),
-    )  # fmt: skip
+        "places",
+        "The stations in the picture",
+        len(stations),
+        cell("i", [s.number for s in stations]),
+        cell("x", shown(scene.middles, MM)),
+        cell(
+            "open", shown(scene.openings, MM), formula=machine.each("=overlap_pitch*(picture_width+2*@remaining/100)")
+        ),
+        cell("top", shown(scene.tops, MM), formula=machine.each("=MAX(@stroke-@clearance,0)")),
+        cell("h", shown(scene.strokes, MM), formula=machine.each("=@stroke")),
+    )
     sheet.table(
-        "view", "The transfer's law at this angle", 1,
-        calc("theta", "master angle", "θ", "°", "=overlap_view", states.theta),
+        "view",
+        "The transfer's law at this angle",
+        1,
+        CELLS["view"]("theta", states.theta),
         *transfer_columns(machine, states.theta, pieces),
-    )  # fmt: skip
+    )
     for station, (before, after) in zip(machine.stations, states.pairs, strict=True):
         with sheet.scoped(station.scope):
             sheet.table(
-                "@view", "The tool's laws at this angle" if machine.alone else f"The laws of tool {station.number}", 1,
-                calc("theta", "master angle", "θ", "°", "=overlap_view", states.theta),
+                "@view",
+                "The tool's laws at this angle" if machine.alone else f"The laws of tool {station.number}",
+                1,
+                CELLS["view"]("theta", states.theta),
                 *before.columns("b"),
                 *after.columns("a"),
-            )  # fmt: skip
+            )
     top = len(machine.stations)
+    cell = CELLS["view_line"]
     sheet.table(
-        "view_line", "The line in both timing diagrams", 2,
-        constant("end", "end of the line", "", "", [0, 1]),
-        calc("theta", "master angle", "θ", "°", "=overlap_view", machine.given.view),
-        calc("height", "height", "", "", f"=[end]*({top}+overlap_lane)", [0.0, top + LANE_SHARE]),
-    )  # fmt: skip
+        "view_line",
+        "The line in both timing diagrams",
+        2,
+        cell("end", [0, 1]),
+        cell("theta", machine.given.view),
+        cell("height", [0.0, top + LANE_SHARE], top=top),
+    )
 
 
 def outlines(sheet: Sheet, machine: OverlapView, states: States) -> None:
     """Declare the outlines: at each station three walls of the transfer, seen in its frame; tools by their height."""
     numbers, walls, sides, ups = zip(*((s.number, *corner) for s in machine.stations for corner in WALLS), strict=True)
     outline = machine.scene.walls(states.moved)
+    cell = CELLS["outline"]
     sheet.table(
-        "outline", "Outline of the transfer", len(numbers),
-        constant("i", "tool", "", "", list(numbers)),
-        constant("wall", "wall", "", "", list(walls)),
-        constant("side", "right side", "", "", list(sides)),
-        constant("up", "upper side", "", "", list(ups)),
-        calc("x", "across", "X", "mm", [ACROSS.format(i) for i in numbers], shown(outline.x, MM)),
-        calc("y", "height", "z", "mm", [UPWARDS.format(i) for i in numbers], shown(outline.z, MM)),
-    )  # fmt: skip
+        "outline",
+        "Outline of the transfer",
+        len(numbers),
+        cell("i", list(numbers)),
+        cell("wall", list(walls)),
+        cell("side", list(sides)),
+        cell("up", list(ups)),
+        cell("x", shown(outline.x, MM), formula=[ACROSS.format(i) for i in numbers]),
+        cell("y", shown(outline.z, MM), formula=[UPWARDS.format(i) for i in numbers]),
+    )
     across, along = zip(*PUNCH, strict=True)
     for station, before, after in zip(machine.stations, states.before, states.after, strict=True):
         i = station.number
         (x, first), (_, second) = (machine.scene.punch(i - 1, travel) for travel in (before, after))
         whose = "the tool" if machine.alone else f"tool {i}"
         with sheet.scoped(station.scope):
+            cell = CELLS["punch"]
             sheet.table(
-                "@punch", f"Outline of {whose}", len(PUNCH),
-                constant("px", "across", "", "", list(across)),
-                constant("py", "along", "", "", list(along)),
-                calc("x", "across", "X", "mm", f"=[places.x.{i}]+[px]*picture_width*overlap_pitch", shown(x, MM)),
-                *(calc(f"y{one}", words, "z", "mm", f"=@stroke-[@view.y{one}]+[py]*picture_body*@stroke", shown(z, MM))
-                  for (one, (_, words)), z in zip(SCHEDULES.items(), (first, second), strict=True)),
-            )  # fmt: skip
+                "@punch",
+                f"Outline of {whose}",
+                len(PUNCH),
+                cell("px", list(across)),
+                cell("py", list(along)),
+                cell("x", shown(x, MM), i=i),
+                *(cell(f"y{schedule}", shown(z, MM)) for schedule, z in zip(SCHEDULES, (first, second), strict=True)),
+            )
     frame, (fx, fy) = machine.scene.frame(), zip(*FRAME, strict=True)
+    cell = CELLS["frame"]
     sheet.table(
-        "frame", "Frame of the picture: keeps its scale", len(FRAME),
-        constant("fx", "right side", "", "", list(fx)),
-        constant("fy", "upper side", "", "", list(fy)),
-        calc("x", "across", "X", "mm", "=IF([fx]=1,MAX([places.x])+overlap_pitch,0-overlap_pitch)", shown(frame.x, MM)),
-        calc("y", "height", "z", "mm", "=IF([fy]=1,(1+picture_body)*MAX([places.h]),0-picture_plate*MAX([places.h]))",
-             shown(frame.z, MM)),
-    )  # fmt: skip
+        "frame",
+        "Frame of the picture: keeps its scale",
+        len(FRAME),
+        cell("fx", list(fx)),
+        cell("fy", list(fy)),
+        cell("x", shown(frame.x, MM)),
+        cell("y", shown(frame.z, MM)),
+    )

@@ -6,7 +6,8 @@ from engine.motion.profile import profile_of
 from engine.motion.shifted import Shifted
 from engine.overlap.schedule import pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
-from workbook.book.declare import Book, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book
 from workbook.book.summary import summary_sheet
 from workbook.entries.phase import TURN
 from workbook.entries.rules import limits
@@ -25,12 +26,15 @@ from workbook.motion.requirements import smoothness_for
 from workbook.template import Template, finish
 from workbook.template_outputs import CamAxis
 
+CELLS = cell_tables(__file__)
+
 PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s²", "S2: 5.17")  # what S2 prints beside the first sheet's results
 UNITS = ("°", "mm", "mm/°", "mm/°²")
 
 
 def declare(given: IndexingOverlap) -> Book:
     """Declare the book."""
+    cell = CELLS["declare"]
     book_laws = BookLaws(given.laws, given.sizes)
     view = OverlapView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
@@ -39,14 +43,18 @@ def declare(given: IndexingOverlap) -> Book:
     which, of = ("Peak", "tool1") if view.alone else ("Largest peak", "overlap")
     before, after, lower = PRINTED if view.alone else ("", "", "")
     times = view.stations[0].as_set.times_lower(view.stations[0].before)
-    ratio = result("about_ratio", "The acceleration falls by a factor of", "", "", "=tool1_ratio", times, lower)
-    summary_sheet(book, given, about, [
-        result("about_a0", f"{which} acceleration one after the other", "a_max", "m/s²", f"={of}_a0", view.peaks[0],
-               before),
-        result("about_a1", f"{which} acceleration with overlap", "a_max", "m/s²", f"={of}_a1", view.peaks[1], after),
-        *([ratio] if view.alone else []),
-        result("about_least", "Least clearance over the cycle", "", "mm", f"={of}_least", view.least),
-    ])  # fmt: skip
+    ratio = cell("about_ratio", times, source=lower)
+    summary_sheet(
+        book,
+        given,
+        about,
+        [
+            cell("about_a0", view.peaks[0], which=which, of=of, source=before),
+            cell("about_a1", view.peaks[1], which=which, of=of, source=after),
+            *([ratio] if view.alone else []),
+            cell("about_least", view.least, of=of),
+        ],
+    )
     overlap_sheet(book, view, book_laws.stack)
     picture_sheet(book, view, book_laws.stack)
     cycle_sheets(book, view, book_laws.stack)
@@ -60,13 +68,27 @@ def exportables(view: OverlapView, pieces: Pieces) -> list[Exportable]:
     """Return the transfer and each tool as it is set, as the sheet Export may have them."""
     unit = shown(1.0, DEGREE), shown(1.0, MM)  # one of the pieces' x and y in these
     parts = view.transfer.parts
-    found = [Exportable("transfer", '="transfer"', rows_of(TRANSFER, parts, pieces), UNITS, unit, "*1000",
-                        size_of_parts(parts))]  # fmt: skip
+    found = [
+        Exportable(
+            "transfer", '="transfer"', rows_of(TRANSFER, parts, pieces), UNITS, unit, "*1000", size_of_parts(parts)
+        )
+    ]
     for station in view.stations:
         plan, rows = station.as_set, rows_of(OF_TOOL["a"], station.as_set.parts, pieces)
         later = ShiftCells("[@schedules.there.3]", "overlap_eps", "", Shifted(plan.motion, plan.arrival).unshifted, 0.0)
-        found.append(Exportable(station.given.name, "=@name", rows, UNITS, unit, "*1000", size_of_parts(plan.parts),
-                                later, station.scope))  # fmt: skip
+        found.append(
+            Exportable(
+                station.given.name,
+                "=@name",
+                rows,
+                UNITS,
+                unit,
+                "*1000",
+                size_of_parts(plan.parts),
+                later,
+                station.scope,
+            )
+        )
     return found
 
 
@@ -87,8 +109,12 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
     entries["rate"] = 1700.0 + 310 * k
     entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
-    entries["transfer"] |= {"law": law_for(turn, data["laws"]), "stroke": 80.0 + 13 * k, "angle": 110.0 + 11 * k,
-                             "smoothness": smoothness_for(turn)}  # fmt: skip
+    entries["transfer"] |= {
+        "law": law_for(turn, data["laws"]),
+        "stroke": 80.0 + 13 * k,
+        "angle": 110.0 + 11 * k,
+        "smoothness": smoothness_for(turn),
+    }
     for i, tool in enumerate(entries["tools"]):  # with strokes that no other tool has
         k = (turn + i) % SIX
         chosen = (None, (107.0, None), (None, 88.0), (200.0, 70.0), None, (130.0, 140.0))[k]

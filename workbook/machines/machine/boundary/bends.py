@@ -7,10 +7,13 @@ A + B ξ + C ξ²: it is 0 at W/C and at A/W, W = −(B ± √(B² − 4 A C))/2
 from collections.abc import Callable
 
 from engine.motion.handover import Handover
-from workbook.book.declare import Quantity, Sheet, calc, constant
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
 from workbook.machines.machine.boundary.handover import AxisHandover
+
+CELLS = cell_tables(__file__)
 
 BENT_FROM = 5  # degree from which on the acceleration of a polynomial may bend
 
@@ -48,42 +51,33 @@ def bend_angles(handover: AxisHandover) -> list[float]:
 
 def bends_table(sheet: Sheet, handover: AxisHandover) -> None:
     """Declare the table, a row for each phase."""
+    column = handover.columns(CELLS["bends_table"])
     room, at, phases = rows_of_phases(handover), handover.rows.at, [step for _, step in handover.phases]
-    ends, steps, size = f"[{at.ends}.{{}}]", at.phases, handover.motion.size(0)
-    angles = bend_angles(handover)
+    size, angles = handover.motion.size(0), bend_angles(handover)
 
     def e(n: int) -> str:
-        return f"INDEX({ends.format(f'e{n}')},2*[k])" if n < handover.rows.powers else "0"
+        return f"INDEX([{at.ends}.e{n}],2*[k])" if n < handover.rows.powers else "0"
 
-    def by_degree(quintic: str, septic: str) -> str:
-        return f"=IF([mode]=5,{quintic},IF([mode]=7,{septic},0))"
+    def of(figure: Callable[[Handover], float]) -> list[float]:
+        return filled([figure(step) for step in phases], room)
 
-    def power(name: str, formula: str, figure: Callable[[Handover], float]) -> Quantity:
-        return calc(name, f"power {'abc'.index(name)} of its jerk", name.upper(), at.y, formula,
-                    filled([figure(step) for step in phases], room), scale=100.0 * size)  # fmt: skip
-
-    def angle(k: int) -> Quantity:
-        share = ("IF([c]=0,0,[w]/[c])", "IF([w]=0,0,[a]/[w])")[k]
-        shares = filled([step.bends[k] for step in phases], room)
-        return calc(f"x{k}", f"{('first', 'second')[k]} zero of its jerk", "ξ", "", f"={share}", shares, scale=1.0)
-
-    def place(k: int) -> Quantity:
-        inside = f"INDEX([{steps}.begin],2*[k])+DEGREES(INDEX([{steps}.span],2*[k]))*[x{k}]"
-        return calc(f"at{k}", "acceleration largest or lowest at", "θ", "°",
-                    f"=IF(([x{k}]>0)*([x{k}]<1)>0,{inside},360)",
-                    angles[k * room : (k + 1) * room], "360: nowhere", scale=TURN, format="0.0##")  # fmt: skip
+    def power(name: str, quintic: str, septic: str) -> Quantity:
+        values = of(lambda step: step.jerk_powers["abc".index(name)])
+        return column(name, values, y=at.y, quintic=quintic, septic=septic, scale=100.0 * size)
 
     sheet.table(
-        bends_name(handover), f"Where the acceleration of phases of axis {handover.axis.number} bends", room,
-        constant("k", "row", "k", "", list(range(1, room + 1))),
-        handover.number("mode", "is carried out", f"=INDEX({ends.format('mode')},2*[k])",
-                   filled([step.mode for step in phases], room, 0)),
-        power("a", by_degree(f"6*{e(3)}", f"24*{e(4)}"), lambda step: step.jerk_powers[0]),
-        power("b", by_degree(f"24*{e(4)}", f"60*{e(5)}+24*{e(4)}"), lambda step: step.jerk_powers[1]),
-        power("c", by_degree(f"60*{e(5)}", f"0-210*{e(7)}"), lambda step: step.jerk_powers[2]),
-        calc("w", "root of its jerk", "W", at.y,
-             "=IF([b]^2<4*[a]*[c],0,0-([b]+IF([b]<0,0-1,1)*SQRT([b]^2-4*[a]*[c]))/2)",
-             filled([step.jerk_root for step in phases], room), scale=100.0 * size),
-        angle(0), angle(1), place(0), place(1),
+        bends_name(handover),
+        f"Where the acceleration of phases of axis {handover.axis.number} bends",
+        room,
+        column("k", list(range(1, room + 1))),
+        column("mode", filled([step.mode for step in phases], room, 0)),
+        power("a", f"6*{e(3)}", f"24*{e(4)}"),
+        power("b", f"24*{e(4)}", f"60*{e(5)}+24*{e(4)}"),
+        power("c", f"60*{e(5)}", f"0-210*{e(7)}"),
+        column("w", of(lambda step: step.jerk_root), y=at.y, scale=100.0 * size),
+        column("x0", of(lambda step: step.bends[0]), scale=1.0),
+        column("x1", of(lambda step: step.bends[1]), scale=1.0),
+        column("at0", angles[:room], scale=TURN),
+        column("at1", angles[room:], scale=TURN),
         blank=f"[mode]<{BENT_FROM}",
-    )  # fmt: skip
+    )

@@ -6,7 +6,8 @@ import numpy as np
 
 from engine.drive.mechanisms.by_angle import PressCrank as Crank
 from engine.drive.quadrature import LoadPoints
-from workbook.book.declare import Quantity, calc, check, entries_of
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity
 from workbook.book.sentence import amount, quoted
 from workbook.entries.phase import TURN
 from workbook.fields.units import shown
@@ -16,26 +17,28 @@ from workbook.machines.machine.drive.mechanisms.page import Column, constant_siz
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.mechanism import PressCrank
 
+CELLS = cell_tables(__file__)
+
 NEAR = 1e-9  # of a turn, and of the sheet's check_zero: how near to whole turns a cycle must end
 
 
 def crank_entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered of a press crank."""
     e = of_kind(PressCrank, driven.given)
-    angle = entries_of(e, f"{key}.mechanism")("@start_angle", "Angle of the crank where the axis is at 0", "φ_0", "°",
-                                              "start_angle", "from the slide's line outwards; 0 if empty")  # fmt: skip
-    return [*slides.crank(e, key, "slide"), angle]
+    entry = CELLS["crank"].entries(e, f"{key}.mechanism")
+    return [*slides.crank(e, key, "slide"), entry("@start_angle")]
 
 
 def crank_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios, and of the crank in m and rad."""
+    cell = CELLS["crank_sizes"]
     one = of_kind(Crank, driven.by_angle)
     return [
         *constant_sizes(driven),
-        calc("@r", "Crank", "r", "m", "=@crank_radius/1000", one.crank),
-        calc("@l", "Rod", "l", "m", "=@rod_length/1000", one.rod),
-        calc("@e", "Offset", "e", "m", "=@offset/1000", one.offset),
-        calc("@psi0", "Angle of the crank where the axis is at 0", "φ_0", "rad", "=RADIANS(@start_angle)", one.start),
+        cell("@r", one.crank),
+        cell("@l", one.rod),
+        cell("@e", one.offset),
+        cell("@psi0", one.start),
     ]
 
 
@@ -45,27 +48,28 @@ ROWS = crank_entries, crank_sizes
 def varied(i: int, k: int) -> dict[str, Any]:
     """Return other sizes for the i-th axis in the k-th variation."""
     crank = 20.0 + 9 * k + i
-    return {"crank_radius": crank, "rod_length": crank * (5.0 - 0.5 * k), "start_angle": 50.0 * k,
-            "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3]}  # fmt: skip
+    return {
+        "crank_radius": crank,
+        "rod_length": crank * (5.0 - 0.5 * k),
+        "start_angle": 50.0 * k,
+        "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3],
+    }
 
 
 def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
     """Return the columns of the slide: where it is by the crank's angle, its velocity and its acceleration."""
+    cell = CELLS["slide"]
     one = of_kind(Crank, driven.by_angle)
     psi, x = load.position + one.start, one.position(load.position)
     velocity, acceleration = load.moving
     return [
-        calc("psi", "angle of the crank", "ψ", "rad", "=[y]+@psi0", of(psi), "φ + φ_0",
-             scale=max(float(np.abs(psi).max()), 1.0)),
+        cell("psi", of(psi), scale=max(float(np.abs(psi).max()), 1.0)),
         *slides.pin(one.crank, psi, of),
-        calc("X", "slide from the shaft", "x", "m", "=[c]+SQRT(@l^2-([above]-@e)^2)", of(x), "c + √(l² − (s − e)²)",
-             scale=one.rod),
+        cell("X", of(x), scale=one.rod),
         *slides.travel(one.crank, one.offset, psi, x, of),
-        calc("vs", "velocity of the slide", "ẋ", "m/s", "=[dx]*[v]", of(velocity), "dx/dψ φ̇",
-             scale=one.crank * max(float(np.abs(load.velocity).max()), 1e-9)),
-        calc("as", "acceleration of the slide", "ẍ", "m/s²", "=[dx]*[a]+[ddx]*[v]^2", of(acceleration),
-             "dx/dψ φ̈ + d²x/dψ² φ̇²", scale=max(float(np.abs(acceleration).max()), 1e-9)),
-    ]  # fmt: skip
+        cell("vs", of(velocity), scale=one.crank * max(float(np.abs(load.velocity).max()), 1e-9)),
+        cell("as", of(acceleration), scale=max(float(np.abs(acceleration).max()), 1e-9)),
+    ]
 
 
 def forces(view: DriveView) -> tuple[tuple[str, str], tuple[str, str]]:
@@ -73,8 +77,10 @@ def forces(view: DriveView) -> tuple[tuple[str, str], tuple[str, str]]:
     steady, friction = "INDEX([@iv.steady],[iv])", "INDEX([@iv.friction],[iv])"
     viscous = f"+@viscous*{'[vs]' if view.slides else '[v]'}" if view.driven.entered.load.viscous is not None else ""
     if view.slides:
-        return ((f"=[dx]*{steady}+[dir]*ABS([dx])*{friction}", "dx/dψ F_r, without inertia"),
-                (f"=[R]+[dx]*(@m*[as]{viscous})", "F_r + dx/dψ m ẍ"))  # fmt: skip
+        return (
+            (f"=[dx]*{steady}+[dir]*ABS([dx])*{friction}", "dx/dψ F_r, without inertia"),
+            (f"=[R]+[dx]*(@m*[as]{viscous})", "F_r + dx/dψ m ẍ"),
+        )
     arm = "+@arm*COS([y]+RADIANS(@arm_angle))" if view.driven.by_angle else ""
     return (f"={steady}+[dir]*{friction}{arm}", "without inertia"), (f"=[R]+@m*[a]{viscous}", "F_r + m ÿ")
 
@@ -88,10 +94,15 @@ def ends_in_place(driven: Driven) -> bool:
 def checks(view: DriveView) -> list[Quantity]:
     """Return the checks that a cycle ends in the angle in which it begins, and that a crank can turn round."""
     driven, i, crank = view.driven, view.driven.number, slides.CRANK_SLIDER
-    cell, travel = f"[axes.travel.{i}]", shown(driven.axis.motion.lifts_sum, driven.axis.unit)
-    whole = check("@ok_turns", f"{driven.called}: a cycle ends at the angle where it begins",
-                  f"ABS({cell}/360-ROUND({cell}/360,0))<=check_zero", ends_in_place(driven),
-                  "whole turns, or none", says=amount(cell, travel, "it ends ", " ° from where it begins"))  # fmt: skip
-    fits = check("@ok_linked", f"{driven.called}: the sizes of the mechanism go together", crank.fits, True,
-                 crank.holds, f":linked{i}", quoted(PressCrank.APART))  # fmt: skip
-    return [fits, whole] if view.slides else [whole]
+    cell, called = CELLS["checks"], driven.called
+    travel = amount(
+        f"[axes.travel.{i}]",
+        shown(driven.axis.motion.lifts_sum, driven.axis.unit),
+        "it ends ",
+        " ° from where it begins",
+    )
+    whole = cell("@ok_turns", ends_in_place(driven), called=called, i=i, says=travel)
+    if not view.slides:
+        return [whole]
+    apart = quoted(PressCrank.APART)
+    return [cell("@ok_linked", True, called=called, fits=crank.fits, holds=crank.holds, i=i, says=apart), whole]

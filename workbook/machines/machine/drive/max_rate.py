@@ -6,7 +6,6 @@ With T_s the torque at standstill and I = T − T_s, a rate of √x times the pr
 import math
 from collections.abc import Iterable, Sequence
 
-from engine.drive.limit_use import Ends
 from engine.drive.limits import BELOW, CYCLES
 from engine.drive.rate_estimates import (
     LEAST_USE,
@@ -14,13 +13,17 @@ from engine.drive.rate_estimates import (
     PEAK_TORQUE,
     REDUCER_TORQUE,
     SPEEDS,
+    Ends,
     continuous_line,
     mean_squares,
 )
-from workbook.book.declare import Quantity, Sheet, calc, constant, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, Sheet, calc
 from workbook.book.sentence import CheckSentence, Sentence
 from workbook.fields.units import PER_MINUTE, RPM, shown
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
+
+CELLS = cell_tables(__file__)
 
 NOT_REACHED, NEVER_HELD = "–", "never"
 NOTE = "as a rule less than 1 % below the exact one; build and verify tell the exact range where not"
@@ -78,19 +81,27 @@ def at_points(none: str, now: str, limit: str) -> tuple[str, ...]:
 
 LIMITS: dict[str, tuple[str, ...]] = {
     "RMS torque": (
-        "@line", "SQRT(@stand)",
-        f"IF(@speed=0,0,IF(@left>0,({ROOT}+@half)/@left,IF(OR(@half>=0,@square<0),0,@grow/({ROOT}-@half))))", "0",
-        f"IF(OR(@speed=0,@left>0),0,IF(OR(@half>=0,@square<0),1/@least_use,(0-@left)/({ROOT}-@half)))", "0"),
+        "@line",
+        "SQRT(@stand)",
+        f"IF(@speed=0,0,IF(@left>0,({ROOT}+@half)/@left,IF(OR(@half>=0,@square<0),0,@grow/({ROOT}-@half))))",
+        "0",
+        f"IF(OR(@speed=0,@left>0),0,IF(OR(@half>=0,@square<0),1/@least_use,(0-@left)/({ROOT}-@half)))",
+        "0",
+    ),
     PEAK_TORQUE: ("@motor_peak", *at_points("T0", "T", "[cap]")),
     "motor speed": ("@motor_nmax", "0", "(@speed/[limit])^2", "0", "0", "0"),
     "reducer input speed": ("@reducer_nmax", "0", "IF([limit]=0,0,(@speed/[limit])^2)", "0", "0", "0"),
     REDUCER_TORQUE: ("@reducer_peak", *at_points("S0", "S", "[cap]")),
     CYCLES: ("@reducer_peak/@reducer_fs", *at_points("S0", "S", "[cap]")),
     "reducer mean torque": (
-        "@reducer_mean", "@smean0",
-        "IF([limit]=0,0,MIN(1/@least_use,MAX(0,@smean-[stands])/(MAX(0,[limit]-[stands])+tiny)))", "0",
-        "IF([limit]=0,0,MIN(1/@least_use,MAX(0,([stands]-[limit])/(MAX(0,[stands]-@smean)+tiny))))", "0"),
-}  # fmt: skip
+        "@reducer_mean",
+        "@smean0",
+        "IF([limit]=0,0,MIN(1/@least_use,MAX(0,@smean-[stands])/(MAX(0,[limit]-[stands])+tiny)))",
+        "0",
+        "IF([limit]=0,0,MIN(1/@least_use,MAX(0,([stands]-[limit])/(MAX(0,[stands]-@smean)+tiny))))",
+        "0",
+    ),
+}
 """of each limit in cells: the limit itself, what stands at any rate, the shares 1/x of torques forward and backward,
 and the x from which they are held"""
 FALLING = ("@corner", largest("T0"), "MAX([@pt.uc])", "MAX([@pt.ub])", "0", "0")
@@ -98,33 +109,27 @@ FALLING = ("@corner", largest("T0"), "MAX([@pt.uc])", "MAX([@pt.ub])", "0", "0")
 
 def means(view: DriveView) -> list[Quantity]:
     """Return the rows of the means that the rates depend on, and of the line of the continuous torque."""
+    cell = CELLS["means"]
     points, size = view.points, view.scales.torque**2
     own, mixed, growing = mean_squares(points)
     stall, fall, near, half, left, square = continuous_line(points, view.driven.motor)
     most = size + stall**2
     return [
-        calc("@stand", "Mean of T_s²", "A_s", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T0])", own, scale=size),
-        calc("@mixed", "Mean of T_s I", "B_s", "Nm²", "=SUMPRODUCT([@pt.share],[@pt.T0],[@pt.T]-[@pt.T0])", mixed,
-             scale=size),
-        calc("@grow", "Mean of I²", "C_s", "Nm²", "=SUMPRODUCT([@pt.share],([@pt.T]-[@pt.T0])^2)", growing, scale=size),
-        calc("@line", "Continuous torque at no speed", "M", "Nm",
-             "=IF(@continuous>@motor_rated,@motor_stall,@motor_rated)", stall, "T_N beyond n_N"),
-        calc("@sink", "Its fall to that at the mean speed", "ΔM", "Nm", "=@line-@continuous", fall, scale=stall),
-        calc("@near", "Rate at which T_s alone is as large", "x_s", "",
-             "=IF(AND(@sink>0,@line>SQRT(@stand)),MIN(1,(@line-SQRT(@stand))/@sink),1)", near,
-             "over the present one, at most 1"),
-        calc("@half", "What grows with x, and half the fall", "b_s", "Nm²",
-             "=@mixed+@sink*(@line/@near-@sink)/2", half, "B_s + ΔM (M/x_s − ΔM)/2", scale=most),
-        calc("@left", "What T_s leaves", "c_s", "Nm²", "=@line*(@line-@sink*@near)-@stand", left,
-             "M (M − ΔM x_s) − A_s", scale=most),
-        calc("@square", "Under the root of x", "", "Nm⁴", "=@half^2+@grow*@left", square, "b_s² + C_s c_s",
-             scale=most**2),
-        calc("@root", "Its root", "", "Nm²", "=SQRT(MAX(0,@square))", math.sqrt(max(0.0, square)), scale=most),
-        calc("@smean0", "Mean output torque of the reducer, without inertia", "", "Nm", f"={cubic('S0')}",
-             points.cubic_mean(view.load.output_torque_at_rest), scale=view.scales.behind),
-        constant("@least_use", "A share that grows less than this is none", "", "", LEAST_USE,
-                 "a rate beyond 30,000 times the present one", format="0E+00"),
-    ]  # fmt: skip
+        cell("@stand", own, scale=size),
+        cell("@mixed", mixed, scale=size),
+        cell("@grow", growing, scale=size),
+        cell("@line", stall),
+        cell("@sink", fall, scale=stall),
+        cell("@near", near),
+        cell("@half", half, scale=most),
+        cell("@left", left, scale=most),
+        cell("@square", square, scale=most**2),
+        cell("@root", math.sqrt(max(0.0, square)), scale=most),
+        cell(
+            "@smean0", points.cubic_mean(view.load.output_torque_at_rest), cubic=cubic("S0"), scale=view.scales.behind
+        ),
+        cell("@least_use", LEAST_USE),
+    ]
 
 
 ESTIMATES = (
@@ -147,29 +152,50 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
         return [shown(value, RPM) if name in SPEEDS else value for name, value in zip(names, each, strict=True)]
 
     up_to = f'=IF([most]<=@least_use,"{NOT_REACHED}",@rate/SQRT([most]))'
-    cycles = (f'=IF(AND([most]<=@least_use,[stands]<[cap]),"{NOT_REACHED}",'
-              'MAX(@full/60,IF([stands]<[cap],@rate/SQRT([most]+tiny),0)))')  # fmt: skip
+    cycles = (
+        f'=IF(AND([most]<=@least_use,[stands]<[cap]),"{NOT_REACHED}",'
+        "MAX(@full/60,IF([stands]<[cap],@rate/SQRT([most]+tiny),0)))"
+    )
     since = f'=IF(MAX([from],[from_back])*@least_use>=1,"{NEVER_HELD}",@rate*SQRT(MAX([from],[from_back])))'
     sheet.row += 1
     sheet.table(
-        "@held", "Estimate: from and up to which rate each limit is held", len(names),
-        constant("name", "limit", "", "", names, align="left"),
-        calc("limit", "limit", "", "Nm or rpm", [f"={cell}+0" for cell in limits],
-             in_units(one.limit for one in estimates), "0: none"),
-        calc("cap", "as it counts", "", "", "=IF([limit]=0,1/tiny,[limit])",
-             [limit or NO_LIMIT for limit in in_units(one.limit for one in estimates)], "1E30: none", format="0.0E+00"),
-        calc("stands", "at no speed", "", "", [f"={cell}" for cell in stands],
-             in_units(one.standing for one in estimates), scale=view.scales.torque),
-        *(calc(name, label, symbol, "", [f"={cell}" for cell in cells],
-               [getattr(one, field) for one in estimates], scale=1.0)
-          for (name, label, symbol, field), cells in zip(ESTIMATES, shares, strict=True)),
-        calc("most", "the larger share", "", "", "=MAX([forward],[backward])",
-             [max(one.forward, one.backward) for one in estimates], scale=1.0),
-        calc("rate", "met up to", "N", "cycles/min", [cycles if name == CYCLES else up_to for name in names],
-             [met(one.high) for one in estimated], align="right", source="N/√(share)"),
-        calc("low", "met from", "N", "cycles/min", ["=0+0" if name == CYCLES else since for name in names],
-             [met(one.low, NEVER_HELD) for one in estimated], align="right", scale=view.rate),
-    )  # fmt: skip
+        "@held",
+        "Estimate: from and up to which rate each limit is held",
+        len(names),
+        CELLS["held"]("name", names),
+        CELLS["held"]("limit", in_units(one.limit for one in estimates), formula=[f"={cell}+0" for cell in limits]),
+        CELLS["held"]("cap", [limit or NO_LIMIT for limit in in_units(one.limit for one in estimates)]),
+        CELLS["held"](
+            "stands",
+            in_units(one.standing for one in estimates),
+            formula=[f"={cell}" for cell in stands],
+            scale=view.scales.torque,
+        ),
+        *(
+            calc(
+                name,
+                label,
+                symbol,
+                "",
+                [f"={cell}" for cell in cells],
+                [getattr(one, field) for one in estimates],
+                scale=1.0,
+            )
+            for (name, label, symbol, field), cells in zip(ESTIMATES, shares, strict=True)
+        ),
+        CELLS["held"]("most", [max(one.forward, one.backward) for one in estimates], scale=1.0),
+        CELLS["held"](
+            "rate",
+            [met(one.high) for one in estimated],
+            formula=[cycles if name == CYCLES else up_to for name in names],
+        ),
+        CELLS["held"](
+            "low",
+            [met(one.low, NEVER_HELD) for one in estimated],
+            formula=["=0+0" if name == CYCLES else since for name in names],
+            scale=view.rate,
+        ),
+    )
 
 
 LEVEL = {"limit": math.inf, "forward": 0.0, "backward": 0.0, "from_forward": 0.0, "from_backward": 0.0}
@@ -182,30 +208,25 @@ def met(rate: float, none: str = NOT_REACHED) -> float | str:
 
 def range_results(view: DriveView) -> Sequence[Quantity]:
     """Return the results: the range of rates, the limit at either end, and the range in words."""
+    cell = CELLS["range_results"]
     found, rates = view.rates, "[@between.high]"
     none = f'IF(@some=0,"{AT_NO_RATE}"'
     return [
-        result("@highest", "Highest rate within all limits", "N_max", "cycles/min",
-               f'={none},IF(ISNUMBER(@up_to),@up_to,"{NONE_BINDS}"))', found.high, NOTE, align="right"),
-        result("@binds", "limiting factor", "", "",
-               f'=IF(@some=0,INDEX([@between.name],@low_row),'
-               f'IF(COUNT({rates})=0,"{NONE_BINDS}",INDEX([@between.name],@high_row)))',
-               found.high_limit, align="right"),
-        result("@lowest", "Lowest rate within all limits", "N_min", "cycles/min", f"={none},@down_to)", found.low,
-               "0: standstill", align="right", format=RATE_LOOK),
-        result("@binds_low", "limiting factor", "", "",
-               f'={none},IF(@down_to>0,INDEX([@between.name],@low_row),"{NONE_BINDS}"))', found.low_limit,
-               align="right"),
-        calc("@mends", "In words", "", "", f"={range_in_words(found, '@').says}",
-             Sentence(range_in_words(found, "@").said), align="left"),
-    ]  # fmt: skip
+        cell("@highest", found.high, none=none, none_binds=NONE_BINDS, source=NOTE),
+        cell("@binds", found.high_limit, rates=rates, none_binds=NONE_BINDS),
+        cell("@lowest", found.low, none=none, format=RATE_LOOK),
+        cell("@binds_low", found.low_limit, none=none, none_binds=NONE_BINDS),
+        cell("@mends", Sentence(range_in_words(found, "@").said), part=range_in_words(found, "@").says),
+    ]
 
 
 def range_in_words(found: Rates, scope: str, holds: str = "holds") -> CheckSentence:
     """Return the sentence on a range of rates that cells with these beginnings of names have; drives ``hold``."""
     low, high = f"{scope}lowest", f"{scope}highest"
-    says = (f'IF(ISNUMBER({high}),"{holds} from "&ROUND({low}+{RANGE_END},1)&" to "&ROUND({high}-{RANGE_END},1)'
-            f'&" cycles/min",IF({high}="{NONE_BINDS}","no limit","{holds} "&{high}))')  # fmt: skip
+    says = (
+        f'IF(ISNUMBER({high}),"{holds} from "&ROUND({low}+{RANGE_END},1)&" to "&ROUND({high}-{RANGE_END},1)'
+        f'&" cycles/min",IF({high}="{NONE_BINDS}","no limit","{holds} "&{high}))'
+    )
     if isinstance(found.high, str) or isinstance(found.low, str):
         return CheckSentence(says, "no limit" if found.high == NONE_BINDS else f"{holds} {found.high}")
     ends = (round(end, 1) + 0.0 for end in (found.low + RANGE_END, found.high - RANGE_END))

@@ -2,9 +2,12 @@
 
 import numpy as np
 
-from workbook.book.declare import Quantity, calc
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity
 from workbook.machines.machine.drive import brake, stages
 from workbook.machines.machine.drive.view import DriveView
+
+CELLS = cell_tables(__file__)
 
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
 LOSS1 = "IF({0}*[dir]<0,@in1,@out1)*{0}"
@@ -24,16 +27,14 @@ def behind(view: DriveView) -> str:
 
 def standing(view: DriveView) -> list[Quantity]:
     """Return the columns for the highest rate: torques without motion, what of the curve grows with the rate."""
+    cell = CELLS["standing"]
     points, load, size, of, driven = view.points, view.load, view.scales, view.by_point, view.driven
     before, output = stages.output(view, behind(view), "", "[R]", stages.REST)
     columns = [
         *before,
-        calc("S0", "output torque of the reducer, without inertia", "T_1,s", "Nm", output,
-             of(load.output_torque_at_rest), "F_r/(η_2 φ')", scale=size.behind),
-        calc("T0", "torque of the motor, without inertia", "T_s", "Nm",
-             f"=IF({brake.held(view)},0,{LOSS1.format('[S0]')}+@no_load*[dir])", of(points.standing),
-             "T_1,s/(η_1 i_1) ± T_nl", scale=size.torque),
-    ]  # fmt: skip
+        cell("S0", of(load.output_torque_at_rest), output=output, scale=size.behind),
+        cell("T0", of(points.standing), held=brake.held(view), behind_reducer=LOSS1.format("[S0]"), scale=size.torque),
+    ]
     if not view.knows_falling:
         return columns
     level = np.stack([0.0 * points.torque] * 2)
@@ -45,36 +46,35 @@ def standing(view: DriveView) -> list[Quantity]:
 
     return [
         *columns,
-        calc("left", "left below the motor's curve", "", "Nm", "=@motor_peak-@fall*MAX(0,ABS([n])-@knee)-ABS([T])",
-             of(points.reserve(driven.motor)), "T_max − f (n − n_1) − |T|",
-             scale=size.torque),
-        calc("uc", "share of the curve", "", "", use("[T]-[T0]", "@corner-[T0]"), of(forward), "of torques forward",
-             scale=1.0),
-        calc("ub", "share of the curve", "", "", use("[T0]-[T]", "@corner+[T0]"), of(backward), "of torques backward",
-             scale=1.0),
-    ]  # fmt: skip
+        cell("left", of(points.reserve(driven.motor)), scale=size.torque),
+        cell("uc", of(forward), formula=use("[T]-[T0]", "@corner-[T0]"), scale=1.0),
+        cell("ub", of(backward), formula=use("[T0]-[T]", "@corner+[T0]"), scale=1.0),
+    ]
 
 
 def tried(view: DriveView) -> list[Quantity]:
     """Return the columns of the torques at the rate that is tried: forces of inertia grow with its square."""
+    cell = CELLS["tried"]
     then, of, size, driven = view.search.points_tried, view.by_point, view.scales, view.driven
     force, resisted, (inertia, motor_inertia) = "([R]+([F]-[R])*@times^2)", [], by_inertia(view)
     if driven.entered.load.viscous is not None:
         speed = "[dx]*[vs]" if view.slides else "[v]"
-        formula = f"=[R]+([F]-[R])*@times^2+@viscous*{speed}*(@times-@times^2)"
-        resisted = [calc("FN", "force at the rate that is tried", "F_N", driven_unit(view), formula,
-                         of(then.load.force), "F_r + (F − F_r − c ẏ) x + c ẏ √x", scale=size.force)]  # fmt: skip
+        resisted = [cell("FN", of(then.load.force), unit=driven_unit(view), speed=speed, scale=size.force)]
         force = "[FN]"
     held, (before, output) = brake.held_at_tried(view), stages.output(view, behind(view), inertia, force, stages.TRIED)
     return [
         *resisted,
         *before,
-        calc("SN", "output torque of the reducer, at the rate that is tried", "T_1,N", "Nm", output,
-             of(then.load.output_torque), scale=size.behind),
-        calc("TN", "torque of the motor, at the rate that is tried", "T_N", "Nm",
-             f"=IF({held},0,{LOSS1.format('[SN]')}+{motor_inertia}*@times^2+@no_load*[dir])", of(then.torque),
-             scale=size.torque),
-    ]  # fmt: skip
+        cell("SN", of(then.load.output_torque), output=output, scale=size.behind),
+        cell(
+            "TN",
+            of(then.torque),
+            held=held,
+            behind_reducer=LOSS1.format("[SN]"),
+            own_inertia=motor_inertia,
+            scale=size.torque,
+        ),
+    ]
 
 
 def driven_unit(view: DriveView) -> str:

@@ -3,7 +3,8 @@
 from itertools import pairwise
 
 from engine.drive.mechanisms.variable_ratio import Linkage
-from workbook.book.declare import Quantity, Sheet, calc, check, constant
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure, rounded
 from workbook.book.sentence import shown as rounding
@@ -17,6 +18,8 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import UNSIZED, MechanismEntry, Table
 from workbook.machines.machine.view import MachineView
 
+CELLS = cell_tables(__file__)
+
 WORDS = " reaches {} {}, {} {} beyond the {}"
 
 
@@ -26,10 +29,12 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     reaches = [axis.motion.reaches[k] for k in axis.entered]
     low, high, *ends = linkage.reach
     unit, size, named = axis.base, axis.motion.size(0), LINKAGES[view.driven.given.kind].ends
-    sheet.rows(*(
-        calc(f"@{which}_end", f"{label} position: what is there", "", "", f"={named[which]}", name, align="left")
-        for which, label, name in zip(("low", "high"), ("Lowest", "Highest"), ends, strict=True)
-    ))  # fmt: skip
+    sheet.rows(
+        *(
+            CELLS["reach_table"]("@{which}_end", name, which=which, label=label, named=named[which])
+            for which, label, name in zip(("low", "high"), ("Lowest", "Highest"), ends, strict=True)
+        )
+    )
 
     def of(name: str) -> str:
         return f"=IF(INDEX([axis{i}.span],[k])>0,INDEX([axis{i}_steps.{name}],2*[k]),(@low+@high)/2)"
@@ -41,17 +46,19 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     lows, highs = (filled([one[k] for one in reaches], n, (low + high) / 2) for k in (0, 1))
     under, over = [low - one for one in lows], [one - high for one in highs]
     sheet.row += 1
+    cell = CELLS["reach"]
     sheet.table(
-        "@reach", "What each phase reaches", n,
-        constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("low", "lowest position", "", unit, of("low"), lows, scale=size),
-        calc("high", "highest position", "", unit, of("high"), highs, scale=size),
-        calc("under", "below the reach by", "", unit, "=@low-[low]", under, scale=size),
-        calc("over", "above it by", "", unit, "=[high]-@high", over, scale=size),
-        calc("out", "is out of it", "", "", "=IF(MAX([under],[over])>0-@near_end,1,0)", 0, "1 where it is",
-             format="0;;"),
-        calc("says", "in words", "", "", says, "", align="left"),
-    )  # fmt: skip
+        "@reach",
+        "What each phase reaches",
+        n,
+        cell("k", list(range(1, n + 1))),
+        cell("low", lows, unit=unit, formula=of("low"), scale=size),
+        cell("high", highs, unit=unit, formula=of("high"), scale=size),
+        cell("under", under, unit=unit, scale=size),
+        cell("over", over, unit=unit, scale=size),
+        cell("out", 0),
+        cell("says", "", formula=says),
+    )
 
 
 def linkage_checks(view: DriveView) -> list[Quantity]:
@@ -59,19 +66,15 @@ def linkage_checks(view: DriveView) -> list[Quantity]:
     driven, i, motion = view.driven, view.driven.number, view.driven.axis.motion
     called, page = driven.called, LINKAGES[driven.given.kind]
     says = f'[axes.name.{i}]&" row "&INDEX([@reach.says],MATCH(1,[@reach.out],0))'
-    lifts, cell, travel = f"[axis{i}.h]", f"[axes.travel.{i}]", shown(motion.lifts_sum, driven.axis.unit)
-    back = f"ABS(SUM({lifts}))<=check_zero*MAX(MAX({lifts}),0-MIN({lifts}))"
+    travel, ends_at = f"[axes.travel.{i}]", shown(motion.lifts_sum, driven.axis.unit)
+    stops = amount(travel, ends_at, "it ends ", f" {driven.entered.unit} from where it begins")
+    cell = CELLS["linkage_checks"]
     return [
-        check("@ok_sized", f"{called}: the mechanism has its sizes", page.sized, True,
-              rule=f"axes.{i - 1}.mechanism:sized", says=f'"{UNSIZED}"'),
-        check("@ok_linked", f"{called}: the sizes of the mechanism go together", page.fits, True, page.holds,
-              f":linked{i}", page.wrong),
-        check("@ok_reach", f"{called}: the mechanism reaches every position", "SUM([@reach.out])=0", True, page.within,
-              f":reach{i}", says),
-        check("@ok_back", f"{called}: the axis comes back every cycle", back, motion.closes,
-              "its mechanism has ends",
-              says=amount(cell, travel, "it ends ", f" {driven.entered.unit} from where it begins")),
-    ]  # fmt: skip
+        cell("@ok_sized", True, called=called, sized=page.sized, place=i - 1, unsized=UNSIZED),
+        cell("@ok_linked", True, called=called, fits=page.fits, holds=page.holds, i=i, says=page.wrong),
+        cell("@ok_reach", True, called=called, within=page.within, i=i, says=says),
+        cell("@ok_back", motion.closes, called=called, i=i, says=stops),
+    ]
 
 
 def apart(given: MechanismEntry, unit: str) -> str:

@@ -6,11 +6,14 @@ Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 """
 
 from engine.selection.point_load import PointLoad
-from workbook.book.declare import Sheet, calc
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Sheet
 from workbook.machines.machine.drive import stages
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
 from workbook.selection.pair_selection import Shaft, limit_figures, load_figures, shaft_figures
+
+CELLS = cell_tables(__file__)
 
 DRIVES = '(([@pt.S]*[@pt.dir]>=0)+(@method="document")>0)'
 BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
@@ -30,37 +33,33 @@ def turns_of(view: DriveView) -> float:
 
 def means(sheet: Sheet, view: DriveView) -> None:
     """Declare the means over the cycle, and all else that depends on neither motor nor reducer."""
+    cell = CELLS["means"]
     free = "[@pt.free]" if view.brakes else '(1-([@pt.dir]=0)*(@holding="brake"))'
     between = "@is*" if view.driven.entered.stages else ""
-    column, by = ("[@pt.al]", between) if view.varies else ("[@pt.a]", f"{between}@i2*")
-
-    def mean(where: str, one: str, by: str = "") -> str:
-        return f"{by}SUMPRODUCT([@pt.share]*{where}*{free},{one},[@pt.S])"
-
+    moved, turns = ("[@pt.al]", between) if view.varies else ("[@pt.a]", f"{between}@i2*")
+    driving, driven = (f"[@pt.share]*{where}*{free}" for where in (DRIVES, BACK))
+    figures = load_figures(load_of(view), view.scales.turning * view.load.output_ratio, view.scales.behind)
+    parts = {
+        "own": {"turns": turns, "moved": moved},
+        "square": {"driving": driving},
+        "square_back": {"driven": driven},
+        "product": {"turns": turns, "driving": driving, "moved": moved},
+        "product_back": {"turns": turns, "driven": driven, "moved": moved},
+        "way": {},
+        "way_turning": {"turns": turns, "moved": moved},
+        "way_behind": {"driving": driving},
+        "way_back": {"driven": driven},
+        "speed": {},
+    }
     sheet.heading(
         "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
     )
-    found = load_figures(load_of(view), view.scales.turning * view.load.output_ratio, view.scales.behind)
     sheet.rows(
-        *(calc(f"@ask_{name}", label, symbol, unit, f"={formula}", found[name][0], source, scale=found[name][1])
-          for name, label, symbol, unit, formula, source in (
-              ("own", "Mean of α²", "⟨α²⟩", "rad²/s⁴", f"{by}{by}SUMPRODUCT([@pt.share],{column},{column})", ""),
-              ("square", "Mean of S² where it drives the load", "⟨S²⟩", "Nm²", mean(DRIVES, "[@pt.S]"), ""),
-              ("square_back", "… where the load drives it", "", "Nm²", mean(BACK, "[@pt.S]"), ""),
-              ("product", "Mean of α S where it drives the load", "⟨αS⟩", "W/s", mean(DRIVES, column, by), ""),
-              ("product_back", "… where the load drives it", "", "W/s", mean(BACK, column, by), ""),
-              ("way", "Share of the cycle in motion", "⟨d²⟩", "", "SUMPRODUCT([@pt.share],[@pt.dir],[@pt.dir])",
-               "d: 1 forward, −1 backward"),
-              ("way_turning", "Mean of α d", "⟨αd⟩", "rad/s²", f"{by}SUMPRODUCT([@pt.share],{column},[@pt.dir])", ""),
-              ("way_behind", "Mean of S d where it drives the load", "⟨Sd⟩", "Nm", mean(DRIVES, "[@pt.dir]"), ""),
-              ("way_back", "… where the load drives it", "", "Nm", mean(BACK, "[@pt.dir]"), ""),
-              ("speed", "Largest speed", "ω", "rad/s", "@speed*PI()/30/@i1", ""))),
-        calc("@ask_turns", "Acceleration of that shaft over the one that the points have", "", "",
-             f"={by}1" if view.varies or between else "=@i2+0", turns_of(view), "the load's, of a constant ratio"),
-        calc("@ask_inertia", "Inertia", "J", "kg m²", f"={stages.inertia(view.driven)}+0", found["inertia"][0]),
-        calc("@ask_beside", "Inertia of parts on the motor's shaft", "", "kg m²", f"={on_shaft('motor')}",
-             view.driven.beside_motor, scale=view.driven.at_motor),
-    )  # fmt: skip
+        *(cell(f"@ask_{name}", figures[name][0], scale=figures[name][1], **of) for name, of in parts.items()),
+        cell("@ask_turns", turns_of(view), turns=f"{turns}1" if view.varies or between else "@i2+0"),
+        cell("@ask_inertia", figures["inertia"][0], inertia=stages.inertia(view.driven)),
+        cell("@ask_beside", view.driven.beside_motor, on_shaft=on_shaft("motor"), scale=view.driven.at_motor),
+    )
 
 
 def shaft_of(view: DriveView) -> Shaft:
@@ -70,21 +69,44 @@ def shaft_of(view: DriveView) -> Shaft:
     spare = ("@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top)
     load, turning, behind = load_of(view), view.scales.turning * view.load.output_ratio, view.scales.behind
     demand = load_figures(load, turning, behind)
-    rows = shaft_figures(f"drive{d.number}_", demand, {name: f"@ask_{name}" for name in demand} | {
-        "mean": "@mean*PI()/30/@i1", "smax": "@smax", "smean": "@smean", "cycles": ("@cycles", view.cycles),
-        "beside": ("@ask_beside", d.beside_motor), "turns": ("@ask_turns", turns_of(view)),
-        "brake": ("0", 0.0) if view.brakes else ('(@holding="brake")', float(d.holding == "brake")),
-        "by_power": ('(@method="physical")', float(d.given.method == "physical")), "left": ("@derate", d.left),
-        **limit_figures(d.limits, "@"),
-        "held_j": ("@j0", d.at_motor), "held_jm": ("@jm", motor.inertia), "held_i": ("@i1", reducer.ratio),
-        "held_eta": ("@eta1", reducer.efficiency), "held_no_load": ("@no_load", reducer.no_load_torque),
-        "held_rated": ("@continuous*@rms_reserve", rms.limit * d.limits.rms_reserve),
-        "held_peak": ("@motor_peak*@peak_reserve", motor.peak_torque * d.limits.peak_reserve),
-        "held_top": ("MAX(@tmax,0-@tmin)", top, torque),
-        "held_spare": (*(("@spare", view.spare) if view.knows_falling else spare), torque),
-        "held_nmax": ("@motor_nmax*@speed_reserve", motor.max_speed * d.limits.speed_reserve),
-        "held_row": ("@motor_row", motor.row),
-        "held_gear": ("@reducer_row", reducer.row),
-    })  # fmt: skip
-    return Shaft(d.entered.name, d.number, f"=[axes.name.{d.number}]", f"drive{d.number}", view.rows, load,
-                 "ABS({})/@held_i", turning, behind, rows)  # fmt: skip
+    rows = shaft_figures(
+        f"drive{d.number}_",
+        demand,
+        {name: f"@ask_{name}" for name in demand}
+        | {
+            "mean": "@mean*PI()/30/@i1",
+            "smax": "@smax",
+            "smean": "@smean",
+            "cycles": ("@cycles", view.cycles),
+            "beside": ("@ask_beside", d.beside_motor),
+            "turns": ("@ask_turns", turns_of(view)),
+            "brake": ("0", 0.0) if view.brakes else ('(@holding="brake")', float(d.holding == "brake")),
+            "by_power": ('(@method="physical")', float(d.given.method == "physical")),
+            "left": ("@derate", d.left),
+            **limit_figures(d.limits, "@"),
+            "held_j": ("@j0", d.at_motor),
+            "held_jm": ("@jm", motor.inertia),
+            "held_i": ("@i1", reducer.ratio),
+            "held_eta": ("@eta1", reducer.efficiency),
+            "held_no_load": ("@no_load", reducer.no_load_torque),
+            "held_rated": ("@continuous*@rms_reserve", rms.limit * d.limits.rms_reserve),
+            "held_peak": ("@motor_peak*@peak_reserve", motor.peak_torque * d.limits.peak_reserve),
+            "held_top": ("MAX(@tmax,0-@tmin)", top, torque),
+            "held_spare": (*(("@spare", view.spare) if view.knows_falling else spare), torque),
+            "held_nmax": ("@motor_nmax*@speed_reserve", motor.max_speed * d.limits.speed_reserve),
+            "held_row": ("@motor_row", motor.row),
+            "held_gear": ("@reducer_row", reducer.row),
+        },
+    )
+    return Shaft(
+        d.entered.name,
+        d.number,
+        f"=[axes.name.{d.number}]",
+        f"drive{d.number}",
+        view.rows,
+        load,
+        "ABS({})/@held_i",
+        turning,
+        behind,
+        rows,
+    )

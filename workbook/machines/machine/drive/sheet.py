@@ -3,7 +3,8 @@
 import math
 
 from engine.drive.bounds import stated_bounds
-from workbook.book.declare import Book, Quantity, Sheet, calc, check, constant, entries_of, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.sentence import CheckSentence
 from workbook.drive.motor import (
     below_curve,
@@ -36,12 +37,13 @@ from workbook.machines.machine.file_layout import kind_name
 from workbook.machines.machine.mechanism import SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
 
+CELLS = cell_tables(__file__)
+
 USED = (
     "The figures that this sheet computes with: the catalogue's where a name is entered, else those entered below; "
     "limits over their reserves."
 )
 MACHINES, OWN = "the machine's rate", "a rate of its own"
-END = "INDEX([motors.end],MAX(1,@motor_row))"
 LEVEL = (
     "its peak torque falls beyond a speed, and this book knows none that does: give it to the description, and build"
 )
@@ -98,22 +100,22 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
 
     They are watched by two checks: the sentence of one would be too long for a cell.
     """
+    cell = CELLS["entries"]
     m, key = driven.given, f"axes.{driven.number - 1}"
-    cell, own = entries_of(m, f"{key}.mechanism"), entries_of(driven.entered, key)
+    entry = CELLS["mechanism"].entries(m, f"{key}.mechanism")
+    own = CELLS["rate"].entries(driven.entered, key)
     none = f"empty: {'2 − 1/η_2, of its friction' if m.kind in SCREWS else 'η_2'}; 0 or less: self-locking"
     sheet.heading("Enter")
     sheet.rows(
-        calc("@axis", "Axis", "", "", f"=[axes.name.{driven.number}]", driven.entered.name,
-             "the sheet keeps the name that the axis was built with", align="left"),
-        constant(kind_name(driven.number, m.kind), "Mechanism", "", "", m.kind, align="left"),
-        own("@own_rate", "Rate that it is sized at, if not the machine's", "N", "cycles/min", "rate",
-            "empty: the machine's"),
+        cell("@axis", driven.entered.name, number=driven.number),
+        cell("{kind_name}", m.kind, kind_name=kind_name(driven.number, m.kind)),
+        own("@own_rate"),
         *size,
-        cell("@eta2", "Efficiency of the mechanism", "η_2", "", "efficiency"),
-        cell("@eta2_back", "Efficiency where the load drives it", "η_2\'", "", "back_efficiency", none),
-        cell("@method", "Losses", "", "", "method", "physical: by the flow of power; document: over η always, as S4"),
+        entry("@eta2"),
+        entry("@eta2_back", source=none),
+        entry("@method"),
         *loads(driven, key),
-    )  # fmt: skip
+    )
     sheet.rows(*in_use.entries(driven.entered, key))
     if driven.entered.stages:
         sheet.heading("Enter: stages between reducer and mechanism", stages.ABOUT)
@@ -130,124 +132,134 @@ def to(bound: float, of: str = "") -> str:
 
 def outcome(sheet: Sheet, view: DriveView) -> None:
     """Declare what the cycle asks of the motor, and the highest rate."""
+    cell = CELLS["outcome"]
     driven, points, size = view.driven, view.points, view.scales
     motor, reducer, own = view.reserve, view.reducer_checks, driven.entered.rate
     limits, bound = driven.limits, stated_bounds(driven.train)
     fastest = f"=MAX({top('n')},0-{top('n', 'low')})" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
     sheet.heading("Results")
     sheet.rows(
-        calc("@sized", "Sized at", "", "", f'=IF(@own_rate="","{MACHINES}","{OWN}")',
-             OWN if own else MACHINES, align="right"),
-        calc("@rate", "the rate", "N", "cycles/min", '=IF(@own_rate="",timing_rate,@own_rate)', view.rate),
-        result("@jtot", "External inertia at the motor's shaft", "J_ext", "kg cm²",
-               f"=(@j0-@jm+{stages.inertia(driven)}/@i1^2)*10000",
-               shown(view.inertia, KG_CM2),
-               "the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"),
-        result("@inertias", "Inertia ratio", "", "", "=IF(@jm>0,@jtot/10000/@jm,0)",
-               view.inertia_ratio, "load at the motor's shaft / motor"),
-        result("@tmax", "Motor torque, highest", "T_max", "Nm", f"={top('T')}+0", view.top("T"),
-               to(bound.peak_torque) + ("" if view.varies or driven.by_angle else UNDAMPED), scale=size.torque),
-        result("@tmin", "Motor torque, lowest", "T_min", "Nm", f"={top('T', 'low')}+0", -view.top("T", -1),
-               to(bound.peak_torque), scale=size.torque),
-        result("@rms", "RMS torque of the motor", "T_rms", "Nm", "=SQRT(SUMPRODUCT([@pt.share],[@pt.T],[@pt.T]))",
-               points.rms_torque, f"√(Σ share T²), {to(bound.rms_torque, 'the peak')}", scale=size.torque),
-        result("@t_hold", "Holding torque of the motor", "T_h", "Nm",
-               "=MAX(SUMPRODUCT(MAX(([@pt.dir]=0)*[@pt.T])),SUMPRODUCT(MAX(([@pt.dir]=0)*(0-[@pt.T]))))",
-               points.holding_torque, "the largest at rest, over η at standstill; without no-load torque",
-               scale=size.torque),
-        result("@speed", "Motor speed, largest", "n_max", "rpm", fastest, shown(view.speed, RPM),
-               f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio", scale=size.rpm),
-        result("@mean", "Motor speed, mean", "n_mean", "rpm", "=SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5)",
-               shown(points.mean_speed, RPM), "of |n| over the cycle; with T_rms the RMS point", scale=size.rpm),
+        cell("@sized", OWN if own else MACHINES, machines=MACHINES, own=OWN),
+        cell("@rate", view.rate),
+        cell(
+            "@jtot",
+            shown(view.inertia, KG_CM2),
+            inertia=stages.inertia(driven),
+            source="the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts",
+        ),
+        cell("@inertias", view.inertia_ratio),
+        cell(
+            "@tmax",
+            view.top("T"),
+            highest=top("T"),
+            scale=size.torque,
+            source=to(bound.peak_torque) + ("" if view.varies or driven.by_angle else UNDAMPED),
+        ),
+        cell("@tmin", -view.top("T", -1), lowest=top("T", "low"), scale=size.torque, source=to(bound.peak_torque)),
+        cell("@rms", points.rms_torque, bound=to(bound.rms_torque, "the peak"), scale=size.torque),
+        cell("@t_hold", points.holding_torque, scale=size.torque),
+        cell(
+            "@speed",
+            shown(view.speed, RPM),
+            formula=fastest,
+            scale=size.rpm,
+            source=f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio",
+        ),
+        cell("@mean", shown(points.mean_speed, RPM), scale=size.rpm),
         continuous(view.driven.motor, points.mean_speed),
-        result("@res_rms", "Reserve of RMS torque", "", "", "=IF(@rms>0,@continuous*@rms_reserve/@rms,0)",
-               motor.rms_torque.reserve * limits.rms_reserve, "of the whole continuous torque"),
-        result("@res_peak", "Reserve of peak torque", "", "",
-               "=IF(MAX(@tmax,0-@tmin)>0,@motor_peak*@peak_reserve/MAX(@tmax,0-@tmin),0)",
-               motor.peak_torque.reserve * limits.peak_reserve),
-        result("@res_speed", "Reserve of speed", "", "", "=IF(@speed>0,@motor_nmax*@speed_reserve/@speed,0)",
-               motor.speed.reserve * limits.speed_reserve),
-        *([result("@spare", "Least reserve below the motor's curve", "", "Nm", "=MIN([@pt.left])", view.spare,
-                  "at its points", scale=size.torque)] if view.knows_falling else []),
-        result("@smax", "Output torque of the reducer, peak", "", "Nm", f"=MAX({top('S')},0-{top('S', 'low')})",
-               reducer[0].value, to(bound.peak_torque), scale=size.behind),
-        result("@smean", "Output torque of the reducer, mean", "", "Nm", f"={max_rate.cubic('S')}", reducer[1].value,
-               "³√(∫|n||T_1|³ dt/∫|n| dt)", scale=size.behind),
+        cell("@res_rms", motor.rms_torque.reserve * limits.rms_reserve),
+        cell("@res_peak", motor.peak_torque.reserve * limits.peak_reserve),
+        cell("@res_speed", motor.speed.reserve * limits.speed_reserve),
+        *([cell("@spare", view.spare, scale=size.torque)] if view.knows_falling else []),
+        cell(
+            "@smax",
+            reducer[0].value,
+            highest=top("S"),
+            lowest=top("S", "low"),
+            scale=size.behind,
+            source=to(bound.peak_torque),
+        ),
+        cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("S"), scale=size.behind),
         *energies(view),
         *max_rate.range_results(view),
-    )  # fmt: skip
+    )
 
 
 def energies(view: DriveView) -> list[Quantity]:
     """Return the results of the motor's energy and power over the cycle."""
+    cell = CELLS["energies"]
     size, (driving, returned), bound = view.scales, view.energy, stated_bounds(view.driven.train)
     return [
-        result("@energy", "Energy of the motor, driving", "E", "J",
-               "=SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]>0)*1)*60/@rate*1000", driving,
-               f"with its copper losses, a cycle; {to(bound.energy, 'both energies')}", scale=size.work),
-        result("@returned", "Energy of the motor, regenerated", "", "J",
-               "=0-SUMPRODUCT([@pt.share],[@pt.P],([@pt.P]<0)*1)*60/@rate*1000", returned,
-               to(bound.energy, "both energies"), scale=size.work),
-        result("@power", "Mean power of the motor", "P", "kW", "=(@energy-@returned)*@rate/60/1000",
-               shown((driving - returned) / view.driven.drive_cycle.time, KW), to(bound.mean_power, "the peak"),
-               scale=size.power),
-        result("@pmax", "Motor power, highest", "P_max", "kW", f"=MAX(0,{top('P')})",
-               shown(max(0.0, view.top("P")), KW), to(bound.peak_power), scale=size.power),
-        result("@pmin", "Motor power, lowest", "P_min", "kW", f"=MIN(0,{top('P', 'low')})",
-               shown(min(0.0, -view.top("P", -1)), KW), f"regenerated; {to(bound.peak_power, 'the larger')}",
-               scale=size.power),
+        cell("@energy", driving, bound=to(bound.energy, "both energies"), scale=size.work),
+        cell("@returned", returned, scale=size.work, source=to(bound.energy, "both energies")),
+        cell(
+            "@power",
+            shown((driving - returned) / view.driven.drive_cycle.time, KW),
+            scale=size.power,
+            source=to(bound.mean_power, "the peak"),
+        ),
+        cell(
+            "@pmax", shown(max(0.0, view.top("P")), KW), highest=top("P"), scale=size.power, source=to(bound.peak_power)
+        ),
+        cell(
+            "@pmin",
+            shown(min(0.0, -view.top("P", -1)), KW),
+            lowest=top("P", "low"),
+            bound=to(bound.peak_power, "the larger"),
+            scale=size.power,
+        ),
         *([brake.torque(view)] if view.brakes else []),
-    ]  # fmt: skip
+    ]
 
 
 def at_rate(view: DriveView) -> list[Quantity]:
     """Return the rows of the reducer's torque at its cycles an hour, and of the motor's curve if the book has any."""
+    cell = CELLS["at_rate"]
     held, driven, falling = view.reducer_checks[0].limit, view.driven, view.driven.catalogued_falling
     peak, row, motors = driven.motor.peak_torque, driven.motor_used.row, driven.products.motors
     listed = row > 0 and motors[row - 1].end_torque is not None
+    fastest = driven.motor.max_speed * driven.limits.speed_reserve
     rows = [
-        calc("@cycles", "Cycles an hour", "", "1/h", "=60*@rate", view.cycles),
-        calc("@full", "Reducer: cycles an hour beyond which f_s counts", "", "1/h",
-             f"=IF(@reducer_full=0,{FULL_CYCLES:g},@reducer_full)", driven.reducer.full_cycles or FULL_CYCLES),
-        calc("@reducer_held", "Reducer: largest output torque at this rate", "", "Nm",
-             "=@reducer_peak/IF(@cycles>@full*(1+1E-9),@reducer_fs,1)", 0.0 if math.isinf(held) else held,
-             "over f_s beyond these cycles; 0: no limit"),
-        calc("@listed", "Motor: a peak torque at its largest speed is given", "", "",
-             f"=IF(@motor_row=0,0,COUNT({END}))", int(listed), "1 yes, 0 no", format="0"),
-        calc("@drop", "Motor: its peak torque falls to there by", "", "Nm",
-             f"=IF(@listed=0,0,MAX(0,@motor_peak-{END}/@peak_reserve))",
-             falling.fall * (driven.motor.max_speed * driven.limits.speed_reserve - falling.knee), scale=peak),
-    ]  # fmt: skip
-    return rows if not view.knows_falling else [
-        *rows,
-        calc("@knee", "Motor: its peak torque holds up to", "n_1", "rpm",
-             "=IF(@motor_row=0,0,INDEX([motors.knee],MAX(1,@motor_row))+0)", shown(falling.knee, RPM),
-             "0: up to its largest speed"),
-        calc("@fall", "Motor: fall of its peak torque beyond", "f", "Nm/rpm",
-             "=IF(@listed=0,0,@drop/(@motor_nmax*@speed_reserve-@knee))", shown(falling.fall, PER_RPM)),
-        calc("@corner", "Motor: the falling line at no speed", "", "Nm", "=IF(@fall=0,0,@motor_peak+@fall*@knee)",
-             falling.corner(peak) if falling.fall else 0.0, "T_max + f n_1; 0: it does not fall"),
-    ]  # fmt: skip
+        cell("@cycles", view.cycles),
+        cell("@full", driven.reducer.full_cycles or FULL_CYCLES, full_cycles=f"{FULL_CYCLES:g}"),
+        cell("@reducer_held", 0.0 if math.isinf(held) else held),
+        cell("@listed", int(listed)),
+        cell("@drop", falling.fall * (fastest - falling.knee), scale=peak),
+    ]
+    if view.knows_falling:
+        rows += [
+            cell("@knee", shown(falling.knee, RPM)),
+            cell("@fall", shown(falling.fall, PER_RPM)),
+            cell("@corner", falling.corner(peak) if falling.fall else 0.0),
+        ]
+    return rows
 
 
 def checks(view: DriveView) -> list[Quantity]:
     """Return the checks of the drive: of its limits with what would mend them, and of what is entered."""
+    cell = CELLS["checks"]
     driven, (torque, mean, speed) = view.driven, view.reducer_checks
     called, reducer = driven.called, driven.reducer
     mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').said}")
-    level = check("@ok_curve", f"{called}: the motor's peak torque is given up to its largest speed", "@drop=0",
-                  not driven.catalogued_falling.fall, says=CheckSentence(f'"{LEVEL}"', LEVEL))  # fmt: skip
+    is_level, level_says = not driven.catalogued_falling.fall, CheckSentence(f'"{LEVEL}"', LEVEL)
+    level = cell("@ok_curve", is_level, called=called, says=level_says)
     return [
         *limit_checks(view.reserve, called, mends=mends),
         *within_reducer(
-            called, ("torque", "@smax", "@reducer_held", torque.ok, torque.value, torque.limit),
+            called,
+            ("torque", "@smax", "@reducer_held", torque.ok, torque.value, torque.limit),
             ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
-            ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed), mends=mends,
+            ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed),
+            mends=mends,
         ),
         inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
-        turns_check(view), *([brake.holds(view)] if view.brakes else []),
-        *in_use.checks(driven.number, called), *stages.checks(driven), *page.on_bed(driven),
+        turns_check(view),
+        *([brake.holds(view)] if view.brakes else []),
+        *in_use.checks(driven.number, called),
+        *stages.checks(driven),
+        *page.on_bed(driven),
         below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.tables.machine.over.measured else ()),
-        *(linkage_checks(view) if view.varies else ()), *(by_angle.checks(view) if driven.by_angle else ()),
-    ]  # fmt: skip
+        *(linkage_checks(view) if view.varies else ()),
+        *(by_angle.checks(view) if driven.by_angle else ()),
+    ]

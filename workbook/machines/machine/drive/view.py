@@ -10,10 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.drive_points import DrivePoints, Peak, peak
-from engine.drive.limit_use import RateRange, RateSearch
+from engine.drive.limit_use import RateSearch
 from engine.drive.limits import BELOW
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Interpolation, LoadPoints, QuadratureCycle
+from engine.drive.rate_estimates import RateRange
 from engine.drive.results import Energy
 from engine.laws.base import Array
 from engine.laws.points import POINTS
@@ -28,9 +29,11 @@ from workbook.machines.machine.motion_tables import AxisTables
 NONE_BINDS, AT_NO_RATE = "none", "at no rate"
 """the words for a highest rate where no limit binds, and where none is held"""
 PEAKED: dict[str, Callable[[DrivePoints], Array]] = {
-    "T": lambda points: points.torque, "S": lambda points: points.load.output_torque,
-    "P": lambda points: points.power, "n": lambda points: points.speed,
-}  # fmt: skip
+    "T": lambda points: points.torque,
+    "S": lambda points: points.load.output_torque,
+    "P": lambda points: points.power,
+    "n": lambda points: points.speed,
+}
 """the quantities whose peaks are sought, by their columns"""
 PEAK_UNITS = {"T": 1.0, "S": 1.0, "P": KW, "n": RPM}  # of these on the sheet
 LEAST = 1e-3  # of torques and powers: what is smaller is next to nothing
@@ -62,8 +65,12 @@ class Rates(NamedTuple):
         if found.high == 0.0:
             return cls(AT_NO_RATE, AT_NO_RATE, AT_NO_RATE, found.high_limit)
         low, high = (shown(rate, PER_MINUTE) for rate in found[:2])
-        return cls(low, high if math.isfinite(high) else NONE_BINDS, found.low_limit or NONE_BINDS,
-                   found.high_limit or NONE_BINDS)  # fmt: skip
+        return cls(
+            low,
+            high if math.isfinite(high) else NONE_BINDS,
+            found.low_limit or NONE_BINDS,
+            found.high_limit or NONE_BINDS,
+        )
 
 
 class DriveView:
@@ -202,9 +209,11 @@ class DriveView:
     def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
         """The peak and the mean torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
         limits, points, behind = self.driven.reducer.limits, self.points, self.load.output_torque
-        found = (("peak torque", self.size("S"), limits.peak_at(1.0 / self.time)),
-                 ("mean torque", points.cubic_mean(behind), limits.mean_torque),
-                 ("input speed", self.speed, limits.input_speed))  # fmt: skip
+        found = (
+            ("peak torque", self.size("S"), limits.peak_at(1.0 / self.time)),
+            ("mean torque", points.cubic_mean(behind), limits.mean_torque),
+            ("input speed", self.speed, limits.input_speed),
+        )
         peak, mean, speed = (LimitCheck(name, value, limit) for name, value, limit in found)
         return peak, mean, speed
 
@@ -214,8 +223,15 @@ class DriveView:
         left, torque = self.points.reserve(self.driven.motor).ravel(), np.abs(self.points.torque).ravel()
         k = int(left.argmin())
         below = LimitCheck(BELOW, float(torque[k]), float(torque[k] + left[k]))
-        named = ("RMS torque", "peak torque", "motor speed", "reducer peak torque", "reducer mean torque",
-                 "reducer input speed", BELOW)  # fmt: skip
+        named = (
+            "RMS torque",
+            "peak torque",
+            "motor speed",
+            "reducer peak torque",
+            "reducer mean torque",
+            "reducer input speed",
+            BELOW,
+        )
         return dict(zip(named, (*self.reserve, *self.reducer_checks, below), strict=True))
 
     @cached_property

@@ -258,7 +258,7 @@ def results(study: DriveStudy) -> Computations:
     asked = RESULTS | ({"brake_load": lambda study: study.brake_load} if study.bases[0].brakes else {})
     asked |= {"spare": lambda study: study.extremes.spare} if study.products.knows_falling else {}
     for kind, figures_of in (("motor", in_use.MOTOR), ("reducer", in_use.REDUCER)):
-        cells = {cell.removeprefix("@"): name for name, *_, cell, _ in figures_of}
+        cells = {cell.removeprefix("@"): name for name, cell in figures_of.items()}
         cells |= {f"{kind}_{name}": name for name in ("row", *WEIGHED)}
         used = attrgetter(f"{kind}s_used")
         asked |= {cell: lambda study, used=used, name=name: used(study)[name] for cell, name in cells.items()}

@@ -4,7 +4,8 @@ from collections.abc import Callable
 from typing import Any
 
 from engine.motion import Phase
-from workbook.book.declare import Quantity, Sheet, calc, check, constant, given, result
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, Sheet, calc, check, result
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
@@ -20,6 +21,8 @@ from workbook.motion.cells import RAISED
 from workbook.motion.pieces import room_check
 from workbook.motion.requirements import rate_columns
 
+CELLS = cell_tables(__file__)
+
 RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
     ("velocity", "vmax", VELOCITY, "C_v h/{}", lambda phase: phase.y1_max),
     ("acceleration", "amax", ACCELERATION, "C_a h/{}²", lambda phase: phase.y2_max),
@@ -33,17 +36,30 @@ def phases_table(sheet: Sheet, tables: AxisTables) -> None:
     measured, base = tables.machine.over.measured, tables.axis.base
     shown_as = calc if measured else result
     geometric = [
-        shown_as(f"y{k}", f"geometric {word}", "y" + k * "'", f"{base}/rad{RAISED[k]}", own(tables, most, formula),
-                 moving(tables, figure), source=source.format("δ"))
+        shown_as(
+            f"y{k}",
+            f"geometric {word}",
+            "y" + k * "'",
+            f"{base}/rad{RAISED[k]}",
+            own(tables, most, formula),
+            moving(tables, figure),
+            source=source.format("δ"),
+        )
         for k, (word, most, formula, source, figure) in enumerate(RATES, 1)
-    ]  # fmt: skip
+    ]
     sheet.table(
-        tables.name, f"Phases of axis {tables.axis.number}: fill one row each, in order; between them it rests; "
-        "leave spare rows empty", tables.rows,
-        *entered(tables), *([] if measured else geometric), *extremes(tables),
-        *used(tables), *(geometric if measured else []), *faults(tables),
+        tables.name,
+        f"Phases of axis {tables.axis.number}: fill one row each, in order; between them it rests; "
+        "leave spare rows empty",
+        tables.rows,
+        *entered(tables),
+        *([] if measured else geometric),
+        *extremes(tables),
+        *used(tables),
+        *(geometric if measured else []),
+        *faults(tables),
         rules=[AT_REST],
-    )  # fmt: skip
+    )
 
 
 def moving(tables: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
@@ -64,6 +80,7 @@ def own(tables: AxisTables, column: str, formula: str) -> str:
 
 def entered(tables: AxisTables) -> list[Quantity]:
     """Return the columns of kind and entries, of the kinds of both ends if phases hand over, and of the end."""
+    cell = CELLS["entered"]
     over, axis, steps = tables.machine.over, tables.axis, f"{tables.name}_steps"
     key = f"axes.{axis.number - 1}.phases.*"
 
@@ -78,68 +95,105 @@ def entered(tables: AxisTables) -> list[Quantity]:
         passing = rate_columns(entry("velocity"), entry("acceleration"), key, units, symbols)
         kinds = zip(*(step.kinds for _, step in tables.ends.phases), strict=True)
         for end, values in zip(("begin", "end"), kinds, strict=True):
-            passing.append(result(f"{end}s", f"kind of its {end}", "", "",
-                                  f"=INDEX([{tables.name}_kinds.{end}s],2*[k])", filled(values, tables.rows, ""),
-                                  align="center", source=KINDS))  # fmt: skip
+            passing.append(cell("{end}s", filled(values, tables.rows, ""), end=end, tables=tables, source=KINDS))
     y = f"INDEX([{steps}.y0],2*[k])+INDEX([{steps}.h],2*[k])-[lack]"
     reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
     ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
     return [
-        calc("kind", "phase", "", "", doubled(sampling.kind(tables.at.ends)), sampling.kinds(axis.phases, tables.rows)),
-        given("start", "from", "", over.unit, entry("start"), f"{key}.start", format=over.format),
-        given("stop", "to", "", over.unit, entry("stop"), f"{key}.stop", format=over.format),
-        given("lift", "lift", "h", axis.given.unit, entry("lift"), f"{key}.lift", format="0.0##"),
-        given("law", "law", "", "", entry("law"), f"{key}.law", choices="=law_code"),
+        cell("kind", sampling.kinds(axis.phases, tables.rows), formula=doubled(sampling.kind(tables.at.ends))),
+        cell("start", entry("start"), unit=over.unit, key=key, format=over.format),
+        cell("stop", entry("stop"), unit=over.unit, key=key, format=over.format),
+        cell("lift", entry("lift"), unit=axis.given.unit, key=key),
+        cell("law", entry("law"), key=key),
         *passing,
-        result("y", "position at its end", "y", axis.given.unit, f'=IF([kind]="spare",0,{reached})',
-               filled(ends, tables.rows), scale=shown(axis.motion.size(0), axis.unit), source="lifts up to it"),
-    ]  # fmt: skip
+        cell(
+            "y",
+            filled(ends, tables.rows),
+            unit=axis.given.unit,
+            reached=reached,
+            scale=shown(axis.motion.size(0), axis.unit),
+        ),
+    ]
 
 
 def extremes(tables: AxisTables) -> list[Quantity]:
     """Return the columns of each movement's greatest rates, and its duration where the cycle's length is entered."""
+    cell = CELLS["extremes"]
     axis, over, by = tables.axis, tables.machine.over, "t" if tables.machine.over.timed else "δ"
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
-    figures = [(word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
-               for k, (word, *_, source, figure) in enumerate(RATES, 1)]  # fmt: skip
+    figures = [
+        (word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
+        for k, (word, *_, source, figure) in enumerate(RATES, 1)
+    ]
     rms, mean = f"{own(tables, 'rms', f'={RMS}')}*omega^2{lift}", "C_a,rms h/{}²"
 
     def timed(k: int, figure: Callable[[Phase], float]) -> list[float | str]:
         return moving(tables, lambda phase: axis.rate(figure(phase) * axis.speed**k))
 
     return [
-        *(result(name, word, symbols[k - 1], units[k - 1], f"={speed}" if k < 3 else f'=IF(ISNUMBER([y3]),{speed},"∞")',
-                 timed(k, figure), source=source.format(by) if over.measured else "y" + k * "'" + f" ω{RAISED[k]}")
-          for name, word, speed, k, figure, source in figures),
-        result("rms", "RMS acceleration", symbols[3], units[1], rms, timed(2, lambda phase: phase.y2_rms),
-               source=mean.format(by) if over.measured else f"{mean.format('δ')} ω²"),
-        *([
-            result("lasts", "duration", over.lasting, over.unit, '=IF([stop]="",0,[stop]-[start])',
-                   filled([over.shown(p.stop - p.start) for p in axis.given.phases], tables.rows), scale=over.length),
-            result("rests", "rest before", "", over.unit, f"={over.shown_formula('[gap]')}",
-                   [over.shown(gap) for gap in gaps(tables)], scale=over.length),
-        ] if over.measured else []),
-    ]  # fmt: skip
+        *(
+            result(
+                name,
+                word,
+                symbols[k - 1],
+                units[k - 1],
+                f"={speed}" if k < 3 else f'=IF(ISNUMBER([y3]),{speed},"∞")',
+                timed(k, figure),
+                source=source.format(by) if over.measured else "y" + k * "'" + f" ω{RAISED[k]}",
+            )
+            for name, word, speed, k, figure, source in figures
+        ),
+        cell(
+            "rms",
+            timed(2, lambda phase: phase.y2_rms),
+            symbol=symbols[3],
+            unit=units[1],
+            formula=rms,
+            source=mean.format(by) if over.measured else f"{mean.format('δ')} ω²",
+        ),
+        *(
+            [
+                cell(
+                    "lasts",
+                    filled([over.shown(p.stop - p.start) for p in axis.given.phases], tables.rows),
+                    symbol=over.lasting,
+                    unit=over.unit,
+                    scale=over.length,
+                ),
+                cell(
+                    "rests",
+                    [over.shown(gap) for gap in gaps(tables)],
+                    unit=over.unit,
+                    shown_formula=over.shown_formula("[gap]"),
+                    scale=over.length,
+                ),
+            ]
+            if over.measured
+            else []
+        ),
+    ]
 
 
 def used(tables: AxisTables) -> list[Quantity]:
     """Return law, lift and angles of each phase as the cells compute with them."""
+    cell = CELLS["used"]
     n, axis, over = tables.rows, tables.axis, tables.machine.over
     phases, turned = axis.phases, axis.given.phases
     start, stop = over.degrees_formula("[start]"), over.degrees_formula("[stop]")
     laws = filled([tables.machine.given.laws.number(p.law) for p in turned], n, 1)
     return [
-        constant("k", "row", "k", "", list(range(1, n + 1))),
-        calc("no", "law number", "", "", LAW_NUMBER, laws, format="0"),
-        calc("h", "lift", "h", axis.base, "=[lift]/1000" if axis.given.unit == "mm" else "=RADIANS([lift])",
-             filled([p.lift for p in phases], n), source="conversion"),
-        calc("span", "duration", "δ", "rad", f'=IF([stop]="",0,RADIANS({stop}-{start}))',
-             filled([p.duration for p in phases], n), source="conversion"),
-        calc("begin", "begins at", "", "°", f'=IF([stop]="",360,{start})', filled([p.start for p in turned], n, 360.0),
-             scale=360.0, format="0.0##", source="spare rows: the end"),
-        calc("end", "ends at", "", "°", f'=IF([stop]="",360,{stop})', filled([p.stop for p in turned], n, 360.0),
-             scale=360.0, format="0.0##"),
-    ]  # fmt: skip
+        cell("k", list(range(1, n + 1))),
+        cell("no", laws, formula=LAW_NUMBER),
+        cell(
+            "h",
+            filled([p.lift for p in phases], n),
+            unit=axis.base,
+            formula="=[lift]/1000" if axis.given.unit == "mm" else "=RADIANS([lift])",
+        ),
+        cell("span", filled([p.duration for p in phases], n), stop=stop, start=start),
+        cell("begin", filled([p.start for p in turned], n, 360.0), start=start, scale=360.0),
+        cell("end", filled([p.stop for p in turned], n, 360.0), stop=stop, scale=360.0),
+    ]
 
 
 BACKWARDS = (
@@ -155,24 +209,29 @@ NO_FAULT, KINDS = "empty where it does not", "R rest, G velocity, U reversal, B 
 
 def faults(tables: AxisTables) -> list[Quantity]:
     """Return the columns of the faults of each phase, and of the rest before it."""
+    cell = CELLS["faults"]
     over, lacking = tables.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
     return [
-        calc("gap", "rest before", "", "°", "=[begin]-IF([k]=1,0,[end-1])", gaps(tables), scale=360.0),
-        calc("backwards", "runs backwards", "", "", BACKWARDS.format(over.after), "", source=NO_FAULT),
-        calc("early", "begins too early", "", "", EARLY.format(over.after, over.shown_formula("0-[gap]")), "",
-             source=NO_FAULT),
+        cell("gap", gaps(tables), scale=360.0),
+        cell("backwards", "", formula=BACKWARDS.format(over.after), source=NO_FAULT),
+        cell("early", "", formula=EARLY.format(over.after, over.shown_formula("0-[gap]")), source=NO_FAULT),
         *([beyond(over)] if over.measured else []),
-        calc("lack", "jump of y", "Δy", tables.axis.base, own(tables, "", lacking),
-             filled([p.missing_lift for p in tables.axis.phases], tables.rows), source="at its end: the law's lack",
-             scale=tables.axis.motion.size(0)),
-    ]  # fmt: skip
+        cell(
+            "lack",
+            filled([p.missing_lift for p in tables.axis.phases], tables.rows),
+            unit=tables.axis.base,
+            formula=own(tables, "", lacking),
+            scale=tables.axis.motion.size(0),
+        ),
+    ]
 
 
 def beyond(over: Abscissa) -> Quantity:
     """Return the column of how far a row from ``start`` to ``stop`` goes on beyond the cycle, in words."""
+    cell = CELLS["beyond"]
     last = "MAX([start],[stop])"
     late = f'=IF(OR([stop]="",{over.degrees_formula(last)}-360<=check_zero),"",{going_beyond(last, over)})'
-    return calc("beyond", "goes beyond the cycle", "", "", late, "", source=NO_FAULT, align="left")
+    return cell("beyond", "", formula=late, source=NO_FAULT)
 
 
 def going_beyond(last: str, over: Abscissa) -> str:
@@ -197,6 +256,7 @@ def no_fault(name: str, label: str, texts: str, called: str, rule: str) -> Quant
 
 def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
     """Declare the checks of one axis; each calls it by its number, as it may get another name."""
+    cell = CELLS["axis_checks"]
     axis, t, i = tables.axis, tables.name, tables.axis.number
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", tables.machine.over
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
@@ -209,17 +269,32 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
         none_in("backwards", "forward", "every phase runs forward"),
         none_in("early", "follows", "no phase begins before the one above ends"),
         *([none_in("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []),
-        check(f"{t}_position", f"{label}: no jump of position", f"{lack}<=check_zero*{lift}", motion.complete,
-              says=amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}")),
+        cell(
+            "{t}_position",
+            motion.complete,
+            t=t,
+            label=label,
+            lack=lack,
+            lift=lift,
+            says=amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}"),
+        ),
         room_check(f"{t}_room", tables.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
         *(tables.ends.checks(t, f"{label}: ") if tables.ends else []),
         *map(stop_check, stops_of(axis)),
         tables.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
-        check(f"{t}_closes", f"{label}: the cycle closes",
-              f'OR([axes.closes.{i}]<>"position",ABS({gap})<=check_zero*{lift})', axis.closes,
-              "in position, or, as a feed, in velocity, or is open",
-              says=amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")),
-        *([] if axis.given.motor is None else [
-            check(f"{t}_repeats", f"{label}: its cycle repeats, as its drive needs", f'[axes.closes.{i}]<>"open"', True,
-                  rule=f"axes.{i - 1}:repeats", says=f'[axes.name.{i}]&" {OPEN_DRIVE}"')]),
-    )  # fmt: skip
+        cell(
+            "{t}_closes",
+            axis.closes,
+            t=t,
+            label=label,
+            i=i,
+            gap=gap,
+            lift=lift,
+            says=amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins"),
+        ),
+        *(
+            []
+            if axis.given.motor is None
+            else [cell("{t}_repeats", True, t=t, label=label, i=i, i_before=i - 1, open_drive=OPEN_DRIVE)]
+        ),
+    )

@@ -4,13 +4,16 @@ import math
 from typing import NamedTuple
 
 from engine.motion import Motion
-from workbook.book.declare import Quantity, check, given
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, given
 from workbook.book.sentence import CheckSentence, amount
 from workbook.book.summary import ZERO
 from workbook.fields.units import shown
 from workbook.machines.machine.entries_beside import STOPS
 from workbook.machines.machine.file_layout import stop_name
 from workbook.machines.machine.view import MovingAxis
+
+CELLS = cell_tables(__file__)
 
 FEEDS_ON = "it feeds on, cycle by cycle"
 CALLED = {"low": "lower", "high": "upper"}
@@ -85,12 +88,21 @@ def stops_of(axis: MovingAxis) -> list[HardStop]:
 
 def stop_cell(stop: HardStop) -> Quantity:
     """Return the row in which a stop is entered."""
-    return given(stop.name, f"{CALLED[stop.end].capitalize()} stop", "", stop.axis.given.unit, stop.entered,
-                 f"axes.{stop.axis.number - 1}.stops.{stop.end}", format="0.0##", source="empty: none")  # fmt: skip
+    return given(
+        stop.name,
+        f"{CALLED[stop.end].capitalize()} stop",
+        "",
+        stop.axis.given.unit,
+        stop.entered,
+        f"axes.{stop.axis.number - 1}.stops.{stop.end}",
+        format="0.0##",
+        source="empty: none",
+    )
 
 
 def stop_check(stop: HardStop) -> Quantity:
     """Return the check that an axis, its overshoot included, does not go beyond a stop."""
+    cell = CELLS["stop_check"]
     i, unit, called, entered = stop.axis.number, stop.axis.given.unit, CALLED[stop.end], stop.name
     reached, travel, lift = f"[axes.{stop.end}.{i}]", f"[axes.travel.{i}]", f"[axes_taken.lift.{i}]"
     beyond, onwards = (f"{entered}-{reached}", f"0-{travel}") if stop.end == "low" else (f"{reached}-{entered}", travel)
@@ -101,4 +113,11 @@ def stop_check(stop: HardStop) -> Quantity:
     stays = f'OR([axes.closes.{i}]<>"feed",{onwards}<=check_zero*{lift})'
     check_formula = f'OR({entered}="",AND({stays},{beyond}<=check_zero*({lift}+ABS({entered}))))'
     label = f"Axis {i}: it stays within its {called} stop"
-    return check(f"{entered}_kept", label, check_formula, stop.is_kept(stop.reached), says=says)
+    return cell(
+        "{entered}_kept",
+        stop.is_kept(stop.reached),
+        entered=entered,
+        label=label,
+        check_formula=check_formula,
+        says=says,
+    )

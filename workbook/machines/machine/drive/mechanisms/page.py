@@ -4,10 +4,13 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from engine.laws.base import Array
-from workbook.book.declare import Quantity, Sheet, calc, check, given
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.mechanism import ON_BED, Belted
+
+CELLS = cell_tables(__file__)
 
 Column = Callable[[Array], list[float]]  # makes a column of a table of an array of values at its places
 Table = Callable[[Sheet, Driven, int], None]  # declares a table of as many rows as the book has for positions
@@ -33,29 +36,30 @@ class LinkagePage(NamedTuple):
     worked: Table | None = None  # that of its workings
 
 
-RATIOS = {"lead": ("P_h", "=2*PI()/(@lead/1000)", "2π/P_h"), "roller_radius": ("R", "=1/(@roller_radius/1000)", "1/R"),
-          "": ("", "=1", "the load turns with it")}  # fmt: skip
+RATIOS = {
+    "lead": ("P_h", "2*PI()/(@lead/1000)", "2π/P_h"),
+    "roller_radius": ("R", "1/(@roller_radius/1000)", "1/R"),
+    "": ("", "1", "the load turns with it"),
+}
 """of the entry that sets a constant ratio: its symbol, the ratio in cells and in words; of all others 2/D"""
 
 
 def ratio_of(size: str) -> tuple[str, str, str]:
     """Return the symbol, the formula and the equation of a ratio by the entry that sets it."""
-    return RATIOS.get(size, ("D", f"=2/(@{size}/1000)", "2/D"))
+    return RATIOS.get(size, ("D", f"2/(@{size}/1000)", "2/D"))
 
 
 def constant_entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the row of the size of a mechanism of constant ratio, if it has one, and of its belt."""
-    m, key, rows = driven.given, f"{key}.mechanism", []
+    m, rows = driven.given, []
+    entry = CELLS["constant_entries"].entries(m, f"{key}.mechanism")
     if m.SIZE:
         label = type(m).model_fields[m.SIZE].title or ""
-        rows = [given(f"@{m.SIZE}", label, ratio_of(m.SIZE)[0], "mm", m.size, f"{key}.{m.SIZE}", format="0.0##")]
+        rows = [entry("@{size}", size=m.SIZE, label=label, symbol=ratio_of(m.SIZE)[0])]
     if isinstance(m, Belted):
-        rows.append(given("@belt_mass", "Mass of the belt", "m_b", "kg", m.belt_mass, f"{key}.belt_mass",
-                          format="0.0##", source="moves with the load; its own weight balances itself"))  # fmt: skip
-        rows += [] if m.belt_on_bed is None else [
-            given("@belt_on_bed", "Mass of the belt on the bed", "m_bed", "kg", m.belt_on_bed, f"{key}.belt_on_bed",
-                  format="0.0##", source="slides over it with the load; of the whole belt"),
-        ]  # fmt: skip
+        rows.append(entry("@belt_mass"))
+        if m.belt_on_bed is not None:
+            rows.append(entry("@belt_on_bed"))
     return rows
 
 
@@ -64,21 +68,19 @@ def on_bed(driven: Driven) -> list[Quantity]:
     m = driven.given
     if not isinstance(m, Belted) or m.belt_on_bed is None:
         return []
-    label, rule = (
-        f"{driven.called}: the belt on the bed is part of the belt",
-        f"axes.{driven.number - 1}.mechanism:on_bed",
-    )
-    return [check("@ok_bed", label, "@belt_on_bed<=@belt_mass+0", True, rule=rule, says=quoted(ON_BED))]
+    rule = f"axes.{driven.number - 1}.mechanism:on_bed"
+    return [CELLS["on_bed"]("@ok_bed", True, called=driven.called, rule=rule, says=quoted(ON_BED))]
 
 
 def constant_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios."""
-    unit, m = "rad/m" if driven.axis.base == "m" else "", driven.mechanism
+    cell, m = CELLS["constant_sizes"], driven.mechanism
+    unit = "rad/m" if driven.axis.base == "m" else ""
     _, ratio, equation = ratio_of(driven.given.SIZE)
-    between, said = ("*@is", "i_s ") if driven.entered.stages else ("", "")
+    stages, stages_symbol = ("*@is", "i_s ") if driven.entered.stages else ("", "")
     return [
-        calc("@i2", "Ratio of the mechanism", "i_2", unit, ratio, m.ratio_from(m.last - 1), equation),
-        calc("@i", "Ratio from motor to load", "i_tot", unit, f"=@i1{between}*@i2", m.ratio, f"i_1 {said}i_2"),
+        cell("@i2", m.ratio_from(m.last - 1), unit=unit, ratio=ratio, equation=equation),
+        cell("@i", m.ratio, unit=unit, stages=stages, stages_symbol=stages_symbol),
     ]
 
 

@@ -10,173 +10,144 @@ import numpy as np
 
 from engine.drive.mechanisms.variable_ratio import PositionTable, near_end
 from engine.laws.base import Array
-from workbook.book.declare import Quantity, Sheet, calc, columns_of, constant
-from workbook.book.quantity import PLAIN
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import NOT_ZERO, filled
 from workbook.book.sentence import quoted
 from workbook.machines.machine.drive.driven import FALLS, Driven, of_kind
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
 from workbook.machines.machine.mechanism import Table
 
+CELLS = cell_tables(__file__)
+
 LEVEL = 1e-4  # of a ratio over the narrowest part; a smaller change of it is rounding, as of a table of a straight line
-D = "INDEX([@curve.d1:d5],[part],0)"  # the coefficients of t to t⁵ of the part of the table in which a position is
 
 
 def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the points."""
-    column = columns_of(of_kind(Table, driven.given).points, f"axes.{driven.number - 1}.mechanism.points", rows)
+    cell, given = CELLS["entered"], of_kind(Table, driven.given).points
+    column = cell.columns(given, f"axes.{driven.number - 1}.mechanism.points", rows)
     sheet.row += 1
     sheet.table(
-        "@points", "Points of the table: leave spare rows empty", rows,
-        constant("k", "point", "k", "", list(range(1, rows + 1))),
-        column("angle", "angle of the shaft", "φ", "°", "angle", "rises strictly", format=PLAIN),
-        column("position", "position of the load", "y", driven.entered.unit, "position", "rises strictly",
-               format=PLAIN),
-    )  # fmt: skip
+        "@points",
+        "Points of the table: leave spare rows empty",
+        rows,
+        cell("k", list(range(1, rows + 1))),
+        column("angle"),
+        column("position", unit=driven.entered.unit),
+    )
 
 
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of where the mechanism can bring its load to."""
+    cell = CELLS["sizes"]
     one = of_kind(PositionTable, driven.linkage)
     low, high, *_ = one.reach
     base = driven.axis.base
     return [
-        calc("@count", "Points of the table", "", "", "=SUM([@curve.on])", len(of_kind(Table, driven.given).points),
-             format="0"),
-        calc("@low", "Lowest position that is reached", "", base, "=INDEX([@curve.y],1)", low, scale=high - low),
-        calc("@high", "Highest position", "", base, "=INDEX([@curve.y],MAX(1,@count))", high, scale=high - low),
-        calc("@near_end", "So near to an end counts as beyond it", "", base, "=0-check_zero*(@high-@low)",
-             near_end(one), "below 0: so far beyond counts as at it", format="0E+00"),
-    ]  # fmt: skip
+        cell("@count", len(of_kind(Table, driven.given).points)),
+        cell("@low", low, base=base, scale=high - low),
+        cell("@high", high, base=base, scale=high - low),
+        cell("@near_end", near_end(one), base=base),
+    ]
 
 
 def table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the curve between the points."""
+    cell = CELLS["curve"]
     sheet.table(
-        "@curve", "The curve through the points", rows,
-        constant("k", "point", "k", "", list(range(1, rows + 1))),
-        *points(driven, rows), *slopes(driven, rows), *powers(driven, rows),
-    )  # fmt: skip
-
-
-def at(name: str, place: str) -> str:
-    """Return the formula of a figure of another point."""
-    return f"INDEX([@curve.{name}],{place})"
-
-
-AFTER, BEFORE = "MIN([k]+1,MAX(2,@count))", "MAX([k]-1,1)"
+        "@curve",
+        "The curve through the points",
+        rows,
+        cell("k", list(range(1, rows + 1))),
+        *points(driven, rows),
+        *slopes(driven, rows),
+        *powers(driven, rows),
+    )
 
 
 def points(driven: Driven, rows: int) -> list[Quantity]:
     """Return the columns of the points in rad and SI, and of the chords between them."""
-    one = of_kind(PositionTable, driven.linkage)
-    angle, y, *_ = one.columns
-    metres, base = ("{}/1000", "m") if driven.travels else ("RADIANS({})", "rad")
-    own = "INDEX([@points.{}],[k])"
-
-    def of(values: Any) -> list[Any]:
-        return filled(values, rows)
-
-    width, chord = np.diff(y), np.diff(angle) / np.diff(y)
-    entry = f"COUNT({own.format('angle')},{own.format('position')})=2"
+    cell = CELLS["points"]
+    linkage = of_kind(PositionTable, driven.linkage)
+    angle, y, *_ = linkage.columns
+    in_si, base = ("INDEX([@points.position],[k])/1000", "m")
+    if not driven.travels:
+        in_si, base = ("RADIANS(INDEX([@points.position],[k]))", "rad")
+    width = np.diff(y)
     return [
-        calc("on", "is used", "", "", f"=IF({entry},1,0)", of(np.ones(y.size)), format="0"),
-        calc("phi", "angle", "φ", "rad", f"=RADIANS({own.format('angle')})", of(angle)),
-        calc("y", "position", "y", base, f"={metres.format(own.format('position'))}", of(y)),
-        calc("w", "to the next", "Δy", base, f"=IF([k]<@count,{at('y', AFTER)}-[y],0)", of(width)),
-        calc("chord", "slope to the next", "Δφ/Δy", "", f"=IF([k]<@count,({at('phi', AFTER)}-[phi])/[w],0)", of(chord)),
-        calc("falls", "does not rise", "", "",
-             f"=[on]*([k]>1)*IF(OR([phi]<={at('phi', BEFORE)},[y]<={at('y', BEFORE)}),1,0)", 0, format="0;;"),
-    ]  # fmt: skip
+        cell("on", filled(np.ones(y.size), rows)),
+        cell("phi", filled(angle, rows)),
+        cell("y", filled(y, rows), base=base, in_si=in_si),
+        cell("w", filled(width, rows), base=base),
+        cell("chord", filled(np.diff(angle) / width, rows)),
+        cell("falls", 0),
+    ]
 
 
 def slopes(driven: Driven, rows: int) -> list[Quantity]:
     """Return the columns of φ' and φ'' at the points: of the parabola, and as they are used."""
-    one = of_kind(PositionTable, driven.linkage)
-    found = one.parabolas
-    before, middle, after = (at("phi", place) for place in ("[m]-1", "[m]", "[m]+1"))
-    left, right = at("chord", "[m]-1"), at("chord", "[m]")
-    about = np.maximum(2, np.minimum(np.arange(1, len(found.slope) + 1), len(found.slope) - 1))
+    cell = CELLS["slopes"]
+    linkage = of_kind(PositionTable, driven.linkage)
+    parabolas, (angle, _, ratios, changes) = linkage.parabolas, linkage.columns
+    slope, count = parabolas.slope, len(parabolas.slope)
+    about = np.maximum(2, np.minimum(np.arange(1, count + 1), count - 1))
+    chords = np.diff(angle) / linkage.widths
+    first = np.divide(1.0, slope, out=np.zeros_like(slope), where=slope > 0.0)
+    size = change(parabolas.second, first, linkage.widths)
 
-    def of(values: Any, spare: float = 0.0) -> list[Any]:
-        return filled(np.asarray(values) + 0.0, rows, spare)
+    def of(values: Any) -> list[Any]:
+        return filled(np.asarray(values) + 0.0, rows)
 
-    def used(formula: str) -> str:
-        return f"=IF([on]=1,{formula},0)"
-
-    chords = np.diff(one.columns[0]) / one.widths
-    first = np.divide(1.0, found.slope, out=np.zeros_like(found.slope), where=found.slope > 0.0)
-    place = "MIN([k],MAX(1,@count-1))"
     return [
-        calc("m", "parabola about point", "", "", used("MAX(2,MIN([k],@count-1))"), of(about), format="0"),
-        calc("bend", "curvature of the parabola", "y''", "",
-             f"=IF(AND([on]=1,@count>2),2*(1/{right}-1/{left})/({after}-{before}),0)", of(found.bend),
-             "through three points", scale=change(found.bend, found.slope, np.diff(one.columns[0]))),
-        calc("slope", "its slope", "y'", "", used(f"1/{left}+[bend]/2*(2*[phi]-{middle}-{before})"), of(found.slope),
-             "there"),
-        calc("h0", "to the point before", "", "", used(at("w", BEFORE)), of(found.widths[0])),
-        calc("h1", "to the next", "", "", used(at("w", place)), of(found.widths[1])),
-        calc("c0", "slope from the point before", "Δφ/Δy", "", used(at("chord", BEFORE)),
-             of(np.append(chords[0], chords))),
-        calc("c1", "slope to the next", "Δφ/Δy", "", used(at("chord", place)), of(np.append(chords, chords[-1]))),
-        calc("flat", "flatter of both", "", "", "=MIN([c0],[c1])", of(found.flat)),
-        calc("first", "φ' of the parabola", "", "", used("IF([slope]>0,1/[slope],0)"), of(first),
-             "1/y'; 0 where y' is not above 0"),
-        calc("b", "φ'' of the parabola", "", "", "=0-[bend]*[first]^3", of(found.second), "−y''/y'³",
-             scale=change(found.second, first, one.widths)),
-        calc("calm", "the curve rises", "", "",
-             used("IF(AND([first]>0,4*[first]+MIN([h1]*[b],0-[h0]*[b])>0,"
-                  "8*[first]+[h1]*[b]<10*[c1],8*[first]-[h0]*[b]<10*[c0]),1,0)"),
-             of(found.calm), format="0", source="1: the parabola's slope and curvature are used"),
-        calc("g", "φ' there", "φ'", "", "=IF([on]=0,0,IF([calm]=1,[first],1/MAX(0.8/[flat],MIN(4/[flat],[slope]))))",
-             of(one.columns[2])),
-        calc("h", "φ'' there", "φ''", "", "=[calm]*[b]", of(one.columns[3]),
-             scale=change(found.second, first, one.widths)),
-    ]  # fmt: skip
+        cell("m", of(about)),
+        cell("bend", of(parabolas.bend), scale=change(parabolas.bend, slope, np.diff(angle))),
+        cell("slope", of(slope)),
+        cell("h0", of(parabolas.widths[0])),
+        cell("h1", of(parabolas.widths[1])),
+        cell("c0", of(np.append(chords[0], chords))),
+        cell("c1", of(np.append(chords, chords[-1]))),
+        cell("flat", of(parabolas.flat)),
+        cell("first", of(first)),
+        cell("b", of(parabolas.second), scale=size),
+        cell("calm", of(parabolas.calm)),
+        cell("g", of(ratios)),
+        cell("h", of(changes), scale=size),
+    ]
 
 
 def powers(driven: Driven, rows: int) -> list[Quantity]:
     """Return the coefficients of φ over the share t of each part: φ = φ_k + d1 t + d2 t² + … + d5 t⁵."""
-    one = of_kind(PositionTable, driven.linkage)
-    found = np.vstack([one.powers[:, 1:], np.zeros((rows - len(one.powers), 5))]).T
-    angle, _, first, second = one.columns
-    d1, d2 = first[:-1] * one.widths, second[:-1] * one.widths**2 / 2.0
-    more = {
-        "e0": ("angle beyond these two", f"{at('phi', AFTER)}-[phi]-[d1]-[d2]", np.diff(angle) - d1 - d2),
-        "e1": ("slope beyond them", f"{at('g', AFTER)}*[w]-[d1]-2*[d2]", first[1:] * one.widths - d1 - 2.0 * d2),
-        "e2": ("curvature beyond them", f"{at('h', AFTER)}*[w]^2-2*[d2]", second[1:] * one.widths**2 - 2.0 * d2),
+    cell = CELLS["powers"]
+    linkage = of_kind(PositionTable, driven.linkage)
+    angle, _, first, second = linkage.columns
+    w, size = linkage.widths, float(np.abs(linkage.powers).max())
+    d1, d2 = first[:-1] * w, second[:-1] * w**2 / 2.0
+    beyond = {
+        "e0": np.diff(angle) - d1 - d2,
+        "e1": first[1:] * w - d1 - 2.0 * d2,
+        "e2": second[1:] * w**2 - 2.0 * d2,
     }
-    formulas = ("[g]*[w]", "[h]*[w]^2/2", "10*[e0]-4*[e1]+[e2]/2", "7*[e1]-15*[e0]-[e2]", "6*[e0]-3*[e1]+[e2]/2")
-    words = "t", "t²", "t³", "t⁴", "t⁵"
-    size = float(np.abs(one.powers).max())
     return [
-        *(calc(f"d{n}", f"coefficient of {word}", f"d{n}", "rad", f"=IF([k]<@count,{formula},0)", values, scale=size)
-          for n, (word, formula, values) in enumerate(zip(words, formulas, found, strict=True), 1)),
-        *(calc(name, label, "", "rad", f"=IF([k]<@count,{formula},0)", filled(np.asarray(values), rows),
-               "at the next point", scale=size)
-          for name, (label, formula, values) in more.items()),
-    ]  # fmt: skip
+        *(cell(f"d{n}", filled(linkage.powers[:, n], rows), scale=size) for n in range(1, 6)),
+        *(cell(name, filled(values, rows), scale=size) for name, values in beyond.items()),
+    ]
 
 
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
+    cell = CELLS["ratios"]
     one = of_kind(PositionTable, driven.linkage)
     part = one.part(position)
     share = (position - one.columns[1][part]) / one.widths[part]
     turned, first, second = one.shaft(position)
-    width = "INDEX([@curve.w],[part])"
-    passed = "SUMPRODUCT([@curve.on]*([@curve.y]<=[y]+check_zero))"
     return [
-        calc("part", "part of the table", "", "", f"=MAX(1,MIN(@count-1,{passed}))",
-             of(np.asarray(part, dtype=np.float64) + 1.0), format="0"),
-        calc("t", "share of the part", "t", "", f"=([y]-INDEX([@curve.y],[part]))/{width}{NOT_ZERO}", of(share),
-             scale=1.0),
-        calc("g", "ratio", "φ'", "", f"=SUMPRODUCT({D},{{1,2,3,4,5}},[t]^{{0,1,2,3,4}})/{width}", of(first), "dφ/dy"),
-        calc("h", "its change", "φ''", "", f"=SUMPRODUCT({D},{{0,2,6,12,20}},[t]^{{0,0,1,2,3}})/{width}^2", of(second),
-             "d²φ/dy²", scale=change(second, first, one.widths)),
-        calc("phi", "angle of the shaft", "φ", "rad", f"=INDEX([@curve.phi],[part])+SUMPRODUCT({D},[t]^{{1,2,3,4,5}})",
-             of(turned), scale=1.0),
-    ]  # fmt: skip
+        cell("part", of(np.asarray(part, dtype=np.float64) + 1.0)),
+        cell("t", of(share), not_zero=NOT_ZERO, scale=1.0),
+        cell("g", of(first)),
+        cell("h", of(second), scale=change(second, first, one.widths)),
+        cell("phi", of(turned), scale=1.0),
+    ]
 
 
 def change(values: Array, ratios: Array, widths: Array) -> float:
@@ -193,9 +164,17 @@ def varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, float]:
 
 
 TABLE = LinkagePage(
-    lambda driven, key: [], sizes, ratios, varied, "@count>=2", "SUM([@curve.falls])=0",
+    lambda driven, key: [],
+    sizes,
+    ratios,
+    varied,
+    "@count>=2",
+    "SUM([@curve.falls])=0",
     "angle and position rise from point to point",
     f"{quoted(FALLS.partition(' {}')[0] + ' ')}&MATCH(1,[@curve.falls],0)"
     f"&{quoted(' does not rise in angle and position')}",
-    "within its table", {"low": quoted("begin of the table"), "high": quoted("end of the table")}, entered, table,
-)  # fmt: skip
+    "within its table",
+    {"low": quoted("begin of the table"), "high": quoted("end of the table")},
+    entered,
+    table,
+)

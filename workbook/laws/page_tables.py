@@ -1,0 +1,32 @@
+"""What the pages of laws state in Markdown tables beside their modules: parameters, pieces, coefficients and checks."""
+
+from typing import Any
+
+from workbook.book.cell_tables import CellTable
+from workbook.laws.family import ENTRIES, LawCheck, Parameter, PieceRow
+
+
+def parameters_in(table: CellTable) -> tuple[Parameter, ...]:
+    """Return the parameters in a table: each its cell and label, its key, and what is above it among functions."""
+    return tuple(Parameter(**fields_of(Parameter, row.texts)) for row in table.values())
+
+
+def checks_in(table: CellTable) -> tuple[LawCheck, ...]:
+    """Return the checks in a table."""
+    return tuple(LawCheck(**fields_of(LawCheck, row.texts)) for row in table.values())
+
+
+def pieces_in(table: CellTable) -> tuple[PieceRow, ...]:
+    """Return the pieces in a table: each its words and equation, and the formulas of its entries that are not 0."""
+    heads = ("name", "equation", *ENTRIES)
+    return tuple(PieceRow(**{head: row.texts[head] for head in heads if head in row.texts}) for row in table.values())
+
+
+def coefficients_in(table: CellTable) -> dict[str, tuple[str, str]]:
+    """Return the formula of each coefficient in a table, and its equation in words."""
+    return {name: (row.texts["formula"], row.texts["source"]) for name, row in table.items()}
+
+
+def fields_of(kind: Any, texts: dict[str, str]) -> dict[str, str]:
+    """Return the texts that are fields of a named tuple."""
+    return {field: texts[field] for field in kind._fields if field in texts}

@@ -1,0 +1,156 @@
+"""The extremes of steps that take velocity from their neighbours: of polynomials at points, of two pulses by heights.
+
+Positions are at points too. Velocity and acceleration of a law of two pulses are exact by the heights of its pulses,
+its jerk by its pieces' ends.
+"""
+
+from collections.abc import Callable
+from math import isfinite, perm
+from typing import Any
+
+import numpy as np
+
+from engine.laws.extremes import NODES, WEIGHTS
+from engine.motion import Phase
+from engine.motion.handover import PULSES, Handover
+from engine.motion.pieces import MotionPiece
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Book, Quantity, Sheet
+from workbook.book.rows import filled
+from workbook.book.summary import ZERO
+from workbook.machines.machine.boundary.handover import AxisHandover
+from workbook.machines.machine.extremes import POINTS, at_points
+
+CELLS = cell_tables(__file__)
+
+PLACE = "[d]*xi*([c1]+[d]*xi*([c2]+[d]*xi*[c3]))+[A]*SIN([om]*[d]*xi+[ph])"
+"""position, from its begin, on a piece of a pulse, whose acceleration is a straight line and a sine"""
+
+
+def points(book: Book, sheet: Sheet) -> None:
+    """Declare the points that pieces and polynomials are looked at, and those of Gauss's rule."""
+    cell = CELLS["points"]
+    title = "Points of a polynomial or a piece, as shares of its duration"
+    sheet.table("piece_points", title, len(POINTS), cell("xi", POINTS.tolist()))
+    shares, weights = (0.5 * (NODES + 1.0)).tolist(), (0.5 * WEIGHTS).tolist()
+    sheet.table("gauss", "Gauss–Legendre rule on 0 … 1", len(NODES), cell("xi", shares), cell("w", weights))
+    book.name("piece_points", xi="xi")
+    book.name("gauss", xi_g="xi", w_g="w")
+
+
+def horner(powers: int, order: int, xi: str) -> str:
+    """Return the formula of a derivative (order 0 is y) of Σ e_n ξⁿ, per unit of ξ."""
+    text = ""
+    for n in range(powers - 1, max(order, 1) - 1, -1):
+        share = perm(n, order)
+        scaled = f"[e{n}]" if share == 1 else f"{share}*[e{n}]"
+        inner = f"({text})" if "*" in text or "+" in text else text
+        text = f"{scaled}+{xi}*{inner}" if text else scaled
+    return text if order else f"{xi}*({text})"
+
+
+def polynomial_extremes(one: AxisHandover) -> list[Quantity]:
+    """Return the columns of the extremes of polynomials per unit of ξ, and the greatest velocity of two pulses."""
+    column = one.columns(CELLS["polynomial_extremes"])
+    size, powers = one.motion.size(0), one.rows.powers
+    place, velocity, acceleration, jerk = (horner(powers, order, "xi") for order in range(4))
+
+    def curved(step: Handover) -> bool:
+        return step.ended and step.mode != PULSES
+
+    def scaled(figure: Callable[[Phase], float], order: int) -> list[Any]:
+        return one.of(lambda step: figure(step.phase) * step.phase.duration**order if curved(step) else 0.0)
+
+    def low_high(end: int) -> list[Any]:
+        both = zip(one.handed, one.motion.reaches, one.motion.ends, strict=True)
+        return one.spread([reach[end] - at.begin.y if curved(step) else 0.0 for step, reach, at in both])
+
+    def fastest(step: Handover) -> float:
+        speed = abs(step.reversing) if step.mode == PULSES else step.phase.y1_max if step.ended else 0.0
+        return speed * step.phase.duration
+
+    squares = scaled(lambda phase: phase.y2_rms**2, 4)
+    return [
+        column("pv", fastest, order=0, velocity=velocity),
+        column("pa", scaled(lambda phase: phase.y2_max, 2), order=0, acceleration=acceleration),
+        column("pj", scaled(lambda phase: phase.y3_max, 3), order=0, jerk=jerk),
+        column("pr", squares, acceleration=horner(powers, 2, "xi_g"), scale=size**2),
+        column("plow", low_high(0), order=0, place=place),
+        column("phigh", low_high(1), order=0, place=place),
+    ]
+
+
+def step_extremes(one: AxisHandover) -> list[Quantity]:
+    """Return the columns of the greatest velocity, acceleration and jerk, the RMS acceleration, and both positions."""
+    column = one.columns(CELLS["step_extremes"])
+
+    def ended(figure: Callable[[Phase], float]) -> list[Any]:
+        return one.of(lambda step: figure(step.phase) if step.ended else 0.0)
+
+    def reaches(end: int) -> list[Any]:
+        both = zip(one.handed, one.motion.reaches, strict=True)
+        return one.spread([reach[end] if step.ended else 0.0 for step, reach in both])
+
+    jerks = [value if isfinite(value) else "∞" for value in ended(lambda phase: phase.y3_max)]
+    return [
+        column("vmax", ended(lambda phase: phase.y1_max), order=1),
+        column("amax", ended(lambda phase: phase.y2_max), order=2),
+        column("jumps", jumps(one)),
+        column("jmax", jerks, order=3),
+        column("rms", ended(lambda phase: phase.y2_rms), order=2),
+        column("low", reaches(0), order=0),
+        column("high", reaches(1), order=0),
+    ]
+
+
+def at_ends(piece: MotionPiece, order: int) -> list[float]:
+    """Return a derivative at the begin and at the end of a piece."""
+    return [float(y) for y in piece.curves[order].at(np.array([0.0, piece.duration]))]
+
+
+def leaps(one: AxisHandover) -> tuple[list[float], list[int]]:
+    """Return y'' at the end of the piece before, within the phase (0 for its first), and whether y'' jumps there."""
+    before, earlier, found = [0.0] * one.room, [], []
+    for piece in one.rows.pieces:
+        lasts, (first, last) = piece.duration > 0.0, at_ends(piece, 2)
+        earlier.append(before[piece.phase] if lasts else 0.0)
+        found.append(int(lasts and abs(first - earlier[-1]) > ZERO * one.step_of(piece).phase.y2_max))
+        if lasts:
+            before[piece.phase] = last
+    return earlier, found
+
+
+def jumps(one: AxisHandover) -> list[int]:
+    """Return how often y'' jumps at the pieces of each step of two pulses, and at its end."""
+    found = [0] * one.room
+    for piece, leap in zip(one.rows.pieces, leaps(one)[1], strict=True):
+        found[piece.phase] += leap
+    for place, step, at in zip(one.axis.places, one.handed, one.motion.ends, strict=True):
+        last = abs(at.end.y2) > ZERO * step.phase.y2_max
+        found[place] = found[place] + last if step.mode == PULSES else 0
+    return found
+
+
+def pulse_extremes(one: AxisHandover, room: int) -> list[Quantity]:
+    """Return the columns of the pieces' table: what pieces of laws of two pulses add to the extremes of their steps."""
+    column, joints = one.columns(CELLS["pulse_extremes"]), one.rows.at.pieces.replace("_pieces", "_joints")
+    earlier, jumping = leaps(one)
+
+    def of(figure: Callable[[MotionPiece], float]) -> list[float]:
+        both = ((piece, one.step_of(piece)) for piece in one.rows.pieces)
+        return filled((figure(piece) if step.mode == PULSES and piece.duration else 0.0 for piece, step in both), room)
+
+    def mean_square(piece: MotionPiece) -> float:
+        return float(WEIGHTS @ piece.curves[2].at(piece.duration * (NODES + 1.0) / 2.0) ** 2) / 2.0
+
+    lows = of(lambda piece: float(at_points(piece, 0).min()) - one.begin_of(piece))
+    highs = of(lambda piece: float(at_points(piece, 0).max()) - one.begin_of(piece))
+    squares = of(lambda piece: mean_square(piece) * piece.duration)
+    return [
+        column("before", filled(earlier, room), order=2, joints=joints),
+        column("leap", filled(jumping, room), joints=joints),
+        column("jerk", of(lambda piece: max(map(abs, at_ends(piece, 3)))), order=3),
+        column("square", squares, scale=max(squares) or 1.0),
+        column("low", lows, order=0, place=PLACE),
+        column("high", highs, order=0, place=PLACE),
+    ]

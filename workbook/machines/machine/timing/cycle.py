@@ -1,0 +1,115 @@
+"""The sheet Cycle of an axis: its motion sample by sample, which charts show and cam tables export."""
+
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import FIRST, Book, Quantity, result
+from workbook.fields.texts import sheet_title
+from workbook.fields.units import DEGREE, shown
+from workbook.machines.machine.motion_tables import AxisTables
+from workbook.machines.machine.view import MachineView
+from workbook.motion.exported import Exportable, ShiftCells
+from workbook.motion.pieces import POSITION, finding, sampled
+
+CELLS = cell_tables(__file__)
+
+LANE_SHARE = 0.8  # of the height of a lane that an axis takes. Source: S1, 'Timing diagram for a cutting machine'
+CURVES = (
+    ("y", "position", "", "", ""),
+    ("v", "velocity", "omega", "y' ω", "dy/dx"),
+    ("a", "acceleration", "omega^2", "y'' ω²", "d²y/dx²"),
+    ("j", "jerk", "omega^3", "y''' ω³, between jumps", "d³y/dx³, between jumps"),
+)
+"""a sampled axis: its column, what it is called; its factor, and its equation over time and over all else"""
+EARLIER = "([theta]-@late-[p])*@lap"  # the travel of the turns that its phases have ended before
+
+
+def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int) -> None:
+    """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
+    cell = CELLS["cycle_sheet"]
+    over, axis, i, told = machine.over, tables.axis, tables.axis.number, tables.axis.unshifted(machine.samples)
+    title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
+    sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
+    unit, lowest, highest = axis.given.unit, f"[axes.low.{i}]", f"[axes.high.{i}]"
+    low, high = (shown(end, axis.unit) for end in axis.motion.reach)
+    by_lift = LANE_SHARE / (high - low) if high > low else 0.0
+    lane = floor + by_lift * (shown(axis.motion.at(told.x).y, axis.unit) - low)
+    with sheet.scoped(f"cycle{i}_"):
+        sheet.rows(
+            cell("@name", axis.given.name, i=i),
+            cell("@late", axis.given.shift, i=i),
+            cell(
+                "@lap",
+                shown(axis.motion.lifts_sum, axis.unit) / 360.0,
+                unit=unit,
+                i=i,
+                scale=shown(axis.motion.size(0), axis.unit) / 360.0,
+            ),
+            cell("@scale", by_lift, unit=unit, highest=highest, lowest=lowest),
+            cell("@floor", floor - by_lift * low, floor=floor, lowest=lowest, scale=1.0),
+        )
+        sheet.row += 1
+        theta = cell("theta", machine.angles.tolist(), label=over.angle)
+        time = cell(
+            "time", over.shown(machine.angles), label=over.name, symbol=over.symbol, unit=over.unit, format=over.format
+        )
+        sheet.table(
+            f"cycle{i}",
+            f"The axis over the {over.name}",
+            len(machine.angles),
+            time if over.measured else theta,
+            *results(tables),
+            cell("lane", lane, earlier=EARLIER),
+            *([theta] if over.measured else []),
+            cell("p", shown(told.x, DEGREE), scale=360.0),
+            *finding(tables.pieces, "p", told.x),
+        )
+    sheet.unprinted, sheet.widths = True, {FIRST: 14}
+
+
+def results(tables: AxisTables) -> list[Quantity]:
+    """Return the motion of an axis in time, or by the abscissa whose length is entered alone."""
+    cell = CELLS["results"]
+    axis, unit, over = tables.axis, tables.axis.given.unit, tables.machine.over
+    timed = axis.motion.at_speed(axis.unshifted(tables.machine.samples).x, axis.speed)
+    y, lift = sampled(tables.pieces, 0), over.lift(unit).shown
+    rates = zip(CURVES[1:], over.symbols[1:], over.rates(unit), timed[1:], strict=True)
+    return [
+        cell(
+            "y",
+            shown(axis.at(tables.machine.samples).y, axis.unit),
+            unit=unit,
+            either=f"1000*({y})" if unit == "mm" else f"DEGREES({y})",
+            earlier=EARLIER,
+            source=POSITION,
+        ),
+        *(
+            result(
+                name,
+                words,
+                symbol,
+                shown_in,
+                f"={factor}*({sampled(tables.pieces, order)}){lift}",
+                axis.rate(values),
+                scale=axis.size(order),
+                source=paced if over.timed else by_x,
+            )
+            for order, ((name, words, factor, paced, by_x), symbol, shown_in, values) in enumerate(rates, 1)
+        ),
+    ]
+
+
+def exportable(tables: AxisTables) -> Exportable:
+    """Return an axis as the sheet Export may have it."""
+    axis, i, unit, over = tables.axis, tables.axis.number, tables.axis.given.unit, tables.machine.over
+    units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
+    later = ShiftCells(f"[axes_taken.late.{i}]", "eps", f"[axes.travel.{i}]", axis.unshifted, axis.motion.lifts_sum)
+    return Exportable(
+        axis.given.name,
+        f"=[axes.name.{i}]",
+        tables.pieces,
+        units,
+        (over.shown(shown(1.0, DEGREE)), shown(1.0, axis.unit)),
+        "*1000" if unit == "mm" else "*180/PI()",
+        axis.motion.size,
+        later,
+        over=over,
+    )
