@@ -3,8 +3,9 @@
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property, partial, reduce
 from itertools import pairwise
+from operator import add
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -166,5 +167,6 @@ def peak_bus_power(powers: tuple[float, float], efficiency: float) -> PeakBusPow
 
 
 def total_bus_power(found: Sequence[MeanBusPower]) -> MeanBusPower:
-    """Return the sum of mean powers over drives."""
-    return MeanBusPower(math.fsum(drive.mains for drive in found), math.fsum(drive.resistor for drive in found))
+    """Return the sum of mean powers over drives, in studies of arrays."""
+    mains, resistor = zip(*found, strict=True)
+    return MeanBusPower(reduce(add, mains), reduce(add, resistor))  # sum() of floats hangs on the Python's version

@@ -47,14 +47,21 @@ def index(values, row):
     return values[int(row) - 1]
 
 
+def numbers_in(values):
+    """Of a range the numbers, as programs have it: texts are passed over."""
+    return [value for value in values[0] if is_number(value)] if len(values) == 1 else values
+
+
 def least(*values):
-    """Of a range the least number, as programs have it: texts are passed over."""
-    numbers = [value for value in values[0] if is_number(value)] if len(values) == 1 else values
-    return min(numbers, default=0)
+    return min(numbers_in(values), default=0)
+
+
+def most(*values):
+    return max(numbers_in(values), default=0)
 
 
 FUNCTIONS = {
-    "MIN": least, "MAX": max, "INT": math.floor, "SMALL": small, "COUNT": count, "IF": either, "INDEX": index,
+    "MIN": least, "MAX": most, "INT": math.floor, "SMALL": small, "COUNT": count, "IF": either, "INDEX": index,
     "PI": lambda: math.pi,
 }  # fmt: skip
 

@@ -14,6 +14,7 @@ import tomli_w
 from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, SIZES, base, laws, planned, stops, written
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
+from workbook.machines.machine.drive.view import AT_NO_RATE
 from workbook.reading.descriptions import read_machine
 from workbook.studies.evaluate import Evaluator, book_value, require_names
 from workbook.studies.plan import read_study
@@ -59,10 +60,16 @@ def drive_results(book):
     return {one.name for one in singles if one.role == "result" and one.name.startswith("drive")}
 
 
+PEAKS = ("tmax", "tmin", "pmax", "pmin", "about_peak")
+"""results of which a study has the parabola through points, where a book works the drive out at its peaks once more"""
+
+
 def require_alike(pairs):
-    """Each result is what the book says."""
+    """Each result is what the book says, peaks to 0.2 %; a drive that holds at no rate has the rate 0."""
+    pairs = {name: (one, 0.0 if one == 0.0 and other == AT_NO_RATE else other) for name, (one, other) in pairs.items()}
     apart = {name: deviation(*pair) for name, pair in pairs.items()}
-    assert {name: pairs[name] for name, value in apart.items() if value > 1e-9} == {}
+    allowed = {name: 2e-3 if name.endswith(PEAKS) else 1e-9 for name in pairs}
+    assert {name: pairs[name] for name, value in apart.items() if value > allowed[name]} == {}
 
 
 @pytest.mark.parametrize("changes", [LOADED, LOADED | {"rate": 41.0}], ids=["machine", "own"])

@@ -13,7 +13,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
 from workbook.book.declare import Sheet
-from workbook.judging.display.differences import Differences, Subject, text_misleads
+from workbook.judging.display.differences import Differences, Subject
 from workbook.judging.display.flat import Flat, flatten
 from workbook.judging.matching import Match
 from workbook.reading.package import PIXEL, Anchor
@@ -142,8 +142,7 @@ def compare_sheets(match: Match, fresh: Workbook, differences: Differences) -> N
     for sheet, title in match.sheets:
         at, subject, page = Address(title, 1, 1), Subject(title), match.file.workbook[title]
         if title.casefold() != sheet.title.casefold():
-            wrong = text_misleads(sheet.title, title, titles - {sheet.title})
-            differences.add(at, subject, "sheet name", sheet.title, title, wrong)
+            differences.add(at, subject, "sheet name", sheet.title, title, misleads=title in titles)
         differences.compare(at, subject, page_attributes(fresh[sheet.title]), page_attributes(page))
         if inspected:
             held = settings(inspected.pages[title])

@@ -56,14 +56,13 @@ def tried(view: DriveView) -> list[Quantity]:
     """Return the columns of the torques at the rate that is tried: forces of inertia grow with its square."""
     cell = CELLS["tried"]
     then, of, size, driven = view.search.points_tried, view.by_point, view.scales, view.driven
-    force, resisted, (inertia, motor_inertia) = "([R]+([F]-[R])*@times^2)", [], by_inertia(view)
-    if driven.entered.load.viscous is not None:
-        speed = "[dx]*[vs]" if view.slides else "[v]"
-        resisted = [cell("FN", of(then.load.force), unit=driven_unit(view), speed=speed, scale=size.force)]
-        force = "[FN]"
-    held, (before, output) = brake.held_at_tried(view), stages.output(view, behind(view), inertia, force, stages.TRIED)
+    inertia, motor_inertia = by_inertia(view)
+    speed, viscous = "[dx]*[vs]" if view.slides else "[v]", driven.entered.load.viscous is not None
+    resisted = f"+@viscous*{speed}*(@times-@times^2)" if viscous else ""
+    source = "F_r + (F − F_r − c ẏ) x + c ẏ √x" if viscous else "F_r + (F − F_r) x"
+    held, (before, output) = brake.held_at_tried(view), stages.output(view, behind(view), inertia, "[FN]", stages.TRIED)
     return [
-        *resisted,
+        cell("FN", of(then.load.force), unit=driven_unit(view), resisted=resisted, scale=size.force, source=source),
         *before,
         cell("SN", of(then.load.output_torque), output=output, scale=size.behind),
         cell(

@@ -17,7 +17,7 @@ from workbook.fields.units import KG_CM2, KW, PER_HOUR, PER_MINUTE, RPM, shown, 
 from workbook.machines.machine.drive import in_use
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reducer_load import load_of
-from workbook.machines.machine.drive.view import AT_NO_RATE, DriveView
+from workbook.machines.machine.drive.view import AT_NO_RATE, DriveView, Rates
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MovingAxis
@@ -202,11 +202,28 @@ class DriveStudy:
         return DriveView(self.bases[rate].tables, self.drive(motor, reducer, rate), self.bases[rate])
 
     @cached_property
+    def ranges(self) -> list[Rates]:
+        """The rates between which each design holds all limits (cycles/min), with the limiting factors."""
+        return [self.views[design].rates for design in self.designs]
+
+    @property
     def highest(self) -> tuple[Array, Any]:
         """The highest rate of each design (cycles/min), 0 of one that holds at no rate, and the limiting factor."""
-        ranges = [self.views[design].rates for design in self.designs]
-        rates = [0.0 if each.high == AT_NO_RATE else each.high for each in ranges]
-        return np.array(rates), np.array([each.high_limit for each in ranges], dtype=object)
+        return self._ends("high", "high_limit")
+
+    @property
+    def lowest(self) -> tuple[Array, Any]:
+        """The lowest rate likewise."""
+        return self._ends("low", "low_limit")
+
+    def _ends(self, end: str, limit: str) -> tuple[Array, Any]:
+        rates = [0.0 if getattr(each, end) == AT_NO_RATE else getattr(each, end) for each in self.ranges]
+        return np.array(rates), np.array([getattr(each, limit) for each in self.ranges], dtype=object)
+
+    @property
+    def holding_torque(self) -> Array:
+        """The holding torque of the motor in each design (Nm)."""
+        return np.array([self.views[design].points.holding_torque for design in self.designs])
 
 
 def cycles(rate: Column) -> Any:
@@ -249,8 +266,14 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "pmin": lambda one: shown(np.minimum(0.0, one.extremes.power_low), KW),
     "highest": lambda one: one.highest[0],
     "binds": lambda one: one.highest[1],
+    "lowest": lambda one: one.lowest[0],
+    "binds_low": lambda one: one.lowest[1],
+    "t_hold": lambda one: one.holding_torque,
     "reducer_held": lambda one: one.reducer_held,
 } | {f"pair_{name}": lambda one, name=name: one.motors_used[name] + one.reducers_used[name] for name in WEIGHED}
+
+SLOW = ("highest", "binds", "lowest", "binds_low", "t_hold")
+"""results for which the points of each design are worked out"""
 
 
 def results(study: DriveStudy) -> Computations:

@@ -80,7 +80,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         ]
         (slow if any(one.axis.given.rate for one in drives) else checks)[RATE_CHECK] = partial(all_hold, held)
         exact[RATE_CHECK] = partial(all_hold, exactly)
-    each = {f"drive{one.axis.number}_{name}" for one in drives for name in ("highest", "binds")}
+    each = {f"drive{one.axis.number}_{name}" for one in drives for name in each_drive.SLOW}
     every = ("about_highest", "about_binds") if drives else ()
     return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
 
