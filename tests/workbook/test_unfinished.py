@@ -190,7 +190,7 @@ def written(data, path):
 
 
 @pytest.mark.parametrize(("name", "case"), TRIED)
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_out_in_and_through(name, case, tmp_path):
     changes, check, sentence = CASES[name][case]
     machine = read_description(written(changed(small(name), changes), tmp_path / "machine.toml"))
@@ -235,7 +235,7 @@ PASTED = [pytest.param(name, edit, marks=[pytest.mark.nightly] if name in SLOW e
 
 
 @pytest.mark.parametrize(("name", "edit"), PASTED)
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 def test_what_is_pasted_into_a_book(name, edit, tmp_path):
     """No validation holds it back: the sheet, verify, inputs and regenerate take it alike."""
     machine = read_description(written(small(name), tmp_path / "machine.toml"))

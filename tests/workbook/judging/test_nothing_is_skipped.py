@@ -35,7 +35,7 @@ def as_text(cell):
     cell.data_type = "s"
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_every_declared_cell_of_a_new_book_is_compared_by_all_witnesses(name, tmp_path):
     build(sized(TEMPLATES[name]), tmp_path / "book.xlsx")

@@ -42,7 +42,7 @@ RESULTS = ("tmax", "tmin", "rms", "speed", "mean", "smax", "smean", "energy", "r
 
 @pytest.mark.parametrize("kind", AXES)
 @pytest.mark.parametrize("stages", [[BELT], [WORM, BELT]])
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 def test_cells_agree_and_entries_come_back(kind, stages):
     machine = small(AXES[kind] | {"stages": stages})
     assert disagreeing(TEMPLATE, machine)[0] == []

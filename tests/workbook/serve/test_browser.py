@@ -262,6 +262,7 @@ PAGES = ("/", "/edit/live.toml", "/controller/cutting.xlsx", "/vary/live.toml", 
 
 
 @pytest.mark.parametrize("what", PAGES)
+@pytest.mark.sample(5)
 def test_a_page_fits_narrow_and_wide_windows_and_shuts_nobody_out(page, server, what):
     opened(page, server, what if isinstance(what, str) else "/")
     if callable(what):

@@ -51,7 +51,7 @@ def test_sheets_cells_notes_and_names_of_ones_own_come_along(anew):
 
 
 def test_what_does_not_come_along_is_named(anew):
-    path, notes, _ = anew
+    path, _, notes = anew
     assert openpyxl.load_workbook(path)["Timing"]["AL45"].value is None
     assert notes == ["formulas added on the sheet 'Timing' are not carried over: AL45"]
 
