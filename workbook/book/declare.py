@@ -26,13 +26,13 @@ from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.formula import Area
 from workbook.book.limits import Guard, Limit, RowRule
-from workbook.book.quantity import Block, Cell, Quantity, calc, check, columns_of, constant, entries_of, given, result
+from workbook.book.quantity import Block, Cell, Quantity, calc, check, constant, given, result
 from workbook.book.rows import as_rows
 from workbook.book.sheet import FIRST, Sheet, Text
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "RowRule", "Sheet", "Text",
-    "calc", "check", "columns_of", "constant", "entries_of", "given", "result",
+    "calc", "check", "constant", "given", "result",
 ]  # fmt: skip
 
 REFERENCE = re.compile(r"\[(\w+(?::\w+)?)(-1|\.\w+(?::\w+)?)?(\.first|\.last|\.same|\.\d+)?\]")

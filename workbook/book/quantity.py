@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
-from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from openpyxl.utils import get_column_letter
 
 from workbook.book.chart import in_scope
 from workbook.book.formula import Area
-from workbook.book.rows import as_rows, filled, is_number
+from workbook.book.rows import as_rows, is_number
 from workbook.book.sentence import CheckSentence, Sentence, quoted
 
 if TYPE_CHECKING:
@@ -84,27 +83,6 @@ class Quantity(NamedTuple):
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:
     """Return an input: a cell that the engineer fills; of a column the value is a sequence."""
     return Quantity(name, label, symbol, unit, "input", None, value, key=key, **more)
-
-
-def entries_of(model: Any, place: str) -> Callable[..., Quantity]:
-    """Return a function that declares an input by its key below ``model``, which stands at ``place``."""
-
-    def entry(name: str, label: str, symbol: str, unit: str, key: str, source: str = "", **more: Any) -> Quantity:
-        value = attrgetter(key)(model)
-        own = {"format": "" if isinstance(value, str) else PLAIN, "source": source} | more
-        return given(name, label, symbol, unit, value, f"{place}.{key}", **own)
-
-    return entry
-
-
-def columns_of(models: Sequence[Any], place: str, rows: int) -> Callable[..., Quantity]:
-    """Return a function that declares an input column by its key below ``models``, the rows at ``place``."""
-
-    def column(name: str, label: str, symbol: str, unit: str, key: str, source: str = "", **more: Any) -> Quantity:
-        values = filled([getattr(one, key) for one in models], rows, None)
-        return given(name, label, symbol, unit, values, f"{place}.*.{key}", source=source, **more)
-
-    return column
 
 
 def calc(

@@ -230,7 +230,6 @@ POLYNOMIAL = "=IF(ABS(@share-1/2)<1E-12,{},0)"
 """how a polynomial meets its neighbours: by its degree, unless a share shifts it"""
 LEAST_STAGE = 1e-4
 """of the rise: from there on cells and engine agree to 1e-9; below it, differences of shares lose the digits"""
-SUM_SAYS = '"they sum to "&ROUND(SUM([@pieces.d]),9)&"; expected 1"'
 BRIEF = LawCheck(
     "@brief", "each stage lasts, or is none",
     "SUMPRODUCT(([@pieces.d]>break_eps)*([@pieces.d]<stage_least))=0", "brief",

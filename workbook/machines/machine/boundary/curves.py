@@ -1,4 +1,4 @@
-"""How the law of each step is carried out between its ends, in cells, by VDI 2143, and of which kind these are."""
+"""The curves that carry the law of each step out between its ends, in cells, by VDI 2143; the kinds of these ends."""
 
 from collections.abc import Callable
 from math import fsum, perm
