@@ -67,6 +67,7 @@ def pytest_collection_modifyitems(config, items):
     for item in items:
         if is_quick(item.path):
             item.add_marker("quick")
+    items[:] = tiers.of_this_night(items)
     if share := config.getoption("--share"):
         items[:] = tiers.shared(items, share)
 

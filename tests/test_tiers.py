@@ -33,6 +33,19 @@ def test_four_commits_run_a_whole_night_and_nothing_of_the_day():
     assert tiers.shared(night, "00000001ff") == tiers.shared(night, "00000001ff") == shares[1]
 
 
+def test_a_night_runs_four_of_a_list_and_all_that_is_drawn(monkeypatch):
+    listed = [Item(f"test_a.py::test[book {k}]", "nightly") for k in range(9)]
+    rest = [Item(f"test_a.py::test[night {k}]", "nightly") for k in range(9)] + [Item("test_a.py::test[0]")]
+    nights = []
+    for number in range(20):
+        monkeypatch.setattr(tiers, "night", number)
+        tonight = tiers.of_this_night([*listed, *rest])
+        assert len(tonight) == tiers.CASES + len(rest)
+        assert set(rest) < set(tonight)
+        nights.append(tonight)
+    assert set(listed) == {item for tonight in nights for item in tonight if item in listed}
+
+
 def test_a_listed_test_may_fail_and_no_other(monkeypatch):
     monkeypatch.setattr(known_red, "LISTED", {"test_a.py::test[night": "nine points", "test_b.py::": "a gap"})
     listed, other = Item("test_a.py::test[night 7]"), Item("test_a.py::test[7]")

@@ -1,11 +1,15 @@
 """The long runs of a night: marked ``nightly``, with other seeds each night (CONTRIBUTING.md tells the tiers)."""
 
 from collections import defaultdict
+from random import Random
 
 import pytest
 
 PARTS = 16
 """of a night, one of which runs with every change"""
+
+CASES = 4
+"""of a test that has a list of them, in one night; what is drawn is drawn anew and runs whole"""
 
 night = 0
 """The seed of this run, as ``--hypothesis-seed`` gives it (conftest.py); 0 where nobody gives one."""
@@ -38,6 +42,17 @@ def sampled(items):
         for k, item in enumerate(some):
             if k not in by_day:
                 item.add_marker("nightly")
+
+
+def of_this_night(items):
+    """Return the tests without the listed cases of other nights: this night's seed chooses four of each test."""
+    listed = defaultdict(list)
+    for item in items:
+        if item.get_closest_marker("nightly") and "night " not in item.nodeid:
+            listed[item.nodeid.partition("[")[0]].append(item.nodeid)
+    chosen = {case for test, cases in listed.items() for case in Random(seed(test)).sample(cases, min(CASES, len(cases)))}
+    left = {case for cases in listed.values() for case in cases} - chosen
+    return [item for item in items if item.nodeid not in left]
 
 
 def shared(items, commit):

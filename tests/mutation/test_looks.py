@@ -34,4 +34,4 @@ def test_the_oracle_sees_each_change_of_a_chart_and_no_other_chart_is_named(name
 @every_template
 @pytest.mark.nightly
 def test_a_night_s_looks_are_found(name: str, tmp_path: Path) -> None:
-    assert [words for words, named in outcomes(name, tmp_path, 200, seed("looks")) if not named] == []
+    assert [words for words, named in outcomes(name, tmp_path, 100, seed("looks")) if not named] == []

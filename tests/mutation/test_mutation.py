@@ -14,7 +14,7 @@ from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 
 SEED, PARTS = 7, 3
 SAMPLE = 1080  # mutants of a template, or one of each quantity where it has more
-MANY, RUNS = 400, 1  # mutants of a template in a night, and the tests among which they are divided
+MANY, RUNS = 150, 1  # mutants of a template in a night, and the tests among which they are divided
 WHOLE = 2  # of each kind, to be judged by all of verify
 LOOKED_AT = 0.85  # least share of the mutants that show at some valid input which must show at verify's own inputs
 

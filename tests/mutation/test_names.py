@@ -67,7 +67,7 @@ def test_an_input_of_words_or_an_empty_one_whose_name_leads_elsewhere_is_found(n
 def test_a_night_s_names_that_lead_elsewhere_are_found(name: str) -> None:
     here, drawn = bench(name), seed("names")
     faults = chain(
-        shifted(here, blocks(here), 30, drawn), shifted(here, columns(here), 20, drawn),
-        islice(swapped(here, drawn), 20),
+        shifted(here, blocks(here), 10, drawn), shifted(here, columns(here), 6, drawn),
+        islice(swapped(here, drawn), 6),
     )  # fmt: skip
     assert [str(r) for r in faults if outcome(here, r) == "agrees"] == []

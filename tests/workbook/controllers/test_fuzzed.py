@@ -21,7 +21,7 @@ EXTREMES = ("1e308", "-1e308", "1E+5", "1e12", "-1e11", "3.4e38", "5e-324", "1e-
 LETTERS = "0123456789.,;eE-+ \t\n\"'<>[]()=:\x00é"
 MANY = 201  # points
 LONGEST = 20.0  # seconds of CPU of a file
-BY_DAY, BY_NIGHT, PARTS = 12, 800, 4
+BY_DAY, BY_NIGHT, PARTS = 12, 300, 4
 
 
 def with_a_number(text, dice):

@@ -123,7 +123,7 @@ def machines(*day, night):
     return [*(pytest.param((number, "drawn"), id=str(number)) for number in day), *by_night]
 
 
-@pytest.fixture(scope="module", params=machines(*range(100), night=900))
+@pytest.fixture(scope="module", params=machines(*range(100), night=300))
 def drawn(request):
     """One machine after another, for all tests of it."""
     return Drawn(*request.param)

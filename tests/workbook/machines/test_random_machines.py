@@ -82,7 +82,7 @@ def valid(data):
     return made
 
 
-@pytest.mark.parametrize("number", [*range(2), *nights(40)])
+@pytest.mark.parametrize("number", [*range(2), *nights(20)])
 def test_cells_mirrored_motion_and_other_units(request, number):
     drawn = told(request, number)
     data = one_axis(drawn)
@@ -127,7 +127,7 @@ def work(made):
     return found
 
 
-@pytest.mark.parametrize("number", [*range(1), *nights(40)])
+@pytest.mark.parametrize("number", [*range(1), *nights(20)])
 def test_without_losses_the_motor_does_the_work_of_what_resists(request, number):
     data = one_axis(told(request, number))
     axis = data["axes"][0]
@@ -178,7 +178,7 @@ def failing(data, rate):
     return {limit for limit, name in CHECKS.items() if value(f"drive1_ok_{name}") == "FAIL"}
 
 
-@pytest.mark.parametrize("number", [*range(1), *nights(40)])
+@pytest.mark.parametrize("number", [*range(1), *nights(20)])
 def test_at_the_highest_rate_every_limit_holds_and_above_it_the_named_one_fails(request, number):
     drawn = told(request, number)
     data = limited(drawn, one_axis(drawn))

@@ -13,7 +13,7 @@ from tests.workbook.reading.fuzz import damaged, without_charts
 from workbook.build import build
 from workbook.template import FOLDER
 
-DAY, NIGHT = 2, 400
+DAY, NIGHT = 2, 120
 SOUND = 1.0  # seconds of the sound book on a quiet machine, where SECONDS hold
 linux = pytest.mark.skipif(sys.platform != "linux", reason="the memory of a child is counted in KiB on Linux")
 
