@@ -50,7 +50,9 @@ def of_this_night(items):
     for item in items:
         if item.get_closest_marker("nightly") and "night " not in item.nodeid:
             listed[item.nodeid.partition("[")[0]].append(item.nodeid)
-    chosen = {case for test, cases in listed.items() for case in Random(seed(test)).sample(cases, min(CASES, len(cases)))}
+    chosen = {
+        case for test, cases in listed.items() for case in Random(seed(test)).sample(cases, min(CASES, len(cases)))
+    }
     left = {case for cases in listed.values() for case in cases} - chosen
     return [item for item in items if item.nodeid not in left]
 

