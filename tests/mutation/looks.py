@@ -109,16 +109,18 @@ def reads_back(text: str, value: float, unit: str) -> bool:
 
 
 def formatted(looks: Looks, changed: Workbook, count: int, seed: int | str) -> list[tuple[Pair, str]]:
-    """Give some cells other number formats; return them."""
+    """Give some cells other number formats; return them. Alike faults of a sheet are one finding, so each is one."""
     drawn = random.Random(seed)
-    columns: dict[tuple[str, str], list[Pair]] = {}  # of alike cells of one column, the first is told
+    columns: dict[tuple[str, str], list[Pair]] = {}
     for pair in looks.numbers():
         columns.setdefault((pair.cell.block.name, pair.cell.quantity.name), []).append(pair)
     chosen = [drawn.choice(pairs) for pairs in drawn.sample(list(columns.values()), count)]
-    faults = [(pair, drawn.choice(TASTE + MISLEADING)) for pair in chosen]
-    for pair, code in faults:
-        changed[pair.address.sheet][pair.address.a1].number_format = code
-    return faults
+    faults = {}
+    for pair in chosen:
+        code, cell = drawn.choice(TASTE + MISLEADING), changed[pair.address.sheet][pair.address.a1]
+        if faults.setdefault((pair.address.sheet, cell.number_format, code), (pair, code))[0] is pair:
+            cell.number_format = code
+    return list(faults.values())
 
 
 def exchanged(looks: Looks, changed: Workbook, style: str, seed: int | str) -> set[str]:

@@ -97,6 +97,8 @@ def edited(workbook, edit):
         charts(page, edit)
         if isinstance(edit, Lines) and edit.columns and page.title == edit.sheet:
             columns(page, edit)
+        if page.print_area:
+            page.print_area = followed(page.print_area, page.title, edit).rpartition("!")[2]
         page.conditional_formatting = rules(page, edit)
         for rule in page.data_validations.dataValidation:
             rule.sqref = areas(rule.sqref, page.title, edit)

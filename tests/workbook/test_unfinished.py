@@ -113,7 +113,7 @@ CASES = {
         "no angle left": ([(*TOOL, "dwell", 300.0)], "The cycle leaves the tool an angle",
                           "-50° are left to a way; expected at least 0.01°"),
         "more than a turn": ([(*TOOL, "angle_in", 250.0)], "Way in, dwell and way out fit into the turn",
-                             "way in, dwell and way out take 469.836914727°; expected at most 360°"),
+                             "way in, dwell and way out take 469.836915251°; expected at most 360°"),
         "no stroke": ([("overlap", "transfer", "stroke", 0.0)], "Overlap: entries within limits",
                       "its stroke: 0; expected a number greater than 0"),
         "a law that moves backwards": ([(*TOOL, "law_in", "OWN"), ("laws", "OWN", {"pieces": [

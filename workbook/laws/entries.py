@@ -202,6 +202,6 @@ def resolve(entries: Model, laws: Laws) -> None:
                 raise EntryError(one.key, f"a dwell does not move; expected {nearest(one.name, known)}")
             code = code_named(one.name)
             takes = f"add [laws.{code}], or take" if code else "expected"
-            alike = ", ".join(nearest_laws(one.name, laws.names))
+            alike = ", ".join(near for near in nearest_laws(one.name, laws.names) if near != code)
             raise EntryError(one.key, f"no law is named {quoted(one.name)}; {takes} one of {alike}")
         object.__setattr__(one.entries, one.field, name)  # entries are frozen once they are whole

@@ -12,6 +12,7 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_by_angle import arm, press
+from tests.workbook.machines.test_machine_by_angle import small as small_with_lines
 from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, MOTOR, ROCKER, TABLE, linked, small
 from tests.workbook.machines.test_machine_selection_placed import choosing, placed, require_pairs_of_the_grid
 from workbook.build import build, read_inputs
@@ -44,7 +45,7 @@ RESULTS = ("tmax", "tmin", "rms", "speed", "mean", "smax", "smean", "energy", "r
 @pytest.mark.parametrize("stages", [[BELT], [WORM, BELT]])
 @pytest.mark.sample(2)
 def test_cells_agree_and_entries_come_back(kind, stages):
-    machine = small(AXES[kind] | {"stages": stages})
+    machine = small_with_lines(AXES[kind] | {"stages": stages})
     assert disagreeing(TEMPLATE, machine)[0] == []
     assert entered(TEMPLATE, machine) == (machine, [])
 

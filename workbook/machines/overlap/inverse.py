@@ -194,7 +194,7 @@ def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
         cell("ds", found.over),
         cell("v0", low.v, i=i),
         cell("v1", high.v, i=i),
-        cell("acc", found.acceleration),
+        cell("acc", found.acceleration, scale=1.0),  # of a law: less is rounding
         cell("near", found.near),
         *pieces.finding(f"[used.no.{i}]", number, "near", found.near),
         *pieces.columns({"s": found.s, "v": found.v}, "sv"),
