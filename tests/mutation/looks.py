@@ -131,8 +131,11 @@ def exchanged(looks: Looks, changed: Workbook, style: str, seed: int | str) -> s
         texts = [t for t in sheet.texts if t.style == style and t.text and t.row in rows and not t.link]
         counted = [t for t in texts if t.column in range(2, 6)]
         drawn.shuffle(counted)
+        exchanges = set()  # alike ones are one finding
         for one, other in list(pairwise(counted))[::2][:2]:
-            if one.text != other.text and {one.text, other.text} != ALIKE:
+            words = frozenset({one.text, other.text})
+            if len(words) == 2 and words != ALIKE and words not in exchanges:
+                exchanges.add(words)
                 first, second = (changed[sheet.title].cell(t.row, t.column) for t in (one, other))
                 first.value, second.value = second.value, first.value
                 cells |= {f"{sheet.title}!{c.coordinate}" for c in (first, second)}
