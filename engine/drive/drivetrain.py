@@ -191,9 +191,8 @@ class Drivetrain:
 
     def cuts(self, low: float, high: float) -> Sequence[float]:
         """Return the positions between two at which the torque's formula changes: knots of a linkage, dead centres."""
-        if self.by_angle:
-            return self.by_angle.dead_centres(low, high)
-        return self.linkage.knots if self.linkage else ()
+        centres = self.by_angle.dead_centres(low, high) if self.by_angle else ()
+        return [*centres, *(self.linkage.knots if self.linkage else ())]
 
     def sense(self, y: float) -> float:
         """Return 1, or −1 if the load moves backward while its axis moves forward from y, beyond a dead centre."""

@@ -19,6 +19,7 @@ from tests.tiers import seed
 from tests.workbook.cells import disagreeing, disagreeing_in
 from tests.workbook.machines.drawn_drives import TEMPLATE, drawn_machine
 from tests.workbook.machines.simulated import Simulated, bus_of
+from tests.workbook.machines.test_machine_by_angle import arm, small
 from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
 from workbook.machines.machine.exact import drives_of, limits_of, rate_of, results_of
@@ -132,6 +133,17 @@ def drawn(request):
 def test_the_exact_engine_and_the_equation_of_motion_agree(drawn):
     for view, one in zip(drawn.views, drawn.simulated, strict=True):
         off = deviations(one.results, exact_results(view))
+        assert {name: share for name, share in off.items() if share > SAME} == {}
+
+
+def test_an_arm_that_a_table_moves_is_cut_at_the_points_of_the_table():
+    points = [
+        {"angle": angle, "position": angle + bend} for angle, bend in ((0, 0), (20, 3), (50, -4), (80, 2), (120, 0))
+    ]
+    moved = {"mechanism": {"kind": "table", "efficiency": 0.9, "points": points}, "closes": "position"}
+    machine = small(arm((20.0, 140.0, 90.0, "CIC"), (190.0, 330.0, -90.0, "MTP"), **moved))
+    for view in drives_of(machine):
+        off = deviations(Simulated(view.tables.axis, machine).results, exact_results(view))
         assert {name: share for name, share in off.items() if share > SAME} == {}
 
 
