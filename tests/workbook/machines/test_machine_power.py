@@ -143,7 +143,7 @@ def test_many_drives_whose_cuts_all_differ_are_bounded_with_few_samples(number):
     assert disagreeing(TEMPLATE, made)[0] == []
     value, exact = computed(TEMPLATE, made), together(made).supply(True)
     assert_bounded(value, exact)
-    assert exact.mains_peak <= 1.005 * KW * value("bus_mains_most") < 1.5 * exact.mains_peak
+    assert exact.mains_peak <= 1.005 * KW * value("bus_mains_most") < 2.0 * exact.mains_peak
     assert KW * value("bus_mains") == pytest.approx(exact.mains_mean, abs=KW * value("bus_saved_most"))
 
 
