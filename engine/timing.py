@@ -70,11 +70,11 @@ class Switch:
     @property
     def bars(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
         """Begin and end of two bars for each interval in a diagram: up to the cycle's end, and from its begin."""
-        found = []
+        bars = []
         for (begin, _), span in zip(self.on, self.spans, strict=True):
             end = begin + span
-            found.append(((begin, min(end, self.cycle)), (0.0, max(0.0, end - self.cycle))))
-        return found
+            bars.append(((begin, min(end, self.cycle)), (0.0, max(0.0, end - self.cycle))))
+        return bars
 
     def _time(self, begin: float, end: float) -> float:
         return self.cycle if end - begin == self.cycle else (end - begin) % self.cycle
@@ -92,15 +92,15 @@ class SwitchDifference(NamedTuple):
     duration: float  # time for which the states differ
 
 
-def compare_switches(meant: Switch, found: Switch) -> SwitchDifference:
+def compare_switches(meant: Switch, actual: Switch) -> SwitchDifference:
     """Return the difference of a switch from the one meant. Raises ValueError for different cycles."""
-    if not math.isclose(meant.cycle, found.cycle):
-        raise ValueError(f"the cycles are {meant.cycle:g} and {found.cycle:g}; expected the same")
+    if not math.isclose(meant.cycle, actual.cycle):
+        raise ValueError(f"the cycles are {meant.cycle:g} and {actual.cycle:g}; expected the same")
     cycle = meant.cycle
-    marks = np.unique([0.0, cycle, *(x % cycle for interval in (*meant.on, *found.on) for x in interval)])
+    marks = np.unique([0.0, cycle, *(x % cycle for interval in (*meant.on, *actual.on) for x in interval)])
     marks = marks[np.append(np.diff(marks) > SAME * cycle, True)]
     middles = 0.5 * (marks[1:] + marks[:-1])
-    states = meant.at(middles), found.at(middles)
+    states = meant.at(middles), actual.at(middles)
     count, distances = 0, []  # of an edge to the nearest of its kind on the other side, with the edge
     for step in (1.0, -1.0):  # edges on, then edges off
         here, there = (marks[:-1][np.diff(state, prepend=state[-1]) == step] for state in states)
@@ -109,5 +109,5 @@ def compare_switches(meant: Switch, found: Switch) -> SwitchDifference:
             for edge in edges.tolist():
                 apart = np.abs(others - edge)
                 distances.append((float(np.minimum(apart, cycle - apart).min(initial=math.inf)), edge))
-    largest, x = max(distances, key=lambda found: found[0], default=(0.0, 0.0))
+    largest, x = max(distances, key=lambda distance: distance[0], default=(0.0, 0.0))
     return SwitchDifference(count, largest, x, float(np.diff(marks)[states[0] != states[1]].sum()))

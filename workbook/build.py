@@ -84,10 +84,10 @@ def failing_checks(book: Book, exact: ExactJudgement = NOTHING_JUDGED) -> list[s
     names = [str(name) for q, rows in named if q.name == "name" for name in as_rows(q.value, rows, q.name)]
     lines, open_ = [], []
     for _, check in book.checks:
-        verdict, said = exact.judge(check.name, check.value, book.blocks[f"{check.name}{SAYS}"].quantities[0].value)
-        label = NUMBERED.sub(lambda found: names[int(found[1]) - 1] if names else found[0], check.label)
-        if verdict != OK and said:
-            lines.append(f"{label}: {said}")
+        verdict, message = exact.judge(check.name, check.value, book.blocks[f"{check.name}{SAYS}"].quantities[0].value)
+        label = NUMBERED.sub(lambda match: names[int(match[1]) - 1] if names else match[0], check.label)
+        if verdict != OK and message:
+            lines.append(f"{label}: {message}")
         elif verdict != OK:
             open_.append(label)
     return [*lines, *([f"Without a result yet: {'; '.join(open_)}"] if open_ else [])]
@@ -132,7 +132,7 @@ def read_entered(path: Path) -> tuple[Match, Machine, list[str]]:
     entries = Entries(file, agreed_values, repair_book)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
-    notes += [f"{one.sheet}!{one.cell}: {one.computed}; expected {one.expected}" for one in entries.moved]
+    notes += [f"{move.sheet}!{move.cell}: {move.computed}; expected {move.expected}" for move in entries.moved]
     match = Match(file, entries.template.declare(machine))
     machine.laws.built_as({})
     machine.built_as({})
@@ -148,8 +148,8 @@ def regenerate(path: Path, output: Path, overwrite: bool = False) -> BookVerdict
         book = template.declare(machine)
         own = find_additions(match, book)
         save(book, type(machine), output, overwrite, require_readable, own)
-    failing, told = judge_book(machine, book)
-    return BookVerdict(failing, [*notes, *not_carried(match, machine.template, own), *told])
+    failing, lines = judge_book(machine, book)
+    return BookVerdict(failing, [*notes, *not_carried(match, machine.template, own), *lines])
 
 
 def committed_descriptions() -> list[Path]:
@@ -171,11 +171,11 @@ def stale_templates() -> list[Path]:
     """Return the committed files that today's code would generate differently."""
     from workbook.functions import publish
 
-    found = []
+    stale = []
     with tempfile.TemporaryDirectory() as folder:
         for description in collecting_between(committed_descriptions()):
             book = description.with_suffix(".xlsx")
             write_book(read_machine(description), fresh := Path(folder) / book.name)
             if not (book.exists() and same_book(fresh, book)):
-                found.append(book)
-    return [*found, *publish.stale_files()]
+                stale.append(book)
+    return [*stale, *publish.stale_files()]

@@ -78,13 +78,13 @@ def remote(scheduler: str) -> Iterator[Any]:
             asyncio.run(require_answer(scheduler))
             client = Client(scheduler, timeout=WAIT, set_as_default=False)
         except Exception as error:  # an address, a port, or what speaks there may be anything
-            said = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
-            raise ClusterError(f"--scheduler {scheduler}: {said}") from error
+            message = "no scheduler answers there; expected the address of one, such as tcp://10.0.0.1:8786"
+            raise ClusterError(f"--scheduler {scheduler}: {message}") from error
         try:
             if not client.scheduler_info()["workers"]:
                 raise ClusterError(f"--scheduler {scheduler}: it has no workers; expected one or more")
-            said = client.run(operator.attrgetter("__version__"), workbook, on_error="return")
-            for address, version in sorted(said.items()):
+            message = client.run(operator.attrgetter("__version__"), workbook, on_error="return")
+            for address, version in sorted(message.items()):
                 if version != workbook.__version__:
                     there = f"motionbook {version}" if isinstance(version, str) else "no motionbook"
                     expected = f"expected {workbook.__version__}, as here"
@@ -129,7 +129,7 @@ class Workers(Pool):
         from distributed import as_completed
 
         info = self.client.scheduler_info(n_workers=-1)["workers"]
-        most = 1 + max(1, sum(int(one["nthreads"]) for one in info.values()))
+        most = 1 + max(1, sum(int(worker["nthreads"]) for worker in info.values()))
         waiting, running, count = iter(tasks), dict[str, T](), 0
         finished = as_completed([], loop=self.client.loop, raise_errors=False)
 
@@ -176,8 +176,8 @@ def without_recursion_error(function: Callable[..., R], *arguments: Any) -> R:
     try:
         return function(*arguments)
     except RecursionError as error:
-        said = str(error)
-    raise RuntimeError(said)
+        message = str(error)
+    raise RuntimeError(message)
 
 
 def dask_setup(_: Any) -> None:

@@ -11,11 +11,11 @@ UNFIT = ("Cc", "Cf", "Cs", "Cn", "Zl", "Zp")
 """categories of Unicode: controls, format marks, surrogates, unassigned, ends of lines and of paragraphs"""
 
 
-def visible(text: str, kept: str = "") -> str:
-    r"""Return a text in one line, unprintable characters but those ``kept`` as escapes such as ``\x1b``."""
+def visible(text: str, safe: str = "") -> str:
+    r"""Return a text in one line, unprintable characters but those ``safe`` as escapes such as ``\x1b``."""
     if text.isprintable():
         return text
-    return "".join(c.encode("unicode_escape", "surrogatepass").decode() if category(c) in UNFIT and c not in kept else c
+    return "".join(c.encode("unicode_escape", "surrogatepass").decode() if category(c) in UNFIT and c not in safe else c
                    for c in text)  # fmt: skip
 
 
@@ -45,8 +45,8 @@ class InputError(MotionbookError):
     """Entries that cannot be used; one line each, and of thousands the first."""
 
     def __init__(self, lines: Sequence[str]) -> None:
-        told = [*lines[:MOST], *([f"… and {len(lines) - MOST:,} more faults"] if len(lines) > MOST else [])]
-        self.lines = [visible(line) for line in told]
+        shown = [*lines[:MOST], *([f"… and {len(lines) - MOST:,} more faults"] if len(lines) > MOST else [])]
+        self.lines = [visible(line) for line in shown]
         Exception.__init__(self, "\n".join(self.lines))
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -42,18 +42,18 @@ def store_cached(what: str, sha256: str, data: dict[str, Any]) -> None:
 
 def folder() -> Path:
     """Return the folder by the convention of the system; raise RuntimeError where it knows no home."""
-    found = user_cache_path("motionbook", appauthor=False)
-    if not found.is_absolute():  # it would lie wherever the command is given
-        raise RuntimeError(f"{found}: an absolute path is expected")
-    return found
+    path = user_cache_path("motionbook", appauthor=False)
+    if not path.is_absolute():  # it would lie wherever the command is given
+        raise RuntimeError(f"{path}: an absolute path is expected")
+    return path
 
 
 @cache
 def program_digest() -> str:
     """Return a digest of this program: its modules by name, size and time of change, and Python."""
-    told = hashlib.sha256(f"{sys.version} {platform.machine()}".encode())
+    digest = hashlib.sha256(f"{sys.version} {platform.machine()}".encode())
     for room in ("engine", "workbook"):
         for path in sorted((SOURCES / room).rglob("*.py")):
             known = path.stat()
-            told.update(f"{path.relative_to(SOURCES)} {known.st_size} {known.st_mtime_ns}".encode())
-    return told.hexdigest()
+            digest.update(f"{path.relative_to(SOURCES)} {known.st_size} {known.st_mtime_ns}".encode())
+    return digest.hexdigest()

@@ -66,9 +66,9 @@ class Template(Generic[M]):
         """Yield each size that a file of these names shows, with the block, and by how many rows that is longer."""
         for size, (block, extra) in self.sizes.items():
             numbered = (block.replace("#", str(i)) for i in range(1, MOST + 1))
-            found = next((name for name in numbered if name in names), None)
-            if found is not None:
-                yield size, found, extra
+            size_name = next((name for name in numbered if name in names), None)
+            if size_name is not None:
+                yield size, size_name, extra
 
     @property
     def description(self) -> Path:

@@ -131,11 +131,14 @@ class ExactJudgement(NamedTuple):
     @property
     def notes(self) -> list[str]:
         """The deviations, and the limits that are held but close."""
-        return [*self.deviations, *(f"{one.of}: {one.line}" for one in self.limits if one.ok and one.is_close)]
+        return [
+            *self.deviations,
+            *(f"{limit.of}: {limit.line}" for limit in self.limits if limit.ok and limit.is_close),
+        ]
 
     def judge(self, check: str, verdict: str, says: str) -> tuple[str, str]:
         """Return the verdict of a check and its sentence: it holds where its sheet and the exact engine say so."""
-        limit = next((one for one in self.limits if one.check == check), None)
+        limit = next((each for each in self.limits if each.check == check), None)
         if limit is None or verdict not in (OK, FAIL) or limit.exact.ok == (verdict == OK):
             return verdict, says
         return FAIL, "; ".join(filter(None, (limit.line, says)))
@@ -157,7 +160,7 @@ LIMITS = {
 def judged_limits(drive: str, cells: str, sheet: Mapping[str, LimitCheck], exact: LimitChecks) -> list[JudgedLimit]:
     """Return the limits of a drive whose cells have names that begin with ``cells``, by its sheet and exactly."""
     motor, limits, bounds = exact.motor, [], limit_bounds(exact)
-    checks = {one.name: one for one in exact.checks}
+    checks = {check.name: check for check in exact.checks}
     checks["peak torque"] = LimitCheck("peak torque", exact.results.torque.peak, motor.peak_torque)
     if not motor.falling.fall:
         del checks[BELOW]

@@ -23,7 +23,7 @@ class Register(Mapping[str, AnyTemplate]):
     @cached_property
     def others(self) -> dict[str, AnyTemplate]:
         """Load the templates of other packages, once; say in a line which of them cannot be used."""
-        found: dict[str, AnyTemplate] = {}
+        others: dict[str, AnyTemplate] = {}
         for point in entry_points(group=GROUP):
             try:
                 template = point.load()
@@ -31,12 +31,12 @@ class Register(Mapping[str, AnyTemplate]):
                     raise ValueError(f"it is a {type(template).__name__}; expected a Template")
                 if template.name != point.name:
                     raise ValueError(f"it calls itself {template.name!r}; expected the name of its entry point")
-                if point.name in MODULES.keys() | found.keys():
+                if point.name in MODULES.keys() | others.keys():
                     raise ValueError("another template has that name")
-                found[point.name] = template
+                others[point.name] = template
             except Exception as error:  # whatever another package does, the rest works
                 print(f"The template {point.name!r} of {point.value} cannot be used: {error}", file=sys.stderr)
-        return found
+        return others
 
     def __getitem__(self, name: str) -> AnyTemplate:
         """Return a template; raise KeyError where there is none of that name."""

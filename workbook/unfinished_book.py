@@ -33,7 +33,7 @@ class UnfinishedBook:
 
     def __init__(self, book: Book, machine: Machine) -> None:
         self.book, self.design = book, machine.design
-        self.laws = {one.key: f"laws.{key_of(one.name)}" for one in named_laws(machine.laws)}
+        self.laws = {law.key: f"laws.{key_of(law.name)}" for law in named_laws(machine.laws)}
         self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
         inputs = [(at, cell) for at, cell in self.at.items() if cell.quantity.role == "input"]
         self.inputs = {self._key(cell.quantity.key, cell.i): at for at, cell in inputs}
@@ -76,15 +76,15 @@ class UnfinishedBook:
 
     def _beside(self, guard: Guard) -> tuple[dict[Address, Any], str]:
         """Return the messages beside single cells, and the first of them, if any."""
-        found: dict[Address, Any] = {}
-        said = ""
+        messages: dict[Address, Any] = {}
+        message = ""
         for place, (q, _) in enumerate(guard.entries):
             name = f"{q.name}{EXPECTED}"
             (at,) = self._column(f"{name}.{name}")
             faults = list(self._faults(self._key(q.key), ""))
-            found[at] = guard.message(place, faults[0].value) if faults else q.source
-            said = said or (found[at] if faults else "")
-        return found, said
+            messages[at] = guard.message(place, faults[0].value) if faults else q.source
+            message = message or (messages[at] if faults else "")
+        return messages, message
 
     def _in_rows(self, guard: Guard) -> tuple[dict[Address, Any], str]:
         """Return the messages of a table, and the sentence on the first of them, if any."""
@@ -99,7 +99,7 @@ class UnfinishedBook:
             entered = [q._replace(value=self.values.get((guard.table, table.columns[q.name] - table.column), q.value))
                        for q in self._inputs(guard.table)]  # fmt: skip
             columns[USED] = in_use(guard.rows, entered)
-        said = next((Sentence(f"row {i}, {message}") for i, message in enumerate(columns[MESSAGE], 1) if message), "")
+        text = next((Sentence(f"row {i}, {message}") for i, message in enumerate(columns[MESSAGE], 1) if message), "")
         known: dict[Address, Any] = {}
         for name, values in columns.items():
             known |= zip(self._column(f"{block.name}.{name}"), values, strict=True)
@@ -107,7 +107,7 @@ class UnfinishedBook:
             full = f"{guard.table}{FULL}"
             known |= dict.fromkeys(self._column(f"{full}.{full}"), room_text(columns[USED]))
         above = self._key(guard.entries[0][0].key.partition(".*")[0])
-        return known, EMPTY if any(self._faults(above, "")) else said
+        return known, EMPTY if any(self._faults(above, "")) else text
 
     def _beyond(self, guard: Guard) -> Iterator[tuple[int, int, Any]]:
         """Yield what breaks limits and rules in a table: its place among those that are watched, row and value."""
@@ -136,11 +136,11 @@ class UnfinishedBook:
             return None
         return faults[0].said if faults else ""
 
-    def _verdict(self, check: str, said: str) -> dict[Address, Any]:
+    def _verdict(self, check: str, message: str) -> dict[Address, Any]:
         """Return what stands in a check, and in the sentence beside it."""
         (at,), (beside,) = self._column(f"{check}.{check}"), self._column(f"{check}{SAYS}.{check}{SAYS}")
         source = next(q.source for _, q in self.book.checks if q.name == check)
-        return {at: FAIL, beside: Sentence(said)} if said else {at: OK, beside: source}
+        return {at: FAIL, beside: Sentence(message)} if message else {at: OK, beside: source}
 
     def _faults(self, where: str, rule: str) -> Iterator[Fault]:
         return (fault for fault in self.design.faults if (fault.where, fault.rule) == (where, rule))
@@ -176,5 +176,5 @@ class UnfinishedBook:
             look = number_format(q, sample(q)) if q.formula is not None else q.format
             changed = q._replace(value=values if block.is_table else values[0], format=look)
             block.quantities = (*block.quantities[:j], changed, *block.quantities[j + 1 :])
-        told = {block.quantities[0].name: block.quantities[0] for block in self.book.blocks.values()}
-        self.book.checks = [(s, q._replace(value=told[q.name].value)) for s, q in self.book.checks]
+        quantities = {block.quantities[0].name: block.quantities[0] for block in self.book.blocks.values()}
+        self.book.checks = [(s, q._replace(value=quantities[q.name].value)) for s, q in self.book.checks]

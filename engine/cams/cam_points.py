@@ -180,7 +180,7 @@ def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], mos
     if of.v is not None:
         x = subdivided(of.x, BETWEEN)
         of = of._replace(x=x, y=rebuilt.at(x, left=True).y, v=None, a=None)
-    found: list[FoundPhase] = []
+    phases: list[FoundPhase] = []
     left = [(0, len(of.x) - 1, slopes)]
     while left:
         begin, end, ends = left.pop()
@@ -188,41 +188,41 @@ def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], mos
         comes_back = bool(abs(y[-1] - y[0]) <= LEVEL * np.ptp(y))
         fitted = None if comes_back else _thinned(of.part(begin, end), ends, most)
         if fitted:
-            found.append(fitted)
+            phases.append(fitted)
             continue
-        if end - begin < 2 or len(found) + len(left) >= MOST_PHASES:
+        if end - begin < 2 or len(phases) + len(left) >= MOST_PHASES:
             return []
         farthest = begin + int(np.abs(y - y[0]).argmax())
         middle = farthest if comes_back and begin < farthest < end else (begin + end) // 2
         there = float(rebuilt.at(of.x[middle : middle + 1]).y1[0])
         left += [(middle, end, (there, ends[1])), (begin, middle, (ends[0], there))]
-    return found
+    return phases
 
 
 def _thinned(of: CamPoints, slopes: tuple[float, float], most: float) -> FoundPhase | None:
     """Return the spline through as few points as keep the others within ``most``; None if it takes more than 100."""
     begin, end = float(of.x[0]), float(of.x[-1])
     lift, span = float(of.y[-1] - of.y[0]), end - begin
-    kept = np.array([0, len(of.x) - 1])
-    missed = _misses(of, kept, slopes)
+    corners = np.array([0, len(of.x) - 1])
+    missed = _misses(of, corners, slopes)
     while missed.max() > most:
-        worst = [int(a + missed[a : b + 1].argmax()) for a, b in pairwise(kept.tolist())]
-        more = [k for k in worst if missed[k] > most and k not in kept]
-        kept = np.unique([*kept, *more])
-        if not more or len(kept) > MOST or np.diff(of.x[kept]).min() < NARROWEST * span:
+        worst = [int(a + missed[a : b + 1].argmax()) for a, b in pairwise(corners.tolist())]
+        more = [k for k in worst if missed[k] > most and k not in corners]
+        corners = np.unique([*corners, *more])
+        if not more or len(corners) > MOST or np.diff(of.x[corners]).min() < NARROWEST * span:
             return None
-        missed = _misses(of, kept, slopes)
-    for k in kept[1:-1].tolist():
-        fewer = kept[kept != k]
+        missed = _misses(of, corners, slopes)
+    for k in corners[1:-1].tolist():
+        fewer = corners[corners != k]
         if _misses(of, fewer, slopes).max() <= most:
-            kept = fewer
-    inner = kept[1:-1]
+            corners = fewer
+    inner = corners[1:-1]
     points = zip(((of.x[inner] - begin) / span).tolist(), ((of.y[inner] - of.y[0]) / lift).tolist(), strict=True)
     first, last = (slope * span / lift for slope in slopes)
     law = Spline(((0.0, 0.0), *points, (1.0, 1.0)), (first, last))
-    return FoundPhase(law, begin, end, float(of.y[0]), lift, float(_misses(of, kept, slopes).max()), known=False)
+    return FoundPhase(law, begin, end, float(of.y[0]), lift, float(_misses(of, corners, slopes).max()), known=False)
 
 
-def _misses(of: CamPoints, kept: NDArray[np.intp], slopes: tuple[float, float]) -> Array:
-    """Return the deviation of each point from the spline through those that are ``kept``."""
-    return np.abs(spline(of.x[kept], of.y[kept], slopes).at(of.x).y - of.y)
+def _misses(of: CamPoints, corners: NDArray[np.intp], slopes: tuple[float, float]) -> Array:
+    """Return the deviation of each point from the spline through those that are ``corners``."""
+    return np.abs(spline(of.x[corners], of.y[corners], slopes).at(of.x).y - of.y)

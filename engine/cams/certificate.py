@@ -220,11 +220,11 @@ def weights(of: CamProfile, order: int) -> Array:
     """Return for each piece its length times the root of its largest derivative of an order, over the largest."""
     middle, half = intervals(of, of)
     value = np.abs(_derivative_rows(_local_powers(of, middle, half), half, order)).max(axis=1)
-    found = np.zeros(len(of.origins))
-    np.maximum.at(found, of.index(middle), value)
-    found[found < found.max(initial=0.0) * 1e-9] = 0.0
+    by_piece = np.zeros(len(of.origins))
+    np.maximum.at(by_piece, of.index(middle), value)
+    by_piece[by_piece < by_piece.max(initial=0.0) * 1e-9] = 0.0
     spans = np.diff(of.edges)
-    sizes: Array = spans * (found / factorial(order)) ** (1.0 / (order if order == LINEAR else order - 2))
+    sizes: Array = spans * (by_piece / factorial(order)) ** (1.0 / (order if order == LINEAR else order - 2))
     sizes = sizes / sizes.max() if sizes.max() > 0.0 else sizes
     if order != CUBIC:
         return sizes

@@ -57,31 +57,31 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     if turns and begins and ends and home.size:
         k = int(home[0])
         later = _rolled(of, k)
-        found = _phases(later, rebuilt.shifted(float(of.x[-1] - of.x[k])))
-        if all(phase.fits and phase.rests for phase in found) and _keeps_to(later, found):
-            return IdentifiedMotion(found, _allowed(of), float(of.x[k] - of.x[0]))
+        phases = _phases(later, rebuilt.shifted(float(of.x[-1] - of.x[k])))
+        if all(phase.fits and phase.rests for phase in phases) and _keeps_to(later, phases):
+            return IdentifiedMotion(phases, _allowed(of), float(of.x[k] - of.x[0]))
     of = of._replace(begins=begins, ends=ends, seam=of.rates_across() if begins and ends else None)
-    found = _phases(of, rebuilt)
-    if _keeps_to(of, found):
-        return IdentifiedMotion(found, _allowed(of))
+    phases = _phases(of, rebuilt)
+    if _keeps_to(of, phases):
+        return IdentifiedMotion(phases, _allowed(of))
     slopes = [of.rate_at(side)[0] if moves else 0.0 for side, moves in ((0, begins), (-1, ends))]
     through = splined(of, rebuilt, (slopes[0], slopes[1]), max(of.thinned, of.near))
-    missed = [replace(phase, fits=False) for phase in found or [_line_of(of)]]
+    missed = [replace(phase, fits=False) for phase in phases or [_line_of(of)]]
     return IdentifiedMotion(through or missed, _allowed(of))
 
 
-def motion_at(found: Sequence[FoundPhase], x: Array, rest: float) -> Array:
+def motion_at(phases: Sequence[FoundPhase], x: Array, rest: float) -> Array:
     """Return the position at places by phases one behind the other; without phases it is ``rest`` everywhere."""
-    y = np.full(len(x), found[0].y if found else rest)
-    for phase in found:
+    y = np.full(len(x), phases[0].y if phases else rest)
+    for phase in phases:
         xi = np.clip((x - phase.begin) / (phase.end - phase.begin), 0.0, 1.0)
         y += phase.scale * (phase.law.s(xi) - phase.law.start.s)
     return y
 
 
-def _keeps_to(of: CamPoints, found: Sequence[FoundPhase]) -> bool:
+def _keeps_to(of: CamPoints, phases: Sequence[FoundPhase]) -> bool:
     """Return whether phases, one behind the other, go through every point of a table."""
-    off = np.abs(motion_at(found, of.x, float(of.y[0])) - of.y).max()
+    off = np.abs(motion_at(phases, of.x, float(of.y[0])) - of.y).max()
     return bool(off <= _allowed(of))
 
 
@@ -101,15 +101,15 @@ def _dwelling(of: CamPoints) -> NDArray[np.bool_]:
     step = 2.0 * of.precision * (1.0 + ROUNDED)
     still = np.abs(np.diff(of.y)) <= step
     if of.v is not None:
-        found = still & (np.maximum(np.abs(of.v[:-1]), np.abs(of.v[1:])) <= RATES * of.fastest)
+        dwelling = still & (np.maximum(np.abs(of.v[:-1]), np.abs(of.v[1:])) <= RATES * of.fastest)
     else:
         h, beside = np.pad(np.diff(of.x), 1), np.pad(still, 1)
         longer = h[1:-1] > LONGER * np.maximum(h[:-2], h[2:])
-        found = still & (beside[:-2] | beside[2:] | longer)
-    for begin, end in true_runs(found):
+        dwelling = still & (beside[:-2] | beside[2:] | longer)
+    for begin, end in true_runs(dwelling):
         if np.ptp(of.y[begin : end + 1]) > step:
-            found[begin:end] = _resting(of.part(begin, end))
-    return np.asarray(found)
+            dwelling[begin:end] = _resting(of.part(begin, end))
+    return np.asarray(dwelling)
 
 
 def _resting(of: CamPoints) -> NDArray[np.bool_]:
@@ -134,8 +134,8 @@ def _rolled(of: CamPoints, k: int) -> CamPoints:
 def _phases(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     """Return the phases of each movement of a table."""
     laws = [family() for family in CATALOGUE if family not in (Dwell, PieceLaw)]
-    laws = [one for one in laws if abs(one.start.v) <= AT_SPEED]  # of a stroke from rest to rest
-    found: list[FoundPhase] = []
+    laws = [candidate for candidate in laws if abs(candidate.start.v) <= AT_SPEED]  # of a stroke from rest to rest
+    phases: list[FoundPhase] = []
     for begin, end in true_runs(~_dwelling(of)):
         if not np.ptp(of.y[begin : end + 1]):
             continue
@@ -147,8 +147,8 @@ def _phases(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
         tried = laws if last < MOST_WAYS else []
         resting = [_identify(of, tried, edge, (k > 0, k < last)) for k, edge in enumerate(edges)]
         laid = [phase for phase in resting if phase]
-        found += laid if len(laid) == len(resting) else _laid(of, rebuilt, edges, resting)
-    return found
+        phases += laid if len(laid) == len(resting) else _laid(of, rebuilt, edges, resting)
+    return phases
 
 
 def _laid(
@@ -159,13 +159,13 @@ def _laid(
     meeting, known = phases_at_speed(whole, rebuilt)
     if not known and any(resting):
         strokes = zip(resting, edges, strict=True)
-        told = [[phase] if phase else _thinned(of.part(*edge), rebuilt) for phase, edge in strokes]
-        if all(told):
-            return [phase for phases in told for phase in phases]
+        by_stroke = [[phase] if phase else _thinned(of.part(*edge), rebuilt) for phase, edge in strokes]
+        if all(by_stroke):
+            return [phase for phases in by_stroke for phase in phases]
     if meeting:
         return meeting
-    found = _found(law("PO5"), whole, np.array([*whole.x[[0, -1]], whole.y[0], np.ptp(whole.y)]))
-    return [replace(found, fits=False, known=False)]
+    fifth_order = _found(law("PO5"), whole, np.array([*whole.x[[0, -1]], whole.y[0], np.ptp(whole.y)]))
+    return [replace(fifth_order, fits=False, known=False)]
 
 
 def _thinned(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
@@ -181,9 +181,9 @@ def _identify(of: CamPoints, laws: Sequence[Law], span: tuple[int, int], turns: 
         inner = of.part(span[0] + late, span[1] - early)
         if len(inner.x) >= FEWEST or (inner.a is not None and len(inner.x) > 1):
             for law in laws:
-                found = _fitted(law, inner) if inner.identifies(law) else None
-                if found is not None:
-                    return found
+                fitted = _fitted(law, inner) if inner.identifies(law) else None
+                if fitted is not None:
+                    return fitted
     return None
 
 

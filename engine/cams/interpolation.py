@@ -215,10 +215,10 @@ def composed(of: CamProfile, outer: OuterFunction) -> CamProfile:
     while True:
         middle = 0.5 * (x[:-1] + x[1:])
         k = of.index(middle)
-        made = _profile(x, *quintics_between(x, values(x[:-1], k), values(x[1:], k)).T)
-        at, (value, _, curvature) = made.at(middle), values(middle, k)
+        profile = _profile(x, *quintics_between(x, values(x[:-1], k), values(x[1:], k)).T)
+        at, (value, _, curvature) = profile.at(middle), values(middle, k)
         off = (np.abs(at.y - value) > near) | (np.abs(at.y2 - curvature) > near_curvature)
         halved = middle[off & (np.diff(x) > NARROWEST * of.total)]
         if not len(halved):
-            return made
+            return profile
         x = np.sort(np.append(x, halved))

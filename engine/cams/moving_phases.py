@@ -38,7 +38,7 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
     They are known if each is a line or one law. A part between lines that follows no law is divided into quintics with
     equal y' and y'' where they meet, or into splines. There are no phases if it takes too many.
     """
-    found: list[FoundPhase] = []
+    phases: list[FoundPhase] = []
     known = True
     near, runs = of.near, _straight_runs(of)
     edges = [0, *(k for run in runs for k in run), len(of.x) - 1]
@@ -49,19 +49,19 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
         if places[k] == places[k + 1]:
             continue
         if k % 2:
-            found.append(_line(of, (begin, end), (places[k], places[k + 1])))
+            phases.append(_line(of, (begin, end), (places[k], places[k + 1])))
             continue
         sides = _beside(of, rebuilt, runs, begin), _beside(of, rebuilt, runs, end)
         inner = of.part(begin, end)
         fits = (_fitted(law, inner, sides, near) for law in laws if inner.identifies(law))
         fitted = next(filter(None, fits), None)
-        made = [fitted] if fitted else _quintics(quintic, inner, rebuilt, sides, near)
-        made = made or splined(inner, rebuilt, (sides[0].v, sides[1].v), max(of.thinned, near))
-        if not made:
+        laid = [fitted] if fitted else _quintics(quintic, inner, rebuilt, sides, near)
+        laid = laid or splined(inner, rebuilt, (sides[0].v, sides[1].v), max(of.thinned, near))
+        if not laid:
             return [], False
         known &= fitted is not None
-        found += made
-    return _settled(found), known
+        phases += laid
+    return _settled(phases), known
 
 
 def _edge_places(
@@ -73,10 +73,10 @@ def _edge_places(
     for k in range(0, len(edges), 2):
         begin, end = edges[k : k + 2]
         if end - begin == 1 and places[k + 1] - places[k] <= widest:
-            one, other = (_beside(of, rebuilt, runs, edge) for edge in (begin, end))
-            turn = one.v - other.v
-            across = one.x + (other.y - one.y - other.v * (other.x - one.x)) / turn if turn else np.nan
-            if not (one.fixed or other.fixed) and places[k] <= across <= places[k + 1]:
+            before, other = (_beside(of, rebuilt, runs, edge) for edge in (begin, end))
+            turn = before.v - other.v
+            across = before.x + (other.y - before.y - other.v * (other.x - before.x)) / turn if turn else np.nan
+            if not (before.fixed or other.fixed) and places[k] <= across <= places[k + 1]:
                 places[k] = places[k + 1] = across
     return places
 
@@ -90,17 +90,17 @@ def _line(of: CamPoints, run: tuple[int, int], places: tuple[float, float]) -> F
     return FoundPhase(law("LIN"), first, last, y, slope * (last - first), residual)
 
 
-def _settled(found: Sequence[FoundPhase]) -> list[FoundPhase]:
+def _settled(phases: Sequence[FoundPhase]) -> list[FoundPhase]:
     """Return the phases with their lines extended or cut to their neighbours."""
-    kept = list(found)
-    for k, phase in enumerate(found):
+    settled = list(phases)
+    for k, phase in enumerate(phases):
         if phase.law.code == "LIN":
-            begin = kept[k - 1].end if k else phase.begin
-            end = found[k + 1].begin if k + 1 < len(found) else phase.end
+            begin = settled[k - 1].end if k else phase.begin
+            end = phases[k + 1].begin if k + 1 < len(phases) else phase.end
             slope = phase.lift / (phase.end - phase.begin)
             y, lift = phase.y + slope * (begin - phase.begin), slope * (end - begin)
-            kept[k] = replace(phase, begin=begin, end=end, y=y, lift=lift)
-    return kept
+            settled[k] = replace(phase, begin=begin, end=end, y=y, lift=lift)
+    return settled
 
 
 def _straight_runs(of: CamPoints) -> list[tuple[int, int]]:
@@ -139,14 +139,14 @@ def _polygon(of: CamPoints) -> list[int]:
 
     A line is divided at the point that is farthest off (D. H. Douglas, T. K. Peucker, 1973).
     """
-    found, left = [0], [len(of.x) - 1]
-    while left and len(found) <= MOST_PHASES:
-        off = _off_chord(of, (found[-1], left[-1]))
+    corners, left = [0], [len(of.x) - 1]
+    while left and len(corners) <= MOST_PHASES:
+        off = _off_chord(of, (corners[-1], left[-1]))
         if off.max() <= of.near:
-            found.append(left.pop())
+            corners.append(left.pop())
         else:
-            left.append(found[-1] + int(off.argmax()))
-    return found + left[::-1]
+            left.append(corners[-1] + int(off.argmax()))
+    return corners + left[::-1]
 
 
 def true_runs(flat: NDArray[np.bool_]) -> list[tuple[int, int]]:
@@ -191,10 +191,10 @@ def _made(base: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndL
         return None
     a0, a1 = (side.a * d**2 if "a" in base.takes and side.fixed else 0.0 for side in sides)
     try:
-        found, _ = law_with_ends(base, BoundaryValues(last - first, sides[0].v * d, sides[1].v * d, a0, a1))
+        bounded, _ = law_with_ends(base, BoundaryValues(last - first, sides[0].v * d, sides[1].v * d, a0, a1))
     except EndError:
         return None
-    return FoundPhase(found, begin, end, first, last - first, 0.0)
+    return FoundPhase(bounded, begin, end, first, last - first, 0.0)
 
 
 def _fitted(base: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], near: float) -> FoundPhase | None:
@@ -203,20 +203,20 @@ def _fitted(base: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], ne
     free = np.array([not side.fixed for side in sides])
     free &= len(of.x) >= free.sum() + 2
 
-    def made(moved: Array) -> FoundPhase | None:
+    def moved_law(moved: Array) -> FoundPhase | None:
         """Return the law with its free ends moved; None if it cannot have them, or they are moved too far."""
         by = np.zeros(2)
         by[free] = moved
         return _made(base, (of.x[[0, -1]] + by).tolist(), sides) if np.all(np.abs(by) <= 2.0 * step) else None
 
     def off(moved: Array) -> Array:
-        return found.off(of) if (found := made(moved)) else np.full(len(of.x), np.inf)
+        return phase.off(of) if (phase := moved_law(moved)) else np.full(len(of.x), np.inf)
 
     moved = gauss_newton(off, np.zeros(int(free.sum())), step[free], near)
-    found = None if moved is None else made(moved)
-    if found is None or not found.agrees(of):
+    phase = None if moved is None else moved_law(moved)
+    if phase is None or not phase.agrees(of):
         return None
-    return replace(found, residual=float(np.abs(found.off(of)).max()))
+    return replace(phase, residual=float(np.abs(phase.off(of)).max()))
 
 
 def gauss_newton(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
@@ -258,7 +258,7 @@ def _quintics(
     quintic: BoundaryLaw, of: CamPoints, rebuilt: CamProfile, sides: tuple[EndLine, EndLine], most: float
 ) -> list[FoundPhase]:
     """Return polynomials of degree 5 between points, each as long as ``most`` allows; none if over :data:`MOST`."""
-    found: list[FoundPhase] = []
+    phases: list[FoundPhase] = []
     k, last = 0, len(of.x) - 1
     here = sides[0]
     while k < last:
@@ -267,14 +267,14 @@ def _quintics(
             middle = high if best is None and high == last else (low + high + 1) // 2
             there = sides[1] if middle == last else _rates(of, rebuilt, middle)
             ends = here._replace(fixed=True), there._replace(fixed=True)
-            made = _made(quintic, (here.x, there.x), ends)
-            missed = float(np.abs(made.off(of.part(k, middle))).max()) if made else np.inf
-            if made and missed <= most:
-                best, low = (replace(made, residual=missed), there), middle
+            phase = _made(quintic, (here.x, there.x), ends)
+            missed = float(np.abs(phase.off(of.part(k, middle))).max()) if phase else np.inf
+            if phase and missed <= most:
+                best, low = (replace(phase, residual=missed), there), middle
             else:
                 high = middle - 1
-        if best is None or len(found) == MOST:
+        if best is None or len(phases) == MOST:
             return []
-        found.append(best[0])
+        phases.append(best[0])
         k, here = low, best[1]
-    return found
+    return phases

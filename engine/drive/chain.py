@@ -193,12 +193,12 @@ class Mechanism:
         """
         a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
         own = [j * a + self.friction_on(k) * sign for k, j in enumerate(self.torque_per_acceleration)]
-        found = [self.load.resisting(sign) + own[self.last]]
+        torques = [self.load.resisting(sign) + own[self.last]]
         for k in reversed(range(self.last)):
             stage = self.stages[k]
-            through = stage.factor(found[0], sign, method) * found[0] / stage.ratio
-            found.insert(0, through + own[k])
-        return found
+            through = stage.factor(torques[0], sign, method) * torques[0] / stage.ratio
+            torques.insert(0, through + own[k])
+        return torques
 
     @cached_property
     def torque_per_acceleration(self) -> tuple[float, ...]:

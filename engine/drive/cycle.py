@@ -69,8 +69,8 @@ class TorqueInterval:
             return np.zeros(load.y.shape)
         turning = self.train.shaft(load, self.within)
         weights = self.torque_coefficients[shaft]
-        found = weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration
-        return np.asarray(found + weights.friction * self.direction)
+        torque = weights.force * self.force.at(load) / turning.first + weights.inertia * turning.acceleration
+        return np.asarray(torque + weights.friction * self.direction)
 
     def power(self, u: Array) -> Array:
         """Return the power (W) of the motor at u, with the losses of its winding: T ω + (P_N/T_N²) T²."""
@@ -185,10 +185,10 @@ class DriveCycle:
     @cached_property
     def spans(self) -> tuple[Span, ...]:
         """All spans, in the order of the unshifted motion. Raises OutOfReachError."""
-        found = [span for piece in self.unshifted.moved for span in self._of(piece)]
-        lasts, direction = np.array([((span.high - span.low) / self.speed, span.direction) for span in found]).T
+        spans = [span for piece in self.unshifted.moved for span in self._of(piece)]
+        lasts, direction = np.array([((span.high - span.low) / self.speed, span.direction) for span in spans]).T
         dwells = dwell_times(lasts, direction).tolist()
-        return tuple(span._replace(dwell=dwell) for span, dwell in zip(found, dwells, strict=True))
+        return tuple(span._replace(dwell=dwell) for span, dwell in zip(spans, dwells, strict=True))
 
     def _of(self, piece: MotionPiece) -> Iterator[Span]:
         """Yield the spans of a piece."""
@@ -238,9 +238,9 @@ class DriveCycle:
 
 def parts(cuts: Sequence[float], width: float) -> Iterator[tuple[float, float]]:
     """Yield the parts between cuts in order, without those shorter than :data:`NARROW` of the width."""
-    kept: list[float] = []
+    edges: list[float] = []
     for cut in sorted(cuts):
-        if not kept or cut - kept[-1] > NARROW * width:
-            kept.append(cut)
-    kept[-1] = max(cuts)
-    yield from pairwise(kept)
+        if not edges or cut - edges[-1] > NARROW * width:
+            edges.append(cut)
+    edges[-1] = max(cuts)
+    yield from pairwise(edges)

@@ -62,8 +62,8 @@ class DrivePoints:
     def torque(self) -> Array:
         """Torque of the motor (Nm); the no-load torque alone where a brake holds."""
         inertia, ratio = self._drive
-        found = self.load.at_motor(self.load.output_torque) + inertia * ratio * self.load.shaft_acceleration
-        return np.where(self.load.braked, 0.0, found) + self.no_load
+        torque = self.load.at_motor(self.load.output_torque) + inertia * ratio * self.load.shaft_acceleration
+        return np.where(self.load.braked, 0.0, torque) + self.no_load
 
     @cached_property
     def standing(self) -> Array:

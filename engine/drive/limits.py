@@ -83,14 +83,14 @@ class LimitChecks:
 
     def of(self, names: Iterable[str]) -> tuple[LimitCheck, ...]:
         """Return the checks of the finite ones of some limits."""
-        motor, reducer, found = self.motor, self.reducer, self.results
+        motor, reducer, results = self.motor, self.reducer, self.results
         asked: dict[str, tuple[float, Callable[[], float]]] = {
-            "RMS torque": (motor.rated_torque, lambda: found.rms_torque),
-            BELOW: (motor.peak_torque, lambda: found.torque.peak),
-            "motor speed": (motor.max_speed, lambda: found.speed.peak),
-            "reducer input speed": (reducer.input_speed, lambda: found.speed.peak),
-            "reducer peak torque": (reducer.peak_at(1.0 / self.drive_cycle.time), lambda: found.shaft_torque(1).peak),
-            "reducer mean torque": (reducer.mean_torque, lambda: found.mean_shaft_torque(1)),
+            "RMS torque": (motor.rated_torque, lambda: results.rms_torque),
+            BELOW: (motor.peak_torque, lambda: results.torque.peak),
+            "motor speed": (motor.max_speed, lambda: results.speed.peak),
+            "reducer input speed": (reducer.input_speed, lambda: results.speed.peak),
+            "reducer peak torque": (reducer.peak_at(1.0 / self.drive_cycle.time), lambda: results.shaft_torque(1).peak),
+            "reducer mean torque": (reducer.mean_torque, lambda: results.mean_shaft_torque(1)),
         }
         return tuple(
             self._below_curve if name == BELOW else LimitCheck(name, quantity(), self._limit(name, limit))
@@ -129,8 +129,8 @@ class LimitChecks:
                 speed = np.minimum(np.abs(interval.motor_speed(u)), motor.max_speed)
                 return np.abs(interval.torque(u)) - motor.peak_at(speed)
 
-            ((found, u),) = extremes(excess, interval.samples, (1.0,), least)
-            return found, float(np.abs(interval.torque(np.array([u])))[0])
+            ((extreme, u),) = extremes(excess, interval.samples, (1.0,), least)
+            return extreme, float(np.abs(interval.torque(np.array([u])))[0])
 
         over, torque = -math.inf, 0.0
         for interval in self.drive_cycle.torque_intervals:

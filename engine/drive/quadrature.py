@@ -125,14 +125,14 @@ class LoadPoints:
 
     def _driving(self, force: Array, moved: float) -> list[Array]:
         """Return the torques on all shafts for a force at the load (Nm), f T/i + ``moved`` · J ω̇ ± T_f."""
-        m, torque, found = self.train.drive.mechanism, force, list[Array]()
+        m, torque, torques = self.train.drive.mechanism, force, list[Array]()
         for k in range(m.last - 1, 0, -1):
             ratio = self.first if k == m.last - 1 else m.stages[k].ratio
             gear = math.prod(stage.ratio for stage in m.stages[k : m.last - 1])
             torque = self._through(k, torque) / ratio + moved * m.on_shaft(k) * gear * self.shaft_acceleration
             torque = torque + m.friction_on(k) * self.direction
-            found.insert(0, torque)
-        return found or [force]
+            torques.insert(0, torque)
+        return torques or [force]
 
     def _through(self, stage: int, torque: Array) -> Array:
         """Return a torque at the output of a stage (a number from 0) times its factor of losses."""
@@ -183,8 +183,8 @@ class QuadratureCycle:
         inner += [motion.begin + motion.total * k / steps for k in range(1, steps)]
         end, begins = motion.begin + motion.total, [piece.begin for piece in self.pieces]
         cuts = [*begins, *inner, *self.inside]
-        kept = [cut for k, cut in enumerate(cuts) if all(abs(cut - other) >= self.near for other in [*cuts[:k], end])]
-        places = [*sorted(kept), end]
+        apart = [cut for k, cut in enumerate(cuts) if all(abs(cut - other) >= self.near for other in [*cuts[:k], end])]
+        places = [*sorted(apart), end]
         middles = (np.array(places[:-1]) + np.array(places[1:])) / 2.0
         numbers = np.searchsorted(np.array(begins), middles, side="right") - 1
         return [Interval(*bounds) for bounds in zip(places[:-1], places[1:], numbers.tolist(), strict=True)]
@@ -211,7 +211,9 @@ class QuadratureCycle:
     def levels(self) -> tuple[Array, Array]:
         """Resisting forces in each interval (N or Nm): against positive motion, and against the motion."""
         cycle = self.drive_cycle
-        acting = [cycle.train.acting(one.middle + cycle.shift, cycle.unshifted.total) for one in self.intervals]
+        acting = [
+            cycle.train.acting(interval.middle + cycle.shift, cycle.unshifted.total) for interval in self.intervals
+        ]
         steady, moving = (np.array([cycle.train.force(way, loads).level for loads in acting]) for way in (0.0, 1.0))
         return steady, moving - steady
 

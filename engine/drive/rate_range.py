@@ -29,7 +29,7 @@ def rate_range(checks: LimitChecks) -> RateRange:
     present = checks.drive_cycle.speed
     inside = np.flatnonzero(holds)
     if not inside.size:
-        some = (at_speed(checks, present * float(one)).worst for one in factors[::50])
+        some = (at_speed(checks, present * float(factor)).worst for factor in factors[::50])
         worst = min(some, key=lambda check: check.use)
         return RateRange(0.0, 0.0, worst.name, worst.name)
     first = last = int(np.flatnonzero(factors == 1.0)[0]) if checks.ok else int(inside[-1])

@@ -64,7 +64,9 @@ class DriveResults:
     @cached_property
     def speed(self) -> Bounds:
         """Speed of the motor (rad/s)."""
-        return self._bounds(TorqueInterval.motor_speed, lambda one: None if one.train.linkage else one.piece.curves[1])
+        return self._bounds(
+            TorqueInterval.motor_speed, lambda part: None if part.train.linkage else part.piece.curves[1]
+        )
 
     @cached_property
     def torque(self) -> Bounds:
@@ -115,7 +117,7 @@ class DriveResults:
 
     def _bounds(self, of: OfInterval, curve: Callable[[TorqueInterval], Curve | None]) -> Bounds:
         """Return the bounds of a quantity: at ends of intervals, at zeros of its curve's slope, or by a search."""
-        found = []
+        both_ends = []
         for part in self.drive_cycle.torque_intervals:
             over = curve(part)
             if over is None:
@@ -125,8 +127,8 @@ class DriveResults:
             u = np.array([part.low, *inner, part.high])
             values = of(part, u)
             for k in (int(values.argmin()), int(values.argmax())):
-                found.append(Extreme(float(values[k]), part.piece.phase, part.piece.begin + float(u[k])))
-        return Bounds(min(found), max(found, key=lambda extreme: extreme.value))
+                both_ends.append(Extreme(float(values[k]), part.piece.phase, part.piece.begin + float(u[k])))
+        return Bounds(min(both_ends), max(both_ends, key=lambda extreme: extreme.value))
 
 
 def _turning(interval: TorqueInterval, u: Array) -> Array:
@@ -166,7 +168,7 @@ def peak_bus_power(powers: tuple[float, float], efficiency: float) -> PeakBusPow
     return PeakBusPower(max(0.0, powers[0]) / efficiency, max(0.0, -powers[1]) * efficiency)
 
 
-def total_bus_power(found: Sequence[MeanBusPower]) -> MeanBusPower:
+def total_bus_power(powers: Sequence[MeanBusPower]) -> MeanBusPower:
     """Return the sum of mean powers over drives, in studies of arrays."""
-    mains, resistor = zip(*found, strict=True)
+    mains, resistor = zip(*powers, strict=True)
     return MeanBusPower(reduce(add, mains), reduce(add, resistor))  # sum() of floats hangs on the Python's version

@@ -72,9 +72,9 @@ def _top(function: Function, sign: float, u: Array, values: Array, least: float)
         if not worth.any():
             break
         points = np.linspace(left[worth], right[worth], PARTS + 1, axis=1)
-        found = sign * function(points.ravel()).reshape(points.shape)
-        each, k = np.arange(len(found)), found.argmax(axis=1)
-        reached, spread = found[each, k], found.max(axis=1) - found.min(axis=1)
+        sampled = sign * function(points.ravel()).reshape(points.shape)
+        each, k = np.arange(len(sampled)), sampled.argmax(axis=1)
+        reached, spread = sampled[each, k], sampled.max(axis=1) - sampled.min(axis=1)
         highest = int(reached.argmax())
         if reached[highest] > best.value:
             best = Extremum(float(reached[highest]), float(points[highest, k[highest]]))
@@ -85,8 +85,8 @@ def _top(function: Function, sign: float, u: Array, values: Array, least: float)
 def crossed(function: Function, u: Array) -> list[float]:
     """Return every u at which a function changes its sign, if it does so at most once between two samples at u."""
     values = function(u)
-    kept = np.abs(values) > NOISE * float(np.abs(values).max())
-    u, positive = u[kept], values[kept] > 0.0
+    clear = np.abs(values) > NOISE * float(np.abs(values).max())
+    u, positive = u[clear], values[clear] > 0.0
     at = np.flatnonzero(positive[1:] != positive[:-1])
     if not at.size:
         return []
@@ -120,10 +120,10 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
     for n in ORDERS:
         nodes, weights = gauss_legendre(n)
         values = function(middle + half * nodes)
-        found = half * float(weights @ values)
-        if abs(found - last) <= TOLERANCE * half * max(2.0 * LEAST * scale, float(weights @ np.abs(values))):
-            return found
-        last = found
+        value = half * float(weights @ values)
+        if abs(value - last) <= TOLERANCE * half * max(2.0 * LEAST * scale, float(weights @ np.abs(values))):
+            return value
+        last = value
     if not halvings:
         return last
     return math.fsum(integral(function, a, b, scale, halvings - 1) for a, b in ((low, middle), (middle, high)))
@@ -146,8 +146,8 @@ def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
     points = [low, *turns, high]
     values = [curve(u) for u in points]
     noise = NOISE * max(map(abs, values))
-    kept = [(u, value) for u, value in zip(points, values, strict=True) if abs(value) > noise]
-    return [curve.root(a, b) for (a, at_a), (b, at_b) in pairwise(kept) if (at_a > 0.0) != (at_b > 0.0)]
+    clear = [(u, value) for u, value in zip(points, values, strict=True) if abs(value) > noise]
+    return [curve.root(a, b) for (a, at_a), (b, at_b) in pairwise(clear) if (at_a > 0.0) != (at_b > 0.0)]
 
 
 def largest_size(curve: Curve, d: float) -> float:

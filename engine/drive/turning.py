@@ -65,11 +65,11 @@ def directions(piece: MotionPiece) -> Directions:
 
 def turns_of(pieces: Sequence[MotionPiece], moves: Sequence[Directions]) -> list[Turn]:
     """Return the turns inside pieces, in order; ``moves`` are the directions of each piece."""
-    found = []
+    turns = []
     for number, (piece, each) in enumerate(zip(pieces, moves, strict=True)):
         for again, (share, after) in enumerate(each.turns):
             u = share * piece.duration
             v, a, j = (curve(u) for curve in piece.curves[1:])
             root = u - 2.0 * v / (a + after * math.sqrt(max(0.0, a**2 - 2.0 * j * v)))
-            found.append(Turn(number, bool(again), after, share, u, v, a, j, piece.begin + root))
-    return found
+            turns.append(Turn(number, bool(again), after, share, u, v, a, j, piece.begin + root))
+    return turns

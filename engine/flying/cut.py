@@ -66,8 +66,8 @@ def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:
     _require(tools >= 1, "tools", tools, "1 or more")
     pitch = 2.0 * math.pi / tools
     if not 0.0 <= tool_angle < pitch:
-        found, limit = math.degrees(tool_angle), math.degrees(pitch)
-        raise ValueError(f"tool angle is {found:g} degrees; expected at least 0 and less than {limit:g}")
+        degrees, limit = math.degrees(tool_angle), math.degrees(pitch)
+        raise ValueError(f"tool angle is {degrees:g} degrees; expected at least 0 and less than {limit:g}")
     return Tool(pitch * radius, tool_angle * radius, radius)
 
 

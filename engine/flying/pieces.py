@@ -30,8 +30,8 @@ class CutPart(NamedTuple):
 
     def pieces(self, number: int, whole: bool = False) -> list[MotionPiece]:
         """Return its pieces, with ``number`` as that of their phase."""
-        found = self.scaled.pieces(number, whole)[self.first : self.first + self.used] if self.used else []
-        return [replace(piece, begin=max(piece.begin, self.begin)) for piece in found]
+        pieces = self.scaled.pieces(number, whole)[self.first : self.first + self.used] if self.used else []
+        return [replace(piece, begin=max(piece.begin, self.begin)) for piece in pieces]
 
 
 def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart, CutPart]:

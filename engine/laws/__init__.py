@@ -81,8 +81,8 @@ def law(name: str, **parameters: Any) -> Law:
     ValueError
         If the law's class rejects a parameter.
     """
-    found = family_named(name)
-    if found is None:
+    chosen = family_named(name)
+    if chosen is None:
         names = (each for family in CATALOGUE for each in (family.code, family.name, *family.aliases))
         raise UnknownLawError(f"no law is named {name!r}; expected one of {', '.join(nearest_names(name, names))}")
-    return found(**parameters)
+    return chosen(**parameters)

@@ -82,5 +82,5 @@ def require_within(low: float, high: float, **abscissae: Array) -> None:
     for name, x in abscissae.items():
         least, greatest = float(x.min(initial=high)), float(x.max(initial=low))  # NaN, if there is one
         if not (least >= low - tolerance and greatest <= high + tolerance):
-            found = "holds NaN" if math.isnan(least) else f"reaches from {least:.15g} to {greatest:.15g}"
-            raise ValueError(f"{name} {found}; expected numbers from {low:.15g} to {high:.15g}")
+            reason = "holds NaN" if math.isnan(least) else f"reaches from {least:.15g} to {greatest:.15g}"
+            raise ValueError(f"{name} {reason}; expected numbers from {low:.15g} to {high:.15g}")

@@ -99,8 +99,8 @@ def _of_sine(sine: Sine, d: float) -> list[float]:
     if not amplitude or not w:
         return []
     low, high = sorted((phi / math.pi, (phi + w * d) / math.pi))
-    found = ((k * math.pi - phi) / w for k in range(math.ceil(low), math.floor(high) + 1))
-    return sorted(min(max(u, 0.0), d) for u in found)
+    places = ((k * math.pi - phi) / w for k in range(math.ceil(low), math.floor(high) + 1))
+    return sorted(min(max(u, 0.0), d) for u in places)
 
 
 PARTS = 256  # of a bracket, in one round
@@ -198,13 +198,13 @@ def values_by_piece(
     pieces: Sequence[Piece], v0: float, inside: Callable[[Piece, float], Sequence[float]]
 ) -> list[tuple[Array, Array, Array, Array]]:
     """Return s, v, a, j of each piece of any duration at its begin, at the u of ``inside(piece, v)``, at its end."""
-    found = []
+    values = []
     for placed in placed_pieces(pieces, v0):
         if placed.piece.duration > 0.0:
             u = np.array([0.0, *inside(placed.piece, placed.v), placed.piece.duration])
             s, v, a, j = gains(u, np.array(placed.piece.row)[:, None])
-            found.append((placed.s + placed.v * u + s, placed.v + v, a, j))
-    return found
+            values.append((placed.s + placed.v * u + s, placed.v + v, a, j))
+    return values
 
 
 @lru_cache(maxsize=1_000)
@@ -225,10 +225,10 @@ def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0,
     Coefficients
         C_j is infinite if a jumps between pieces of any duration, or at either end.
     """
-    found = values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
-    _, v, a, j = np.concatenate(found, axis=1)
-    before = np.array([a0, *(accelerations[-1] for _, _, accelerations, _ in found)])
-    after = np.array([*(accelerations[0] for _, _, accelerations, _ in found), a1])
+    values = values_by_piece(pieces, v0, lambda piece, v: stationary_points(piece) + stationary_power_points(piece, v))
+    _, v, a, j = np.concatenate(values, axis=1)
+    before = np.array([a0, *(accelerations[-1] for _, _, accelerations, _ in values)])
+    after = np.array([*(accelerations[0] for _, _, accelerations, _ in values), a1])
     jumps = np.abs(before - after).max() > JUMP * np.abs(a).max()
     return Coefficients(
         cv=float(np.abs(v).max()), ca_max=float(a.max()), ca_min=float(a.min()),

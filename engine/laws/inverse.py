@@ -20,11 +20,11 @@ INSIDE = 1e-9  # share of a stage: a place nearer to its end counts as the end
 
 def breaks(law: Law) -> Array:
     """Return every ξ at which the law's formula changes, with 0 and 1, rising."""
-    kept = [0.0]
+    edges = [0.0]
     for xi in law.breaks:
-        if kept[-1] + INSIDE < xi < 1.0 - INSIDE:
-            kept.append(xi)
-    return np.array([*kept, 1.0])
+        if edges[-1] + INSIDE < xi < 1.0 - INSIDE:
+            edges.append(xi)
+    return np.array([*edges, 1.0])
 
 
 def velocity_extremes(law: Law) -> Array:
@@ -108,7 +108,7 @@ def law_pieces(law: Law, whole: bool = False) -> list[PlacedPiece]:
     """Return the pieces of a law that begin before its end, cut at peaks of the acceleration unless ``whole``."""
     pieces = law.as_pieces() if whole else law.monotone_pieces()
     placed = placed_pieces(pieces, law.entry_velocity)
-    return [one for one in placed if one.begin <= 1.0 - BREAK_TOLERANCE]
+    return [place for place in placed if place.begin <= 1.0 - BREAK_TOLERANCE]
 
 
 INTERVALS = 96  # between points, at most
@@ -136,8 +136,8 @@ def inversion_points(law: Law) -> InversionPoints:
     share = np.where(k >= n * len(pieces), 1.0, (1.0 - np.cos(np.pi * (k % n) / n)) / 2.0)
     begins, durations = (np.array(each) for each in zip(*((p.begin, p.piece.duration) for p in pieces), strict=True))
     xi = np.minimum(begins[piece - 1] + share * durations[piece - 1], 1.0)
-    found = law.evaluate(xi)
-    return InversionPoints(n, piece.astype(float), share, xi, found.s, found.v)
+    motion = law.evaluate(xi)
+    return InversionPoints(n, piece.astype(float), share, xi, motion.s, motion.v)
 
 
 class PointInversion(NamedTuple):
@@ -172,10 +172,10 @@ def point_inversion(law: Law, heights: Array) -> PointInversion:
     inside = ~(on_low | on_high)
     root = np.sqrt(low.v**2 + 2.0 * a * over, out=np.ones_like(over), where=inside)
     near = np.select([on_low, on_high], [low.xi, high.xi], low.xi + 2.0 * over / (low.v + root))
-    found = law.evaluate(near)
+    motion = law.evaluate(near)
     moving = np.minimum(low.v, high.v) > REST
-    correction = np.divide(heights - found.s, found.v, out=np.zeros_like(over), where=moving)
-    return PointInversion(heights, (k + 1).astype(float), low, high, over, a, near, found.s, found.v, correction)
+    correction = np.divide(heights - motion.s, motion.v, out=np.zeros_like(over), where=moving)
+    return PointInversion(heights, (k + 1).astype(float), low, high, over, a, near, motion.s, motion.v, correction)
 
 
 def inverse_by_points(law: Law, heights: Array) -> Array:
@@ -204,7 +204,7 @@ class LawJoint(NamedTuple):
 
 def law_joints(law: Law, pieces: Sequence[Piece]) -> tuple[LawJoint, ...]:
     """Return the joints at which each of a law's pieces begins, and the rest after the last one, of duration 1."""
-    found: list[LawJoint] = []
+    joints: list[LawJoint] = []
     scales = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca
     before, ended = 0, (0.0, 0.0, 0.0)
     for k, (piece, _, _, v, _, dv) in enumerate(placed_pieces((*pieces, Piece(1.0)), law.start.v), 1):
@@ -216,10 +216,10 @@ def law_joints(law: Law, pieces: Sequence[Piece]) -> tuple[LawJoint, ...]:
         order = next((n for n, jumped in enumerate(jumps) if jumped), SMOOTH)
         angles = piece.omega * piece.duration + piece.phase, piece.omega2 * piece.duration + piece.phase2
         outer = lasts and (behind or before == 0)
-        found.append(LawJoint(piece.duration, angles, begin, end, before, jump, order, outer))
+        joints.append(LawJoint(piece.duration, angles, begin, end, before, jump, order, outer))
         if lasts:
             before, ended = k, end
-    return tuple(found)
+    return tuple(joints)
 
 
 def continuity(joints: Sequence[LawJoint]) -> tuple[int, int]:

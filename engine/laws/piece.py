@@ -168,11 +168,11 @@ def placed_pieces(pieces: Sequence[Piece], v: float = 0.0) -> list[PlacedPiece]:
         return []
     durations, rows = np.array([piece.duration for piece in pieces]), np.array([piece.row for piece in pieces]).T
     gained, rates, _, _ = gains(durations, rows)
-    found, s = [], 0.0
+    places, s = [], 0.0
     for piece, begin, ds, dv in zip(pieces, begins(pieces), gained.tolist(), rates.tolist(), strict=True):
-        found.append(PlacedPiece(piece, begin, s, v, v * piece.duration + ds, dv))
-        s, v = s + found[-1].ds, v + dv
-    return found
+        places.append(PlacedPiece(piece, begin, s, v, v * piece.duration + ds, dv))
+        s, v = s + places[-1].ds, v + dv
+    return places
 
 
 class Located(NamedTuple):

@@ -96,14 +96,14 @@ class Groups(NamedTuple):
 def groups(pieces: Sequence[Piece]) -> Groups:
     """Return the sums of the pieces that gain and of those that lose velocity, and the factors that normalize them."""
     whole, sizes = math.fsum(piece.duration for piece in pieces), [_size(piece) for piece in pieces]
-    found = []
+    gains = []
     for place in placed_pieces(pieces):
         left = whole - place.begin - place.piece.duration
-        found.append((place.ds - place.v * place.piece.duration + place.dv * left, place.dv))
+        gains.append((place.ds - place.v * place.piece.duration + place.dv * left, place.dv))
     largest = max(sizes, default=0.0)
     least, least_under = NONE * largest, ALIKE * largest**2
-    slows = [v < -least for _, v in found]
-    grouped = [[gain for gain, slow in zip(found, slows, strict=True) if slow == side] for side in (False, True)]
+    slows = [v < -least for _, v in gains]
+    grouped = [[gain for gain, slow in zip(gains, slows, strict=True) if slow == side] for side in (False, True)]
     (s1, v1), (s2, v2) = ([math.fsum(s for s, _ in group), math.fsum(v for _, v in group)] for group in grouped)
     under = s1 * v2 - s2 * v1
     if any(slows) or v1 > least:
@@ -112,7 +112,7 @@ def groups(pieces: Sequence[Piece]) -> Groups:
         common = 1.0 / s1 if s1 > ALIKE * largest else 0.0
         factors = common, common
     mends = min(factors) > ALIKE * max(factors)
-    return Groups(found, sizes, slows, s1, v1, s2, v2, least, under, least_under, factors, mends)
+    return Groups(gains, sizes, slows, s1, v1, s2, v2, least, under, least_under, factors, mends)
 
 
 def normalized(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
@@ -122,11 +122,11 @@ def normalized(pieces: Sequence[Piece]) -> tuple[Piece, ...]:
     s(1) and v(1), α S⁺ + β S⁻ = 1 and α V⁺ + β V⁻ = 0. If v(1) = 0 already, both are 1/s(1).
     Raises ValueError if there are no positive factors: for a law that only speeds up, or moves away from its rise.
     """
-    found = groups(pieces)
-    if not found.mends:
+    grouped = groups(pieces)
+    if not grouped.mends:
         raise ValueError("no factors bring the own law to rest at its rise; expected it to speed up, then slow down")
-    up, down = found.factors
-    factors = [down if slow else up for slow in found.slows]
+    up, down = grouped.factors
+    factors = [down if slow else up for slow in grouped.slows]
     return tuple(piece.scaled(factor) for piece, factor in zip(pieces, factors, strict=True))
 
 

@@ -32,12 +32,12 @@ class PieceEnds(NamedTuple):
 
 def piece_ends(pieces: Sequence[Piece]) -> list[PieceEnds]:
     """Return the accelerations at the ends of consecutive pieces that follow rest."""
-    found, reached = [], 0.0
+    ends, reached = [], 0.0
     for piece in pieces:
         begin, end = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])[2].tolist()
         jump, reached = (abs(begin - reached), end) if piece.duration > 0.0 else (0.0, reached)
-        found.append(PieceEnds(begin, end, reached, jump))
-    return found
+        ends.append(PieceEnds(begin, end, reached, jump))
+    return ends
 
 
 POINTS = 9  # of a piece, with both its ends
@@ -82,13 +82,13 @@ class Points:
         f0, g0, h = np.roll(f, 1), np.roll(g, 1), self.u - np.roll(self.u, 1)
         crosses = self.crosses(what)
         over = np.where(crosses, g0 - g, 1.0)
-        found = np.where(crosses, (g0 * f - g * f0 - g0 * g * h / 2.0) / over, f)
-        return np.where(self.part > 0.0, found, 0.0)
+        extremes = np.where(crosses, (g0 * f - g * f0 - g0 * g * h / 2.0) / over, f)
+        return np.where(self.part > 0.0, extremes, 0.0)
 
     def extremes(self, what: str) -> tuple[float, float]:
         """Return the lowest and the largest value of a quantity of :data:`SLOPES`; 0 counts, the value at rest."""
-        found = self.local_extremes(what)
-        return min(0.0, float(found.min())), max(0.0, float(found.max()))
+        extremes = self.local_extremes(what)
+        return min(0.0, float(extremes.min())), max(0.0, float(extremes.max()))
 
     @cached_property
     def fastest_xi(self) -> Array:
@@ -111,8 +111,8 @@ class Points:
         v, crest = self.rates["v"], self.local_extremes("v")
         before = np.roll(v, 1)
         falls, rises = np.maximum(before, crest) - v, v - np.maximum(before, crest)
-        found = np.maximum(0.0, np.where(self.xi <= self.peak + SAME, falls, rises))
-        return np.where((self.share > 0.0) & (self.part > 0.0), found, 0.0)
+        wrong = np.maximum(0.0, np.where(self.xi <= self.peak + SAME, falls, rises))
+        return np.where((self.share > 0.0) & (self.part > 0.0), wrong, 0.0)
 
     @property
     def coefficients(self) -> Coefficients:

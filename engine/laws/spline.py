@@ -205,8 +205,8 @@ class SplineTable:
             "v": (velocities[:-1], end.v), "v1": (velocities[1:], end.v), "a": (moments[:-1], moments[-1]),
             "a1": (moments[1:], moments[-1]), "j": (rates[4], 0.0),
         }  # fmt: skip
-        found = {name: np.array(self.filled(values, spare)) for name, (values, spare) in begun.items()}
-        d, y, y1, v, v1, a, a1, j = (found[name] for name in ("d", "y", "y1", "v", "v1", "a", "a1", "j"))
+        columns = {name: np.array(self.filled(values, spare)) for name, (values, spare) in begun.items()}
+        d, y, y1, v, v1, a, a1, j = (columns[name] for name in ("d", "y", "y1", "v", "v1", "a", "a1", "j"))
         w = a**2 - 2.0 * j * v
         third = np.sqrt(np.maximum(0.0, w) / 3.0)
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -220,7 +220,7 @@ class SplineTable:
         falls = _rising_zeros(-v, -v1, -a, -j, -high, -low, self.still)
         turns = [y + u * (4.0 * v + a * u) / 6.0 for u in (rises, falls)]
         powers = [v * a, v1 * a1, plus, minus]
-        return found | {
+        return columns | {
             "w": w, "v_low": low, "v_high": high, "third": third, "va_plus": plus, "va_minus": minus,
             "va_low": np.min(powers, axis=0), "va_high": np.max(powers, axis=0), "rises": rises, "falls": falls,
             "s_low": np.min([y, y1, turns[0]], axis=0), "s_high": np.max([y, y1, turns[1]], axis=0),

@@ -73,11 +73,11 @@ class Handover:
     @cached_property
     def halves(self) -> tuple[float, float]:
         """Factors of its law in both halves, in units of y, besides the end velocities; 0 of a polynomial."""
-        made, law = self.phase.law, self.phase.named
+        joined, law = self.phase.law, self.phase.named
         if not self.ended:
             return self.phase.lift, self.phase.lift
-        if self.mode == PULSES and isinstance(made, PulseLaw) and isinstance(law, PulseLaw):
-            return made.acceleration / law.acceleration, made.deceleration / law.deceleration
+        if self.mode == PULSES and isinstance(joined, PulseLaw) and isinstance(law, PulseLaw):
+            return joined.acceleration / law.acceleration, joined.deceleration / law.deceleration
         return 0.0, 0.0
 
     @property
@@ -142,12 +142,12 @@ class Handover:
         return law.top / self.phase.duration if self.mode == PULSES and isinstance(law, PulseLaw) else 0.0
 
 
-def handovers(found: JoinedMotion, through: Mapping[int, Rates], periodic: bool) -> tuple[Handover, ...]:
+def handovers(joined: JoinedMotion, through: Mapping[int, Rates], periodic: bool) -> tuple[Handover, ...]:
     """Return the handover of each phase of a joined motion.
 
     Parameters
     ----------
-    found : JoinedMotion
+    joined : JoinedMotion
     through : mapping of int to Rates
         The prescribed rates, as :func:`join_phases` takes them.
     periodic : bool
@@ -157,14 +157,14 @@ def handovers(found: JoinedMotion, through: Mapping[int, Rates], periodic: bool)
     -------
     tuple of Handover
     """
-    slopes = [slope(phase) for phase in found.motion.phases]
-    reasons = {fault.phase: fault.reason for fault in found.faults if slopes[fault.phase] is None}
+    slopes = [slope(phase) for phase in joined.motion.phases]
+    reasons = {fault.phase: fault.reason for fault in joined.faults if slopes[fault.phase] is None}
 
     def contrary(k: int) -> bool:
         beside = slopes[k], slopes[k - 1] if k or periodic else None
         return k in through and any(rate is not None and not agrees(through[k], rate) for rate in beside)
 
-    both = zip(found.motion.phases, found.required, found.kinds, strict=True)
+    both = zip(joined.motion.phases, joined.required, joined.kinds, strict=True)
     return tuple(
         Handover(phase, *asked, kinds, reasons.get(k, ""), through.get(k), contrary(k))
         for k, (phase, asked, kinds) in enumerate(both)

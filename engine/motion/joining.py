@@ -99,7 +99,7 @@ def join_phases(
         The motion with a fault for each phase that cannot meet its conditions; no error is raised for these.
     """
     entered = dict(through or {})
-    made, faults, kinds, asked = [], [], [], []
+    joined, faults, kinds, asked = [], [], [], []
     for k, phase in enumerate(phases):
         following = (k + 1) % len(phases) if periodic else k + 1
         before = phases[k - 1] if k or periodic else None
@@ -107,20 +107,20 @@ def join_phases(
         here, there = entered.get(k), entered.get(following)
         constant = slope(phase)
         if constant is not None:
-            made.append(phase)
+            joined.append(phase)
             faults += [Fault(k, reason) for reason in _contradictions(constant, (here, there))]
             kinds.append((kind(abs(constant) and 1.0, 0.0),) * 2)
             asked.append((EndCondition(Rates(constant), True, False),) * 2)
             continue
         sides = _side(before, here), _side(after, there)
         try:
-            made.append(_between(phase, *sides))
+            joined.append(_between(phase, *sides))
         except EndError as error:
-            made.append(phase)
+            joined.append(phase)
             faults.append(Fault(k, str(error)))
-        kinds.append(_kinds(made[-1], sides))
+        kinds.append(_kinds(joined[-1], sides))
         asked.append(sides)
-    return JoinedMotion(Motion(made, start, position), tuple(faults), tuple(kinds), tuple(asked))
+    return JoinedMotion(Motion(joined, start, position), tuple(faults), tuple(kinds), tuple(asked))
 
 
 def _side(neighbour: Phase | None, entered: Rates | None) -> EndCondition:
@@ -143,10 +143,10 @@ def _between(phase: Phase, begin: EndCondition, end: EndCondition) -> Phase:
         law = law.with_open_ends(begin.open, end.open)
     v, a, j = ((at0 * d**n, at1 * d**n) for n, (at0, at1) in enumerate(zip(first, last, strict=True), 1))
     ends = BoundaryValues(phase.lift, *v, *a, *j)
-    made, _ = law_with_ends(law, ends)
+    joined, _ = law_with_ends(law, ends)
     if ends.at_rest:
-        return Phase(made, phase.lift, d)
-    return BoundaryPhase(BoundaryLine(ends=ends) if ends.straight else made, phase.lift, d, phase.law)
+        return Phase(joined, phase.lift, d)
+    return BoundaryPhase(BoundaryLine(ends=ends) if ends.straight else joined, phase.lift, d, phase.law)
 
 
 def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[str]:
@@ -219,7 +219,7 @@ def joints(
     -------
     tuple of Joint
     """
-    found: list[Joint] = []
+    listed: list[Joint] = []
     asked = ORDERS.index(smooth) + 1
     whole = spans or [(0.0, piece.duration) for piece in pieces]
     lasting = [(piece, span) for piece, span in zip(pieces, whole, strict=True) if piece.duration > 0.0]
@@ -236,8 +236,8 @@ def joints(
             before = Joint(piece.begin, before.piece_count + 1, piece.phase, end, previous.phase, jump, order)
         else:
             before = before._replace(x=piece.begin, before=-1, jump=Rates(), order=0)
-        found.append(before)
-    return tuple(found)
+        listed.append(before)
+    return tuple(listed)
 
 
 def _ends(piece: MotionPiece, span: tuple[float, float]) -> tuple[Rates, Rates]:
@@ -268,5 +268,5 @@ def shortfalls(motion: Motion, smooth: Smoothness, periodic: bool = True) -> tup
     tuple of Joint
         Those at which it jumps.
     """
-    found = joints(motion_pieces(motion), scales_of(motion), smooth, periodic)
-    return tuple(joint for joint in found if joint.order)
+    every = joints(motion_pieces(motion), scales_of(motion), smooth, periodic)
+    return tuple(joint for joint in every if joint.order)

@@ -112,17 +112,17 @@ class Motion:
     @cached_property
     def peaks(self) -> MotionValues[float]:
         """Largest |h|, |y'|, |y''| and |y'''| of any phase, exact by the laws' coefficients."""
-        found = [(abs(p.lift), p.y1_max, p.y2_max, p.y3_max) for p in self.phases]
-        return MotionValues(*map(max, zip(*found, strict=True)))
+        peaks = [(abs(p.lift), p.y1_max, p.y2_max, p.y3_max) for p in self.phases]
+        return MotionValues(*map(max, zip(*peaks, strict=True)))
 
     @cached_property
     def reaches(self) -> tuple[tuple[float, float], ...]:
         """The lowest and the highest position of each phase."""
-        found = []
+        reaches = []
         for phase, y in zip(self.phases, self._begins.tolist(), strict=True):
             ends = [y + phase.scale * s for s in reach(phase.law)]
-            found.append((min(ends), max(ends)))
-        return tuple(found)
+            reaches.append((min(ends), max(ends)))
+        return tuple(reaches)
 
     @property
     def reach(self) -> tuple[float, float]:
@@ -158,8 +158,8 @@ class Motion:
         at = np.asarray(x, dtype=np.float64)
         flat = at.reshape(-1)
         require_within(float(self.edges[0]), float(self.edges[-1]), x=flat)
-        found = np.searchsorted(self.edges, flat + self.tolerance, side="right") - 1
-        index = np.clip(found, 0, len(self.phases) - 1)
+        after = np.searchsorted(self.edges, flat + self.tolerance, side="right") - 1
+        index = np.clip(after, 0, len(self.phases) - 1)
         durations = np.array([p.duration for p in self.phases])
         xi = np.clip((flat - self.edges[index]) / durations[index], 0.0, 1.0)
         table = np.empty((4, flat.size))
@@ -225,7 +225,7 @@ def motionlaw(
     if n < 2:
         raise ValueError(f"n is {n}; expected at least 2 samples")
     settings = [None] * len(laws) if parameters is None else parameters
-    made = (law(name, **(more or {})) for name, more in zip(laws, settings, strict=True))
-    motion = Motion(phases_of(zip(made, lifts, durations, strict=True)))
+    laws_of_phases = (law(name, **(more or {})) for name, more in zip(laws, settings, strict=True))
+    motion = Motion(phases_of(zip(laws_of_phases, lifts, durations, strict=True)))
     abscissa = np.linspace(0.0, motion.total, n)
     return MotionSamples(abscissa, *motion.at(abscissa))

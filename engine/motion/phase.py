@@ -101,10 +101,10 @@ class PhaseEnds(NamedTuple):
 
 def phases_of(rows: Iterable[tuple[Law, float, float]]) -> list[Phase]:
     """Return phases of laws, lifts and durations. Raises ValueError with the number of an impossible one, from 1."""
-    made = []
+    phases = []
     for number, row in enumerate(rows, 1):
         try:
-            made.append(Phase(*row))
+            phases.append(Phase(*row))
         except ValueError as error:
             raise ValueError(f"phase {number}: {error}") from None
-    return made
+    return phases

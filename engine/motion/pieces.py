@@ -97,11 +97,11 @@ def _piece(of: ScaledLaw, phase: int, number: int, placed: PlacedPiece) -> Motio
 
 def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
     """Return the pieces of a motion, phase by phase, in order of the abscissa; ``whole`` as in :func:`law_pieces`."""
-    found: list[MotionPiece] = []
+    pieces: list[MotionPiece] = []
     for k, (phase, at) in enumerate(zip(motion.phases, motion.ends, strict=True)):
         scaled = ScaledLaw(phase.law, phase.scale, phase.duration, float(motion.edges[k]), at.begin.y)
-        found += scaled.pieces(k, whole)
-    return found
+        pieces += scaled.pieces(k, whole)
+    return pieces
 
 
 class Located(NamedTuple):

@@ -38,8 +38,8 @@ class CamProfile:
 
     def index(self, x: Array, left: bool = False) -> NDArray[np.intp]:
         """Return the number of the piece at each x; at a break the one after it, or with ``left`` the one before it."""
-        found = np.searchsorted(self.edges, x, side="left" if left else "right") - 1
-        return np.clip(found, 0, len(self.origins) - 1)
+        after = np.searchsorted(self.edges, x, side="left" if left else "right") - 1
+        return np.clip(after, 0, len(self.origins) - 1)
 
     def at(self, x: Array, left: bool = False) -> MotionValues[Array]:
         """Return y, y', y'', y''' at x; at a jump the value after it, or with ``left`` the one before it."""
@@ -61,18 +61,18 @@ class CamProfile:
         array (terms, n)
         """
         u, c, sines = x - self.origins[k], self.c[k].T, self.sines[k]
-        found = np.zeros((terms, x.size))
+        values = np.zeros((terms, x.size))
         for power in range(min(terms, len(c))):
             value = np.zeros(x.size)
             for higher in range(len(c) - 1, power - 1, -1):
                 value = value * u + math.comb(higher, power) * c[higher]
-            found[power] = value
+            values[power] = value
         for a, w, phi in np.moveaxis(sines, 1, 0).transpose(0, 2, 1):
             size = a.copy()
             for power in range(terms):
-                found[power] += size * np.sin(w * u + phi + power * math.pi / 2.0)
+                values[power] += size * np.sin(w * u + phi + power * math.pi / 2.0)
                 size = size * w / (power + 1)
-        return found
+        return values
 
     def in_units(self, x: float, y: float) -> Self:
         """Return it in other units: ``x`` and ``y`` are what its units of abscissa and position are in them."""
@@ -93,9 +93,9 @@ class CamProfile:
         c[:, 0] -= np.repeat([whole + 1, whole], len(self.c)) * travel
         edges, origins = (np.concatenate([x + by - total, x + by]) for x in (self.edges[:-1], self.origins))
         ends = np.append(edges[1:], end + by)
-        kept = (ends > begin + SAME * total) & (edges < end - SAME * total)
-        edges = np.concatenate([[begin], edges[kept][1:], [end]])
-        return type(self)(edges, origins[kept], c[kept], np.concatenate([self.sines, self.sines])[kept])
+        inside = (ends > begin + SAME * total) & (edges < end - SAME * total)
+        edges = np.concatenate([[begin], edges[inside][1:], [end]])
+        return type(self)(edges, origins[inside], c[inside], np.concatenate([self.sines, self.sines])[inside])
 
 
 def profile_of(pieces: Sequence[MotionPiece], end: float) -> CamProfile:
@@ -103,13 +103,13 @@ def profile_of(pieces: Sequence[MotionPiece], end: float) -> CamProfile:
     lasting = [piece for piece in pieces if piece.duration > 0.0]
     ends = [*(piece.begin for piece in lasting[1:]), np.inf]
     least = SAME * abs(end - lasting[0].begin)
-    kept = [piece for piece, after in zip(lasting, ends, strict=True) if after - piece.begin > least]
-    c, sines = np.array([piece.c for piece in kept]), np.array([piece.sines for piece in kept])
+    lasting_pieces = [piece for piece, after in zip(lasting, ends, strict=True) if after - piece.begin > least]
+    c, sines = np.array([piece.c for piece in lasting_pieces]), np.array([piece.sines for piece in lasting_pieces])
     sines[sines[:, :, 0] == 0.0] = 0.0
     sines = sines[:, sines.any(axis=(0, 2))]
-    edges = np.array([*(piece.begin for piece in kept), end])
+    edges = np.array([*(piece.begin for piece in lasting_pieces), end])
     last = int(np.flatnonzero(c.any(axis=0)).max(initial=0))
-    return CamProfile(edges, np.array([piece.origin for piece in kept]), c[:, : last + 1], sines)
+    return CamProfile(edges, np.array([piece.origin for piece in lasting_pieces]), c[:, : last + 1], sines)
 
 
 def profile_of_motion(motion: Motion) -> CamProfile:

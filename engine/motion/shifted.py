@@ -51,8 +51,8 @@ class Shifted:
         return self._at(self.unshifted(x))
 
     def _at(self, at: Unshifted) -> MotionValues[Array]:
-        found = self.motion.at(at.x)
-        return found._replace(y=found.y + at.cycles * self.motion.lifts_sum)
+        values = self.motion.at(at.x)
+        return values._replace(y=values.y + at.cycles * self.motion.lifts_sum)
 
     def breaks(self) -> Array:
         """Return the abscissae at which its pieces begin, within the cycle."""

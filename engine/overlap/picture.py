@@ -38,11 +38,11 @@ class Scene:
     def __init__(self, stations: Sequence[Station]) -> None:
         self.transfer = stations[0].transfer
         pitch = self.transfer.stroke
-        self.strokes = np.array([one.tool.stroke for one in stations], dtype=np.float64)
+        self.strokes = np.array([station.tool.stroke for station in stations], dtype=np.float64)
         self.middles = pitch * STEP * np.arange(len(stations), dtype=np.float64)  # x of the stations
         # openings of the transfer at the stations: a tool's width, and on both sides the remaining part of the stroke
-        self.openings = pitch * (WIDTH + 2.0 * np.array([one.passage.remaining for one in stations]))
-        self.tops = np.array([max(one.tool.stroke - one.passage.clearance, 0.0) for one in stations])  # h − c
+        self.openings = pitch * (WIDTH + 2.0 * np.array([station.passage.remaining for station in stations]))
+        self.tops = np.array([max(of.tool.stroke - of.passage.clearance, 0.0) for of in stations])  # h − c
 
     def punch(self, i: int, travel: float) -> Outline:
         """Return the outline of the ``i``-th tool, from 0, after a travel (m)."""

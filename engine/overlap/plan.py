@@ -135,8 +135,8 @@ class Station:
         free = FULL_TURN - occupied - self.tool.dwell
         if free <= 0.0:
             taken, dwell = math.degrees(occupied), math.degrees(self.tool.dwell)
-            said = f"transfer ({taken:g} degrees) and dwell ({dwell:g} degrees) leave the tool no angle of 360"
-            raise ValueError(said)
+            message = f"transfer ({taken:g} degrees) and dwell ({dwell:g} degrees) leave the tool no angle of 360"
+            raise ValueError(message)
         return free
 
     def _ways(self, margin: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
@@ -147,12 +147,12 @@ class Station:
             self.left.both * np.array([[split], [1.0 - split]]),
         )
         way = np.divide(free, rest, out=np.full(rest.shape, np.inf), where=rest > 0.0)
-        found = np.minimum(way, most) - self.passage.allowance
-        if found.min() <= 0.0:
+        ways = np.minimum(way, most) - self.passage.allowance
+        if ways.min() <= 0.0:
             raise ValueError(
                 f"an allowance of {math.degrees(self.passage.allowance):g} degrees leaves the tool no angle"
             )
-        return found[0], found[1], (way > most).any(axis=0)
+        return ways[0], ways[1], (way > most).any(axis=0)
 
 
 def colliding(free: Array, stroke: Array) -> NDArray[np.bool_]:

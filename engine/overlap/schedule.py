@@ -185,9 +185,9 @@ def within_turn(angle: Array) -> Array:
 
 def whole_turn(parts: Sequence[ScaledLaw], position: float = 0.0) -> Motion:
     """Return the motion of the parts of any duration, which fill one turn; raise ValueError if they take more."""
-    kept = [part for part in parts if part.duration > 0.0]
-    edges = np.cumsum([0.0, *(part.duration for part in kept)])
+    lasting = [part for part in parts if part.duration > 0.0]
+    edges = np.cumsum([0.0, *(part.duration for part in lasting)])
     if edges[-1] > FULL_TURN + ANGLE_TOLERANCE:
         raise ValueError(f"the movements take {math.degrees(edges[-1]):g} degrees; expected at most 360")
     edges[-1] = FULL_TURN
-    return Motion.from_edges(edges, [part.h for part in kept], [part.law for part in kept], position)
+    return Motion.from_edges(edges, [part.h for part in lasting], [part.law for part in lasting], position)

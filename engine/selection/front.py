@@ -13,11 +13,11 @@ def front(points: ArrayLike) -> NDArray[np.intp]:
     values = np.asarray(points, dtype=np.float64)
     if not values.size:
         return np.zeros(0, dtype=np.intp)
-    left, kept = np.lexsort(values.T[::-1]), []
+    left, indices = np.lexsort(values.T[::-1]), []
     if values.shape[1] == 2:  # at once, as there may be very many
         second = values[left, 1]
         return np.asarray(left[np.append(True, second[1:] < np.minimum.accumulate(second)[:-1])])
     while left.size:  # of points so sorted none beats the first
-        kept.append(left[0])
+        indices.append(left[0])
         left = left[(values[left] < values[left[0]]).any(axis=1)]
-    return np.array(kept)
+    return np.array(indices)

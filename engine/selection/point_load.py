@@ -169,13 +169,13 @@ class DriveBatch:
     @cached_property
     def extremes(self) -> Extremes:
         """Extremes over the cycle."""
-        place, found = self.load.load.x, []
+        place, extremes = self.load.load.x, []
         for some, torque, speed, power in self._parts():
             peak, knee, fall, _ = (values[some, None] for values in self.limits)
             left = peak - fall * np.maximum(0.0, np.abs(speed) - knee) - np.abs(torque)
             each = (-tops(-torque, place), tops(torque, place), -tops(-power, place), tops(power, place))
-            found.append((*each, left.min(axis=1)))
-        return Extremes(*(np.concatenate(values) for values in zip(*found, strict=True)))
+            extremes.append((*each, left.min(axis=1)))
+        return Extremes(*(np.concatenate(values) for values in zip(*extremes, strict=True)))
 
     def works(self, time: float) -> Energy:
         """Return the energy of each motor over a cycle of a time (s)."""

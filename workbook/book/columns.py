@@ -90,14 +90,14 @@ def pattern_of(open_text: str, formula: Formula, row: int) -> Pattern | None:
     arguments: list[Area | str | Moving] = []
     left_open = open_text.count(HERE) + open_text.count(ABOVE)
     for argument, word in zip(formula.arguments, formula.written, strict=True):
-        found = None if isinstance(argument, str) else MOVING.fullmatch(opened(word, row))
-        offsets = [{HERE: 0, ABOVE: -1}.get(digits) for digits in (found.groups() if found else ())]
+        match = None if isinstance(argument, str) else MOVING.fullmatch(opened(word, row))
+        offsets = [{HERE: 0, ABOVE: -1}.get(digits) for digits in (match.groups() if match else ())]
         moves = len(offsets) - offsets.count(None)
         left_open -= moves
         if moves and isinstance(argument, Area):
-            top, bottom = offsets if found and found[2] else (offsets[0], offsets[0])
+            top, bottom = offsets if match and match[2] else (offsets[0], offsets[0])
             rows = [int(digits) for digits in re.findall(r"[A-Za-z]\$?([0-9]+)(?=:|$)", word)]
-            if found and found[2] and rows != [argument.top, argument.bottom]:
+            if match and match[2] and rows != [argument.top, argument.bottom]:
                 return None  # written from the lower corner to the upper one
             arguments.append(Moving(argument, top, bottom))
         else:
@@ -130,8 +130,8 @@ def tree(shape: str) -> Node:
 class Reader:
     """Takes words from the front of a formula."""
 
-    def __init__(self, found: list[tuple[str, str]]) -> None:
-        self.left = found
+    def __init__(self, formula: list[tuple[str, str]]) -> None:
+        self.left = formula
 
     def next(self) -> tuple[str, str]:
         """Take the next word; raise FormulaError at the end."""
@@ -180,10 +180,10 @@ class Reader:
 
     def arguments(self) -> tuple[Node, ...]:
         """Return the arguments of a call, whose bracket is open; nothing between commas is an empty one."""
-        found: list[Node] = []
+        arguments: list[Node] = []
         while not self.sees(")"):
-            found.append(Node("other") if self.sees(",") else self.level(0))
+            arguments.append(Node("other") if self.sees(",") else self.level(0))
             if not self.sees(")"):
                 self.next()
         self.next()
-        return tuple(found)
+        return tuple(arguments)

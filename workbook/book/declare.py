@@ -79,13 +79,13 @@ class Book:
         ``fixed`` is ``$`` where columns stay the same as the formula is copied to the right. KeyError: no such name.
         """
 
-        def reference(found: re.Match[str]) -> str:
-            first, second, end = found.groups()
+        def reference(match: re.Match[str]) -> str:
+            first, second, end = match.groups()
             if second is None or second == "-1":
                 row = "{0}" if second is None else "{1[-1]}"
                 return ":".join(f"{fixed}{get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
             block = self.blocks[first]
-            ends_range = text[found.start() - 1 : found.start()] == ":"  # its first corner names the sheet
+            ends_range = text[match.start() - 1 : match.start()] == ":"  # its first corner names the sheet
             prefix = "" if ends_range or block.sheet is at.sheet else quoted(block.sheet.title) + "!"
             if end == ".same":
                 row = f"{{1[{block.row - at.row}]}}"

@@ -25,7 +25,7 @@ class Dependence:
             at = Address(title, cell.row, cell.column)
             if cell.quantity.formula is not None:
                 formula = readers[title].read(cell.content, cell.row)
-                for area in {one for one in formula.arguments if isinstance(one, Area)}:
+                for area in {argument for argument in formula.arguments if isinstance(argument, Area)}:
                     if area.size == 1:
                         self._by_cell[area.first].append(at)
                     else:
@@ -34,7 +34,7 @@ class Dependence:
 
     def on(self, changed: Iterable[Address], known: Collection[Address] = ()) -> set[Address]:
         """Return the formula cells that depend on ``changed``; the search stops at those that are ``known``."""
-        found: set[Address] = set()
+        reached: set[Address] = set()
         waiting = list(changed)
         seen = set(waiting)
         while waiting:
@@ -44,6 +44,6 @@ class Dependence:
             for reader in [*self._by_cell.get(at, ()), *readers]:
                 if reader not in seen and reader not in known:
                     seen.add(reader)
-                    found.add(reader)
+                    reached.add(reader)
                     waiting.append(reader)
-        return found
+        return reached

@@ -173,10 +173,10 @@ def meant(kind: str | None, word: str, sheet: str, area: Resolve) -> Area | str:
 
 def reference(text: str, sheet: str, area: Resolve) -> Area:
     """Return the cell or range that a reference on ``sheet`` means."""
-    found = REFERENCE.fullmatch(text)
-    if found is None:
+    match = REFERENCE.fullmatch(text)
+    if match is None:
         raise FormulaError("#NAME?", f"{text} is no reference")
-    before, first, before_second, second = found.groups()
+    before, first, before_second, second = match.groups()
     title = area(f"{unquoted(before[:-1])}!", sheet).sheet if before else sheet
     top, left = corner(first)
     if second is None:

@@ -112,9 +112,9 @@ def check(
     Whether it is ``ok`` comes by other means. Where it fails, the cell beside it ``says`` why: a formula without =,
     with what it gives where the check mirrors no ``rule`` of the entries.
     """
-    text, said = says if isinstance(says, CheckSentence) else (says, "")
+    text, more = says if isinstance(says, CheckSentence) else (says, "")
     return Quantity(name, label, "", "", "check", f'=IF({condition},"OK","FAIL")', "OK" if ok else "FAIL",
-                    source=source, rule=rule, says=text, said=said)  # fmt: skip
+                    source=source, rule=rule, says=text, said=more)  # fmt: skip
 
 
 def sentence(q: Quantity) -> Quantity:

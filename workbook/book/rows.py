@@ -8,16 +8,16 @@ from typing import Any
 
 def filled(values: Any, rows: int, spare: Any = 0.0) -> list[Any]:
     """Return values as a column of a table, ``spare`` in the rows below them."""
-    found = values.tolist() if hasattr(values, "tolist") else list(values)
-    return [*found, *repeat(spare, rows - len(found))]
+    entries = values.tolist() if hasattr(values, "tolist") else list(values)
+    return [*entries, *repeat(spare, rows - len(entries))]
 
 
 def spread(values: Iterable[Any], places: Iterable[int], rows: int, spare: Any = 0.0) -> list[Any]:
     """Return values in their rows of a table, counted from 0, ``spare`` in the others."""
-    found = filled([], rows, spare)
+    cells_below = filled([], rows, spare)
     for place, value in zip(places, values, strict=True):
-        found[place] = value
-    return found
+        cells_below[place] = value
+    return cells_below
 
 
 def as_rows(value: Any, size: int, where: str) -> list[Any]:

@@ -22,7 +22,7 @@ class Sentence(str):
         if not isinstance(other, str) or _FIGURE.split(self) != _FIGURE.split(other):
             return False
         ours, theirs = ([float(n.replace(",", ".")) for n in _FIGURE.findall(text)] for text in (self, other))
-        return all(abs(one - two) <= _ROUNDED + 1e-9 * abs(one) for one, two in zip(ours, theirs, strict=True))
+        return all(abs(our - two) <= _ROUNDED + 1e-9 * abs(our) for our, two in zip(ours, theirs, strict=True))
 
 
 def figure(value: float, most: float = LARGEST) -> str:
@@ -73,8 +73,8 @@ def around(shows: str, shown: str, before: str, after: str) -> CheckSentence:
 
 def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> CheckSentence:
     """Return a sentence on a value above its limit, by formulas and engine: what it is, and by how much too large."""
-    one = amount(cell, value, "", f" {unit}, ")
-    return one.then(amount(f"{cell}-{limit}", value - most, "", f" {unit} too much"))
+    number = amount(cell, value, "", f" {unit}, ")
+    return number.then(amount(f"{cell}-{limit}", value - most, "", f" {unit} too much"))
 
 
 def shown(cell: str) -> str:

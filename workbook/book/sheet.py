@@ -132,8 +132,8 @@ class Sheet:
         for q in self._own(quantities):
             rest = q.label.removeprefix(f"{name}: ").removeprefix(f"{name}, ")
             here = q._replace(label=q.label if rest == q.label else f"{rest[0].upper()}{rest[1:]}")
-            said = sentence(here)
-            self.put(said, self.row, FIRST + 4)
+            message = sentence(here)
+            self.put(message, self.row, FIRST + 4)
             self._row(here._replace(source=""))
             self.book.checks.append((self, q))
 
@@ -181,11 +181,11 @@ class Sheet:
     def _free(self, block: Block, wide: int, runs: int) -> int:
         """Return the first column right of a table with ``wide`` free behind ``runs`` for texts, not printed if any."""
         top, end = block.row - 4, block.row + block.size
-        blocks = (one for one in self.blocks if one.row - 4 < end and top < one.row + one.size)
+        blocks = (block for block in self.blocks if block.row - 4 < end and top < block.row + block.size)
         charts = (
             range(left, left + width) for _, row, left, width, height in self.charts if row < end and top < row + height
         )
-        taken = {column for columns in (*(one.columns.values() for one in blocks), *charts) for column in columns}
+        taken = {column for columns in (*(block.columns.values() for block in blocks), *charts) for column in columns}
         behind, printed = max(block.columns.values()) + 1 + runs, self.print_columns + 1
         free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]
         return next((c for c in free if printed <= c <= MOST_COLUMNS + 1 - wide), free[0])
@@ -203,8 +203,10 @@ class Sheet:
         explained = any(q.source for q in block.quantities)
         self._heads(title, block.row - (4 if explained else 3), column, explained, quantities)
         own, name = self._own(quantities), in_scope(name, self.scope)
-        made = self._place(Block(name, self, block.row, column, own, block.size, title, blank=block.blank, lead=block))
-        block.workings = block.workings or made
+        workings = self._place(
+            Block(name, self, block.row, column, own, block.size, title, blank=block.blank, lead=block)
+        )
+        block.workings = block.workings or workings
 
     def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
         """Place a table of one column beside one without equations: as many as a size says, each with its name."""

@@ -28,12 +28,12 @@ def checks_sheet(book: Book) -> Sheet:
     sheet = book.sheet("Checks", "Every check of this book; one FAIL fails the book.")
     sheet.one_page = sheet.portrait = True
     sheet.widths, sheet.print_columns = {2: 60, 6: 90}, 6
-    found = book.checks
+    checks = book.checks
     summed = summary(book)
     sheet.heading("Results")
     sheet.rows(
         CELLS["checks_sheet"]("checks_ok", summed.holding),
-        CELLS["checks_sheet"]("checks_all", len(found)),
+        CELLS["checks_sheet"]("checks_all", len(checks)),
         CELLS["checks_sheet"]("check_zero", ZERO),
     )
     ok = summed.overall == "OK"
@@ -42,22 +42,22 @@ def checks_sheet(book: Book) -> Sheet:
     sheet.table(
         "checks",
         "Checks",
-        len(found),
-        CELLS["checks"]("what", [q.label for _, q in found]),
-        CELLS["checks"]("k", list(range(1, len(found) + 1))),
-        CELLS["checks"]("verdict", summed.verdicts, formula=[f"={q.name}" for _, q in found]),
-        CELLS["checks"]("where", [s.title for s, _ in found]),
+        len(checks),
+        CELLS["checks"]("what", [q.label for _, q in checks]),
+        CELLS["checks"]("k", list(range(1, len(checks) + 1))),
+        CELLS["checks"]("verdict", summed.verdicts, formula=[f"={q.name}" for _, q in checks]),
+        CELLS["checks"]("where", [s.title for s, _ in checks]),
         Quantity(
             "says",
             "what it is about, or where it fails and by how much",
             "",
             "",
             "sentence",
-            [f"={q.name}{SAYS}" for _, q in found],
+            [f"={q.name}{SAYS}" for _, q in checks],
             summed.sentences,
             align="left",
         ),
-        CELLS["checks"]("nth", summed.so_far, formula=["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in found[1:]]]),
+        CELLS["checks"]("nth", summed.so_far, formula=["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in checks[1:]]]),
     )
     sheet.not_printed_below()
     return sheet
@@ -76,8 +76,8 @@ class Summary(NamedTuple):
 
 def summary(book: Book) -> Summary:
     """Return the counts of the checks and their joint verdict; one that is unfinished leaves these open."""
-    said = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
-    verdicts, sentences = [verdict for verdict, _ in said], [sentence for _, sentence in said]
+    judged = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
+    verdicts, sentences = [verdict for verdict, _ in judged], [sentence for _, sentence in judged]
     known = verdicts.index(None) if None in verdicts else len(verdicts)
     so_far = list(accumulate(int(verdict != "OK") for verdict in verdicts[:known]))
     holding = verdicts.count("OK") if known == len(verdicts) else None
@@ -116,14 +116,14 @@ def group_verdicts(book: Book) -> dict[str, list[str | None]]:
 
 def failing_checks(book: Book, most: int) -> dict[str, list[str | None]]:
     """Return the first ``most`` checks that fail, by block and column of the table To mend: ``mend.says``."""
-    found = summary(book)
-    told = [
-        (sheet.title, None if said is None else Sentence(f"{q.label}: {said}"))
-        for (sheet, q), verdict, said in zip(book.checks, found.verdicts, found.sentences, strict=True)
+    facts = summary(book)
+    failing = [
+        (sheet.title, None if message is None else Sentence(f"{q.label}: {message}"))
+        for (sheet, q), verdict, message in zip(book.checks, facts.verdicts, facts.sentences, strict=True)
         if verdict != "OK"
     ][:most]
-    rows = filled(told or [(NONE, "")], most, ("", ""))
-    known = found.holding is not None
+    rows = filled(failing or [(NONE, "")], most, ("", ""))
+    known = facts.holding is not None
     columns = zip(*rows, strict=True)
     return {
         f"mend.{name}": list(column) if known else filled([], most, None)
@@ -133,18 +133,18 @@ def failing_checks(book: Book, most: int) -> dict[str, list[str | None]]:
 
 def check_cells(book: Book) -> dict[str, list[Any]]:
     """Return the values of all cells that sum up checks, by block and column: ``checks.verdict``."""
-    found = summary(book)
+    facts = summary(book)
     heads = [f"status{i}" for i in range(1, len(book.sheets) + 1)]
     return {
-        "checks.verdict": found.verdicts,
-        "checks.says": found.sentences,
-        "checks.nth": found.so_far,
+        "checks.verdict": facts.verdicts,
+        "checks.says": facts.sentences,
+        "checks.nth": facts.so_far,
         **group_verdicts(book),
-        "mend_count.mend_count": [found.failing],
+        "mend_count.mend_count": [facts.failing],
         **failing_checks(book, book.blocks["mend"].size),
-        "checks_ok.checks_ok": [found.holding],
-        "overall.overall": [found.overall],
-        **{f"{head}.{head}": [found.overall] for head in heads},
+        "checks_ok.checks_ok": [facts.holding],
+        "overall.overall": [facts.overall],
+        **{f"{head}.{head}": [facts.overall] for head in heads},
     }
 
 

@@ -35,8 +35,8 @@ def run_command() -> int:
     try:
         return int(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped
     except TyperException as error:
-        said = error.format_message().replace("Value error, ", "")  # pydantic's words
-        say(ERR, f"{said} See --help.", "red")
+        message = error.format_message().replace("Value error, ", "")  # pydantic's words
+        say(ERR, f"{message} See --help.", "red")
     except MotionbookError as error:
         for line in str(error).splitlines():
             say(ERR, line, "red")
@@ -54,5 +54,5 @@ def fault_of(error: Exception) -> str:
             Path.cwd().stat()
         except OSError:
             return "the folder in which this runs is no longer there; go to another one"
-    said = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
-    return f"motionbook failed inside ({said[:200]}); please report this"
+    message = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
+    return f"motionbook failed inside ({message[:200]}); please report this"

@@ -40,23 +40,26 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     table = read_table(file, target)
     units = as_description.units_of(text_of(file, target))
     try:
-        found = as_description.phases_of(target, table, units, share)
+        moves = as_description.phases_of(target, table, units, share)
     except np.linalg.LinAlgError as error:
         raise TargetError(f"{file}: no motion can be fitted to its points ({error})") from error
     title = f"Read from {visible(file.name)}"
     title = title if len(title) <= LONGEST else f"{title[: LONGEST - 1]}…"
-    data = as_description.compose(found, table, units, title)
+    data = as_description.compose(moves, table, units, title)
     machine = validated(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
-    say(ERR, f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(found.found)} movements")
-    for line in as_description.movement_lines(found, units):
+    say(
+        ERR,
+        f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(moves.found)} movements",
+    )
+    for line in as_description.movement_lines(moves, units):
         say(ERR, line)
-    say(ERR, as_description.require_points(found, table, TEMPLATES[machine.template].axes(machine)[0].profile, units))
-    if found.delay:
-        say(ERR, f"It begins on the way: written as an axis that is {found.delay:.9g} {units[0]} later")
+    say(ERR, as_description.require_points(moves, table, TEMPLATES[machine.template].axes(machine)[0].profile, units))
+    if moves.delay:
+        say(ERR, f"It begins on the way: written as an axis that is {moves.delay:.9g} {units[0]} later")
     step, reach = float(table.x[1] - table.x[0]), float(table.x[-1] - table.x[0])
     if units[0] == "°" and equidistant(table.x) and abs(reach + step - TURN) < NEAR * TURN:  # as of a column a degree
-        said = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
-        say(ERR, f"{said}; if it is a turn, add its end", "yellow")
+        text = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
+        say(ERR, f"{text}; if it is a turn, add its end", "yellow")
     print_or_write(write_machine(machine), output, force)
 
 
@@ -64,11 +67,11 @@ def read_switches(file: Path, source: str, output: Path | None) -> None:
     """Tell the switches of a controller's file as entries of a machine's description."""
     if output is not None:
         raise TargetError("switches alone are no machine; expected no -o: paste what is printed into a description")
-    found, rows = read_tracks(file, target_named(source)), []
-    say(ERR, f"{len(found)} switches, {sum(len(one.on) for one in found)} times of being on")
-    for one in found:
-        times = ", ".join(f"[{begin:.9g}, {end:.9g}]" for begin, end in one.on)
-        name = json.dumps(visible(one.name)[:LONGEST_NAME], ensure_ascii=False)
+    switches, rows = read_tracks(file, target_named(source)), []
+    say(ERR, f"{len(switches)} switches, {sum(len(switch.on) for switch in switches)} times of being on")
+    for switch in switches:
+        times = ", ".join(f"[{begin:.9g}, {end:.9g}]" for begin, end in switch.on)
+        name = json.dumps(visible(switch.name)[:LONGEST_NAME], ensure_ascii=False)
         rows.append(f"[[switches]]\nname = {name}\non = [{times}]\n")
     say_data("\n".join(rows))
 
@@ -100,14 +103,14 @@ def compare(
                 f"{file}: x runs from {table.x[0]:.9g} to {table.x[-1]:.9g}; {meant.name} from "
                 f"{profile.edges[0]:.9g} to {profile.edges[-1]:.9g} {meant.x_unit}: expected the same cycle"
             )
-    made = certify_table(target, table, profile)
+    certified = certify_table(target, table, profile)
     if as_json:
-        say_json(certificate_data(meant, made, target, str(file)))
+        say_json(certificate_data(meant, certified, target, str(file)))
     else:
-        show(meant, made, target)
-    if made.excess(held) <= 1.0:
+        show(meant, certified, target)
+    if certified.excess(held) <= 1.0:
         return AGREES
-    say(ERR, f"{meant.name}: {excess(made, held)}", "red")
+    say(ERR, f"{meant.name}: {excess(certified, held)}", "red")
     return DISAGREES
 
 
@@ -124,11 +127,11 @@ def compare_tracks(book: Path, lanes: Sequence[CamSwitch], file: Path, target: T
     """Compare the switches of a file with those of a book; return the exit code."""
     tappets = switch_format(target, lanes)
     pairs = list(zip(lanes, differences(lanes, read_tracks(file, target)), strict=True))
-    found = SwitchFile(pairs, "", tappets, file)
+    compared = SwitchFile(pairs, "", tappets, file)
     if as_json:
-        say_json(found.told(target))
+        say_json(compared.told(target))
     else:
-        found.show(target)
-    for line in found.beyond:
+        compared.show(target)
+    for line in compared.beyond:
         say(ERR, f"{line}: {book.name} has it elsewhere", "red")
-    return DISAGREES if found.beyond else AGREES
+    return DISAGREES if compared.beyond else AGREES

@@ -39,15 +39,15 @@ class SwitchFile(NamedTuple):
     @property
     def beyond(self) -> list[str]:
         """In a line each, what is farther off than numbers of 32 bits hold."""
-        return [f"{one.name}: an edge is off by {differs.largest:.3g} {one.x_unit}"
-                for one, differs in self.pairs if differs.largest > MOST_OFF]  # fmt: skip
+        return [f"{switch.name}: an edge is off by {differs.largest:.3g} {switch.x_unit}"
+                for switch, differs in self.pairs if differs.largest > MOST_OFF]  # fmt: skip
 
     @property
     def rows(self) -> list[list[str]]:
         """A row of texts for each switch."""
-        return [[one.name, str(differs.edges), f"{differs.largest:.3g} {one.x_unit}",
-                 f"{differs.x:.6g} {one.x_unit}" if differs.largest else "", f"{differs.duration:.3g} {one.x_unit}"]
-                for one, differs in self.pairs]  # fmt: skip
+        return [[lane.name, str(differs.edges), f"{differs.largest:.3g} {lane.x_unit}",
+                 f"{differs.x:.6g} {lane.x_unit}" if differs.largest else "", f"{differs.duration:.3g} {lane.x_unit}"]
+                for lane, differs in self.pairs]  # fmt: skip
 
     def show(self, target: Target) -> None:
         """Print how each switch differs when its file is read back."""
@@ -56,9 +56,9 @@ class SwitchFile(NamedTuple):
 
     def told(self, target: Target) -> dict[str, Any]:
         """Return the same as data."""
-        switches = [{"switch": one.name, "unit": one.x_unit, "edges": differs.edges,
+        switches = [{"switch": switch.name, "unit": switch.x_unit, "edges": differs.edges,
                      "largest": differs.largest if math.isfinite(differs.largest) else None, "at": differs.x,
-                     "apart": differs.duration} for one, differs in self.pairs]  # fmt: skip
+                     "apart": differs.duration} for switch, differs in self.pairs]  # fmt: skip
         return {"switches": switches, "target": target.name, "file": str(self.path),
                 "untested": [claim.what for claim in self.tappets.untested]}  # fmt: skip
 
@@ -68,7 +68,7 @@ def switch_format(target: Target, switches: Sequence[CamSwitch] | None = None) -
     if switches is not None and not switches:
         raise TargetError("the machine has no switches; expected some, or --axis NAME")
     if target.tappets is None:
-        taking = [one.name for one in targets() if one.tappets]
+        taking = [target.name for target in targets() if target.tappets]
         raise TargetError(f"{target.name} takes no switches; expected one of {', '.join(taking)}")
     return target.tappets
 
@@ -82,8 +82,8 @@ def export_switches(
               *(f"untested: {claim.what} ({claim.source})" for claim in tappets.untested))  # fmt: skip
     cycle, held = switches[0].switch.cycle, tracks(switches, tappets)
     text = tappets.write(SwitchExport(held, "Switches", tuple(map(visible, header)), cycle, *signs))
-    found = differences(switches, tappets.read(text))
-    return SwitchFile(list(zip(switches, found, strict=True)), text, tappets, path)
+    compared = differences(switches, tappets.read(text))
+    return SwitchFile(list(zip(switches, compared, strict=True)), text, tappets, path)
 
 
 class Options(NamedTuple):
@@ -132,10 +132,10 @@ def parse_options(
 
 def parse_tolerance(text: str) -> tuple[str, float]:
     """Return the order and the share that a tolerance such as a=1% names."""
-    found = re.fullmatch(r"([yvaj])=([0-9]+(?:\.[0-9]*)?|\.[0-9]+)%", text.strip())
-    if not found or not float(found[2]):
+    match = re.fullmatch(r"([yvaj])=([0-9]+(?:\.[0-9]*)?|\.[0-9]+)%", text.strip())
+    if not match or not float(match[2]):
         raise TargetError(f"--tolerance {text}: expected y, v, a or j and a share of its peak, as a=1%")
-    return found[1], float(found[2]) / 100.0
+    return match[1], float(match[2]) / 100.0
 
 
 def export(
@@ -165,16 +165,17 @@ def export(
     mark = verified_header(book, before, asked.unverified, fresh)
     with ERR.status("Exporting …"):
         state = (f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name)))
-        told = ", ".join([machine.title, *state])
-        found = [
-            export_axis(told, one, name, asked, mark, path) for one, name, path in zip(axes, names, paths, strict=False)
+        heading = ", ".join([machine.title, *state])
+        files = [
+            export_axis(heading, axis, name, asked, mark, path)
+            for axis, name, path in zip(axes, names, paths, strict=False)
         ]
-        turned = export_switches(told, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
-    if not show_certificates(found, turned, asked, as_json):
+        turned = export_switches(heading, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
+    if not show_certificates(files, turned, asked, as_json):
         return DISAGREES
-    page.write(report, lambda: cams.page([(one.axis, one.made) for one in found], asked.target, asked.tolerance,
+    page.write(report, lambda: cams.page([(file.axis, file.made) for file in files], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
-    for path, text in [(one.path, one.text) for one in found] + ([(turned.path, turned.text)] if turned else []):
+    for path, text in [(file.path, file.text) for file in files] + ([(turned.path, turned.text)] if turned else []):
         write_text(path, text, force)
         say(ERR if as_json else OUT, f"Wrote {path.absolute()}")
     return AGREES
@@ -189,60 +190,60 @@ def plan_export(
     """
     template = TEMPLATES[machine.template]
     known, lanes = template.axes(machine), template.switches(machine) if switches or everything else []
-    called = dict(zip((one.name for one in known), slugs([one.name for one in known]), strict=True))
+    called = dict(zip((shape.name for shape in known), slugs([shape.name for shape in known]), strict=True))
     axes = [] if switches else choose_axes(known, axis, machine.template)
     if switches:
         switch_format(asked.target, lanes)
     elif lanes and asked.target.tappets is None:
-        left = ", ".join(visible(one.name) for one in lanes)
+        left = ", ".join(visible(lane.name) for lane in lanes)
         say(ERR, f"{asked.target.name} takes no switches: {left} stay in the book", "yellow")
         lanes = []
-    names = [called[one.name] for one in axes]
+    names = [called[axis.name] for axis in axes]
     if asked.of == SHAFT:
         axes = shafts(axes, everything)
-        names = [f"{called[one.name]}_shaft" for one in axes]
-        axes = [replaced(one, name=f"{one.name}, its motor's shaft") for one in axes]
+        names = [f"{called[axis.name]}_shaft" for axis in axes]
+        axes = [replaced(axis, name=f"{axis.name}, its motor's shaft") for axis in axes]
     return axes, lanes, [*names, *(["switches"] if lanes else [])]
 
 
 def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
     """Return the angles of the motors' shafts of axes; raise TargetError for one without a drive that was named."""
-    found: list[CamAxis] = []
-    for one in axes:
-        if one.shaft is None:
-            said = f"{one.name} has no drive, and so no motor's shaft"
+    turned: list[CamAxis] = []
+    for axis in axes:
+        if axis.shaft is None:
+            message = f"{axis.name} has no drive, and so no motor's shaft"
             if not everything:
-                raise TargetError(f"{said}; expected --of load")
-            say(ERR, f"{said}: it is left out", "yellow")
+                raise TargetError(f"{message}; expected --of load")
+            say(ERR, f"{message}: it is left out", "yellow")
             continue
         try:
-            found.append(one.shaft())
+            turned.append(axis.shaft())
         except ValueError as error:
-            raise TargetError(f"{one.name}: its mechanism cannot do this motion: {error}") from None
-    return found
+            raise TargetError(f"{axis.name}: its mechanism cannot do this motion: {error}") from None
+    return turned
 
 
-def show_certificates(found: Sequence[AxisFile], turned: SwitchFile | None, asked: Options, as_json: bool) -> bool:
+def show_certificates(files: Sequence[AxisFile], turned: SwitchFile | None, asked: Options, as_json: bool) -> bool:
     """Print the certificates, what is untested, what misses a tolerance; return whether all keeps to what was asked."""
     target = asked.target
     if as_json:
-        told: list[Any] = [
-            cams.certificate_data(one.axis, one.made, target, str(one.path))
-            | {"position": cams.placing(one.axis, one.made, target)}
-            for one in found
+        certificates: list[Any] = [
+            cams.certificate_data(file.axis, file.made, target, str(file.path))
+            | {"position": cams.placing(file.axis, file.made, target)}
+            for file in files
         ]
-        say_json([*told, *([turned.told(target)] if turned else [])])
+        say_json([*certificates, *([turned.told(target)] if turned else [])])
     else:
-        for one in found:
-            cams.show(one.axis, one.made, target)
-            if line := cams.placing_line(one.axis, one.made, target):
+        for file in files:
+            cams.show(file.axis, file.made, target)
+            if line := cams.placing_line(file.axis, file.made, target):
                 say(OUT, line)
         if turned:
             turned.show(target)
-    for claim in (*(target.untested if found else ()), *(turned.tappets.untested if turned else ())):
+    for claim in (*(target.untested if files else ()), *(turned.tappets.untested if turned else ())):
         say(ERR, f"Untested: {claim.what} ({claim.source})")
-    missed = [f"{one.axis.name}: {cams.excess(one.made, asked.tolerance)}"
-              for one in found if one.made.excess(asked.tolerance) > 1.0]  # fmt: skip
+    missed = [f"{file.axis.name}: {cams.excess(file.made, asked.tolerance)}"
+              for file in files if file.made.excess(asked.tolerance) > 1.0]  # fmt: skip
     if not asked.held:
         for line in missed if asked.points is None else ():
             say(ERR, f"{line}: the best there is", "yellow")
@@ -257,12 +258,12 @@ def choose_axes(axes: Sequence[CamAxis], name: str | None, template: str) -> lis
     """Return the axis of a name, or all; raise TargetError where there is none."""
     if not axes:
         raise TargetError(f"{template} has no axis that a controller could be given")
-    found = [one for one in axes if name is None or one.name.casefold() == name.casefold()]
-    if not found:
-        raise TargetError(f"no axis is named {name!r}; expected one of {', '.join(one.name for one in axes)}")
-    if name is not None and len(found) > 1:
-        raise TargetError(f"{len(found)} axes are named {name!r}; expected a name of its own for each")
-    return found
+    chosen = [axis for axis in axes if name is None or axis.name.casefold() == name.casefold()]
+    if not chosen:
+        raise TargetError(f"no axis is named {name!r}; expected one of {', '.join(axis.name for axis in axes)}")
+    if name is not None and len(chosen) > 1:
+        raise TargetError(f"{len(chosen)} axes are named {name!r}; expected a name of its own for each")
+    return chosen
 
 
 def slugs(names: Sequence[str]) -> list[str]:
@@ -271,18 +272,19 @@ def slugs(names: Sequence[str]) -> list[str]:
     plain = [name if name[:1].isalpha() else f"Axis_{name}".rstrip("_") for name in plain]
     like = [name.casefold() for name in plain]
     return [
-        f"{name}_{k}" if like.count(one) > 1 else name for k, (name, one) in enumerate(zip(plain, like, strict=True), 1)
+        f"{name}_{k}" if like.count(slug) > 1 else name
+        for k, (name, slug) in enumerate(zip(plain, like, strict=True), 1)
     ]
 
 
 def export_axis(machine: str, axis: CamAxis, name: str, asked: Options, mark: Sequence[str], path: Path) -> AxisFile:
     """Return the text of the file of a machine's axis, and the certificate of what a reader of its own finds in it."""
     target = asked.target
-    made = (automatic(target, axis, asked.tolerance) if asked.points is None
+    certified = (automatic(target, axis, asked.tolerance) if asked.points is None
             else certify_table(target, tabulate(target, axis, asked.points), axis.profile))  # fmt: skip
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
     lines = (f"{machine}, axis {axis.name}: {target.title}",
-             header(made.points, " or ".join(made.certificates), equal, units), *mark,
+             header(certified.points, " or ".join(certified.certificates), equal, units), *mark,
              *(f"untested: {claim.what} ({claim.source})" for claim in target.untested))  # fmt: skip
-    text = target.write(CamExport(made.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs))
-    return AxisFile(axis, text, certify_table(target, reread(target, text, made.table), axis.profile), path)
+    text = target.write(CamExport(certified.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs))
+    return AxisFile(axis, text, certify_table(target, reread(target, text, certified.table), axis.profile), path)

@@ -30,16 +30,16 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
     refuse_suffix(target)
     with ERR.status(shown(f"Building {target} …")):
         described = making.read_description(source, motors, reducers)
-        told = making.judge_book(described, making.write_book(described, target, overwrite=force))
-    return show_built(target, told)
+        verdict = making.judge_book(described, making.write_book(described, target, overwrite=force))
+    return show_built(target, verdict)
 
 
-def show_built(target: Path, told: making.BookVerdict) -> int:
+def show_built(target: Path, verdict: making.BookVerdict) -> int:
     """Print that a book is built, its failing checks and notes; return the exit code."""
     say(OUT, f"Built {target.absolute()}")
-    show("FAIL ", told.failing, "yellow")
-    show("Note:", told.notes)
-    return FAILS if told.failing else AGREES
+    show("FAIL ", verdict.failing, "yellow")
+    show("Note:", verdict.notes)
+    return FAILS if verdict.failing else AGREES
 
 
 def inputs(book: Path, output: Path | None, force: bool) -> None:
@@ -65,8 +65,8 @@ def regenerate(book: Path, output: Path, force: bool) -> int:
     refuse_suffix(output)
     refuse_existing(output, force)
     with ERR.status(shown(f"Regenerating {book} …")):
-        told = making.regenerate(book, output, force)
-    return show_built(output, told)
+        verdict = making.regenerate(book, output, force)
+    return show_built(output, verdict)
 
 
 def templates(check: bool) -> int:
@@ -96,9 +96,9 @@ def new(template: str, output: Path | None, force: bool) -> None:
     refuse_existing(target, force)
     beside = target.parent / f"{chosen.name}.schema.json"
     refuse_same_file(target, beside)
-    made = schemas.text(schemas.schema(chosen))
-    if not (beside.is_file() and beside.read_bytes() == made.encode()):
-        write_text(beside, made, force)
+    text = schemas.text(schemas.schema(chosen))
+    if not (beside.is_file() and beside.read_bytes() == text.encode()):
+        write_text(beside, text, force)
     write_text(target, commented_description(chosen, f"./{beside.name}"), force)
     say(OUT, f"Wrote {target.absolute()}, and {beside.name} beside it, from which an editor completes its keys")
 
@@ -130,5 +130,5 @@ def renamed(text: str, name: str) -> str:
 
 def schema(template: str | None, output: Path | None, force: bool) -> None:
     """Write the schema of a template's descriptions, or of any template's."""
-    made = schemas.any_schema() if template is None else schemas.schema(template_named(template, "TEMPLATE"))
-    print_or_write(schemas.text(made), output, force)
+    chosen_schema = schemas.any_schema() if template is None else schemas.schema(template_named(template, "TEMPLATE"))
+    print_or_write(schemas.text(chosen_schema), output, force)

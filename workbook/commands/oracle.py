@@ -32,15 +32,15 @@ def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) ->
     if before.machine.template != after.machine.template:
         kinds = f"{old} is of the template {before.machine.template}, {new} of {after.machine.template}"
         raise InputError([f"{kinds}; expected two of one template"])
-    found = compare(before, after)
-    page.write(html, lambda: told.page(before, after, found), force)
+    differences = compare(before, after)
+    page.write(html, lambda: told.page(before, after, differences), force)
     if as_json:
-        say_json(told.data(found))
-    elif found.same:
+        say_json(told.data(differences))
+    elif differences.same:
         say(OUT, "The same machine")
     else:
-        told.show(OUT, found)
-    return AGREES if found.same else DISAGREES
+        told.show(OUT, differences)
+    return AGREES if differences.same else DISAGREES
 
 
 def against(
@@ -55,21 +55,21 @@ def against(
         file = open_book(path)
         asked = witnesses or [name for name in WITNESSES if REGISTER[name]().version() is not None]
         names = [name for name in available_witnesses(asked)[0] if not REGISTER[name]().kept]
-        found = Judge(file, load_oracle(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
+        report = Judge(file, load_oracle(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
     if marked is not None:  # a copy in which the formula cells of each class have a colour of their own
         copy = load_workbook(path)
-        for cell, kind in found.coverage.items():
+        for cell, kind in report.coverage.items():
             copy[cell.sheet].cell(cell.row, cell.column).fill = PatternFill("solid", fgColor=COLOURS[kind])
         replace(marked, copy.save, force)
     if as_json:
-        wrong = [one.__dict__ | {"cell": str(one.cell)} for one in found.wrong]
-        cells = {str(cell): kind for cell, kind in found.coverage.items()}
-        known = {"known": found.dimensions.known, "formulas": found.dimensions.formulas}
-        say_json({"cases": found.cases, "covered": found.covered, "findings": wrong, "cells": cells,
-                  "dimensions": known, "notes": found.notes}, default=str)  # fmt: skip
+        wrong = [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.wrong]
+        cells = {str(cell): kind for cell, kind in report.coverage.items()}
+        known = {"known": report.dimensions.known, "formulas": report.dimensions.formulas}
+        say_json({"cases": report.cases, "covered": report.covered, "findings": wrong, "cells": cells,
+                  "dimensions": known, "notes": report.notes}, default=str)  # fmt: skip
     else:
-        show(file, found)
-    return DISAGREES if found.wrong or (cover is not None and found.covered < cover) else AGREES
+        show(file, report)
+    return DISAGREES if report.wrong or (cover is not None and report.covered < cover) else AGREES
 
 
 def write_draft(path: Path, output: Path | None, force: bool) -> None:
@@ -77,17 +77,19 @@ def write_draft(path: Path, output: Path | None, force: bool) -> None:
     print_or_write(draft(open_book(path)), output, force)
 
 
-def show(file: BookFile, found: OracleReport) -> None:
+def show(file: BookFile, report: OracleReport) -> None:
     """Print the findings as a table, and how many formula cells are of each class."""
-    if found.wrong:
-        rows = [(describe(file, one.cell), one.kind, figure(one.found, 9), figure(one.expected, 9), one.at)
-                for one in found.wrong]  # fmt: skip
+    if report.wrong:
+        rows = [(describe(file, fault.cell), fault.kind, figure(fault.found, 9), figure(fault.expected, 9), fault.at)
+                for fault in report.wrong]  # fmt: skip
         show_table(OUT, ("cell", "kind", "found", "expected", "at"), rows, box=None, pad_edge=False)
-    counts = f"{found.count('compared')} compared, {found.count('step')} steps to them"
-    counts += f", {found.count('unaccounted')} unaccounted"
-    say(OUT, f"{found.cases} cases, {len(found.coverage)} formula cells: {counts}; {found.covered:.1f} % covered")
-    say(OUT, f"Dimensions: {found.dimensions.known} of {found.dimensions.formulas} formula cells known from the units")
-    for note in found.notes:
+    counts = f"{report.count('compared')} compared, {report.count('step')} steps to them"
+    counts += f", {report.count('unaccounted')} unaccounted"
+    say(OUT, f"{report.cases} cases, {len(report.coverage)} formula cells: {counts}; {report.covered:.1f} % covered")
+    say(
+        OUT, f"Dimensions: {report.dimensions.known} of {report.dimensions.formulas} formula cells known from the units"
+    )
+    for note in report.notes:
         say(OUT, note)
-    count = f"{len(found.wrong)} {'finding' if len(found.wrong) == 1 else 'findings'}"
-    say(OUT, count if found.wrong else "Every compared cell is what the declarations give")
+    count = f"{len(report.wrong)} {'finding' if len(report.wrong) == 1 else 'findings'}"
+    say(OUT, count if report.wrong else "Every compared cell is what the declarations give")

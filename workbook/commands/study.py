@@ -40,18 +40,20 @@ def study(
     require_format(results)
     if pick is not None and not plan.study.goals:
         raise InputError([f"{path}: --pick takes the best, and no objective is told; expected minimise or maximise"])
-    found = finished_study(plan, results) if pick is not None else None
-    if found is None:
+    summary = finished_study(plan, results) if pick is not None else None
+    if summary is None:
         named = require_names(plan, str(path))
-        found = run_study(plan, results, named, scheduler, jobs, resume, unverified, force)
-    if pick is None or not found.feasible:
-        return AGREES if found.feasible else FAILS
-    if not 1 <= pick <= len(found.best):
-        raise InputError([f"--pick {pick}: there are {len(found.best)} best designs; expected 1 to {len(found.best)}"])
+        summary = run_study(plan, results, named, scheduler, jobs, resume, unverified, force)
+    if pick is None or not summary.feasible:
+        return AGREES if summary.feasible else FAILS
+    if not 1 <= pick <= len(summary.best):
+        raise InputError(
+            [f"--pick {pick}: there are {len(summary.best)} best designs; expected 1 to {len(summary.best)}"]
+        )
     target = book or results.with_name(f"{results.stem}-{pick}.xlsx")
     refuse_existing(target, force)
     with ERR.status("Building and verifying …"):
-        judged = build_design(plan, found.best[pick - 1], target, force)
+        judged = build_design(plan, summary.best[pick - 1], target, force)
     say(OUT, f"Built {target.absolute()}")
     return show_judged(judged)
 
@@ -64,8 +66,8 @@ def run_study(
     others = [results.with_suffix(".json"), results.with_suffix(".html")]
     parts = Parts(results, plan.digest, plan.space.size)
     over = force or (resume and parts.mine)  # it was killed when it had written some of them
-    for one in (results, *others):
-        refuse_existing(one, over)
+    for path in (results, *others):
+        refuse_existing(path, over)
     begin = time.perf_counter()
     with ERR.status("Measuring how long a design takes …"):
         pace = measure_pace(plan)
@@ -82,26 +84,26 @@ def run_study(
                     fresh[0] += 0 if before else count
                     bar(count, f"{fresh[0] / max(time.perf_counter() - started, 1e-9):,.0f}/s")
 
-                found = run(plan, parts, workers, done)
+                summary = run(plan, parts, workers, done)
         except KeyboardInterrupt:
             say(ERR, f"Interrupted. {parts.folder}: {parts.held}")
             raise
-        names = ["design", *(one.label for one in plan.space.dimensions), *plan.study.names, *ENDS]
+        names = ["design", *(dimension.label for dimension in plan.space.dimensions), *plan.study.names, *ENDS]
         rows = [parts.rows(number) for number in sorted(parts.complete())]
         replace(results, lambda draft: join(names, rows, draft, results.suffix.lower()), over)
     seconds = time.perf_counter() - begin
-    told = json.dumps({"digest": plan.digest} | asdict(found), ensure_ascii=False, indent=1)
-    write_text(others[0], f"{told}\n", over)
+    text = json.dumps({"digest": plan.digest} | asdict(summary), ensure_ascii=False, indent=1)
+    write_text(others[0], f"{text}\n", over)
     judged = None
-    if found.best and not unverified:  # the best one's book, where nobody looks
+    if summary.best and not unverified:  # the best one's book, where nobody looks
         with TemporaryDirectory() as folder, ERR.status("Verifying the best …"):
-            judged = build_design(plan, found.best[0], Path(folder) / "best.xlsx", False)
-    write_text(others[1], page.page(plan, found, named, judged, datetime.now().astimezone()), over)
+            judged = build_design(plan, summary.best[0], Path(folder) / "best.xlsx", False)
+    write_text(others[1], page.page(plan, summary, named, judged, datetime.now().astimezone()), over)
     parts.remove()
-    show(plan, found, results, seconds)
+    show(plan, summary, results, seconds)
     if judged:
         show_judged(judged)
-    return found
+    return summary
 
 
 def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
@@ -114,9 +116,9 @@ def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
     why = next((f"{', '.join(names)}: {words}" for names, words in whys if names), "")
     took = f"{at_once} cores" if at_once and at_once > 1 else "one core"
     lasts = seconds / (at_once or 1)
-    size, unit = next((one for one in UNITS if lasts >= 2.0 * one[0]), (1.0, "seconds"))
-    said = f"{plan.space.size:,} designs take up to about {lasts / size:,.0f} {unit} on {took}"
-    return [f"{said} ({why}; study --results lists what is fast)" if why else said]
+    size, unit = next((scale for scale in UNITS if lasts >= 2.0 * scale[0]), (1.0, "seconds"))
+    message = f"{plan.space.size:,} designs take up to about {lasts / size:,.0f} {unit} on {took}"
+    return [f"{message} ({why}; study --results lists what is fast)" if why else message]
 
 
 def listing(base: Path) -> int:
@@ -132,11 +134,11 @@ def finished_study(plan: Plan, results: Path) -> Summary | None:
     """Return what is known of a study that was run, also under another name; None if it was not; raise ReadError."""
     own = results.with_suffix(".json")
     for path in (own, *sorted(results.parent.glob("*.json"))):
-        if found := summary_from(plan, path, path == own):
-            return found
+        if summary := summary_from(plan, path, path == own):
+            return summary
     if own.exists():
-        said = "results of this study before it or its machine was changed"
-        raise ReadError(f"{own}: {said}; run it again with --force, and then pick")
+        message = "results of this study before it or its machine was changed"
+        raise ReadError(f"{own}: {message}; run it again with --force, and then pick")
     return None
 
 
@@ -151,23 +153,23 @@ def summary_from(plan: Plan, path: Path, own: bool) -> Summary | None:
         raise ReadError(f"{path}: no results of a study; delete it, and run the study again") from error
 
 
-def show(plan: Plan, found: Summary, results: Path, seconds: float) -> None:
+def show(plan: Plan, summary: Summary, results: Path, seconds: float) -> None:
     """Print what came of a study in a few lines."""
-    counts = f"{found.feasible:,} feasible, {found.impossible:,} impossible"
-    say(OUT, f"{found.designs:,} designs in {seconds:.1f} s: {counts}")
-    for line in page.unranked(found):
+    counts = f"{summary.feasible:,} feasible, {summary.impossible:,} impossible"
+    say(OUT, f"{summary.designs:,} designs in {seconds:.1f} s: {counts}")
+    for line in page.unranked(summary):
         say(OUT, line, "yellow")
-    for name, bounds, count, alone in page.excluding(plan, found):
-        said = f"{name} ({bounds}) excludes {count:,}, {alone:,} of them alone"
-        say(OUT, said, "" if found.feasible else "yellow")
-    if not found.feasible:
+    for name, bounds, count, alone in page.excluding(plan, summary):
+        line_text = f"{name} ({bounds}) excludes {count:,}, {alone:,} of them alone"
+        say(OUT, line_text, "" if summary.feasible else "yellow")
+    if not summary.feasible:
         say(OUT, "No design is feasible.", "red")
-    for place, design in enumerate(found.best[:5], 1):
+    for place, design in enumerate(summary.best[:5], 1):
         entries = ", ".join(f"{name} = {figure(value)}" for name, value in design.entries.items())
         goals = ", ".join(f"{name} = {figure(design.results[name])}" for name in plan.study.goals)
         say(OUT, f"{place}. design {design.number + 1}: {goals}; {entries}")
-    if len(found.best) > 5:
-        say(OUT, f"and {len(found.best) - 5} more, on the page")
+    if len(summary.best) > 5:
+        say(OUT, f"and {len(summary.best) - 5} more, on the page")
     say(OUT, f"Wrote {results.absolute()}, and beside it .html and .json")
 
 

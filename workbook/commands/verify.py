@@ -46,11 +46,11 @@ def verify(
     targets, failed = batch.find_workbooks(books)
     most = min(jobs or cores(), len(targets))
     with pool(most, scheduler) as workers, console.progress(ERR, "Verifying", len(targets)) as bar:
-        outcomes = batch.verify_many(targets, asked, workers, lambda one: bar(1, one.path.name)) + failed
+        outcomes = batch.verify_many(targets, asked, workers, lambda outcome: bar(1, outcome.path.name)) + failed
     alone = len(books) == 1 and not os.path.isdir(books[0])
-    for one in outcomes if alone else ():
-        if one.report is not None:
-            cache_verdict(one.sha256, one.report)
+    for outcome in outcomes if alone else ():
+        if outcome.report is not None:
+            cache_verdict(outcome.sha256, outcome.report)
     console.show(outcomes, OUT, ERR, as_json, alone, everything)
     when = datetime.now().astimezone()
     page.write(report, lambda: page.page(outcomes, when), force)
@@ -85,8 +85,8 @@ def verified_header(book: Path, before: State, unverified: bool, fresh: bool = F
             if sha256 and sha256 == digest_of(book):
                 cache_verdict(sha256, report)
         if findings := int(known["findings"]):
-            said = f"{findings:,} cells of the book are not what the engine computes"
-            say(ERR, f"{book}: {said}; motionbook verify names them, --unverified exports all the same", "red")
+            message = f"{findings:,} cells of the book are not what the engine computes"
+            say(ERR, f"{book}: {message}; motionbook verify names them, --unverified exports all the same", "red")
             raise typer.Exit(DISAGREES)
         lines += [f"the design FAILS: {line}" for line in known["failing"]]
     for line in lines:

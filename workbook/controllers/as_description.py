@@ -54,23 +54,23 @@ def phases_of(
 
 def units_of(text: str) -> tuple[str, str]:
     """Return the units that a header of ours tells; ° and mm where there is none."""
-    found = UNITS.search(text)
-    return (found[1], found[2]) if found else ("°", "mm")
+    match = UNITS.search(text)
+    return (match[1], match[2]) if match else ("°", "mm")
 
 
 def movement_lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
     """Return a line for each movement: its law, from where to where, its lift, and what the table is off by."""
     x, y = units
-    said = []
-    for one in read.found:
-        points = len(one.law.as_pieces()) + 1
-        name = one.law.name if one.known else f"no law of the registry, a cubic spline through {points} points"
-        misses = "" if one.fits else "; so many points do not do"
-        v = one.rates(0)[0]
+    lines = []
+    for phase in read.found:
+        points = len(phase.law.as_pieces()) + 1
+        name = phase.law.name if phase.known else f"no law of the registry, a cubic spline through {points} points"
+        misses = "" if phase.fits else "; so many points do not do"
+        v = phase.rates(0)[0]
         misses += f"; begins with {v:.6g} {y}/{x}" if v else ""
-        place = f"{one.begin + read.delay:.9g}–{one.end + read.delay:.9g} {x}"
-        said.append(f"{place}: {name}, lift {one.lift:.9g} {y}, residual {one.residual:.2g} {y}{misses}")
-    return said
+        place = f"{phase.begin + read.delay:.9g}–{phase.end + read.delay:.9g} {x}"
+        lines.append(f"{place}: {name}, lift {phase.lift:.9g} {y}, residual {phase.residual:.2g} {y}{misses}")
+    return lines
 
 
 def require_points(read: IdentifiedMotion, table: Table, profile: CamProfile, units: tuple[str, str]) -> str:
@@ -78,11 +78,11 @@ def require_points(read: IdentifiedMotion, table: Table, profile: CamProfile, un
     x = table.x - table.x[0] + profile.edges[0]
     off = np.abs(profile.at(x, left=bool(x[-1] >= profile.edges[-1])).y - table.y)
     k = int(off.argmax())
-    told = f"{off[k]:.2g} {units[1]} at {table.x[k]:.9g} {units[0]}"
+    error = f"{off[k]:.2g} {units[1]} at {table.x[k]:.9g} {units[0]}"
     if off[k] > read.allowed:
-        raise TargetError(f"the motion that was found is off by {told}, {read.allowed:.2g} {units[1]} allowed; "
+        raise TargetError(f"the motion that was found is off by {error}, {read.allowed:.2g} {units[1]} allowed; "
                           "--tolerance y=1% allows more")  # fmt: skip
-    return f"It keeps to all {len(x):,} points: off by {told} at most"
+    return f"It keeps to all {len(x):,} points: off by {error} at most"
 
 
 def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
@@ -91,65 +91,67 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
     if x not in MEASURES or y not in ENTERED:
         expected = f"{' or '.join(ENTERED)} over {', '.join(MEASURES)}"
         raise TargetError(f"it is in {y} over {x}; expected an axis in {expected}")
-    found = read.found
-    for one in found:
-        if not one.fits:
-            raise TargetError(f"from {one.begin:.9g} to {one.end:.9g} it keeps to no law, and splines through some "
+    movements = read.found
+    for phase in movements:
+        if not phase.fits:
+            raise TargetError(f"from {phase.begin:.9g} to {phase.end:.9g} it keeps to no law, and splines through some "
                               "points are too far from the others; --tolerance y=1% allows more")  # fmt: skip
     laws: dict[str, Any] = {}
-    if any(not one.rests for one in found):
+    if any(not phase.rests for phase in movements):
         laws["LIN"] = {"family": "LIN"}
     phases: list[dict[str, Any]] = []
     begin, end = float(table.x[0]), float(table.x[-1])
     near, reached = NEXT * (end - begin), begin
-    for k, one in enumerate(found):
-        name, law = law_entry(one, k)
+    for k, phase in enumerate(movements):
+        name, law = law_entry(phase, k)
         laws |= law
-        start = one.begin if one.begin - reached > near else reached
-        reached = one.end
+        start = phase.begin if phase.begin - reached > near else reached
+        reached = phase.end
         places = {"start": rounded(start - begin), "stop": rounded(reached - begin)}
-        phases.append({"law": name, "lift": one.lift, **places, **boundary_rates(found, k, near, units)})
+        phases.append({"law": name, "lift": phase.lift, **places, **boundary_rates(movements, k, near, units)})
     phases = phases or [{"law": "DWL", "lift": 0.0, "start": 0.0, "stop": rounded(end - begin)}]
-    travel = math.fsum(one.lift for one in found)
-    closes = abs(travel) <= NEXT * max((abs(one.lift) for one in found), default=1.0)
-    if found and end - reached <= near:
-        require_end(found, closes, near + begin)
-    jumps = any(one.law.code == Spline.code for one in found)  # the acceleration of a spline begins and ends with one
+    travel = math.fsum(phase.lift for phase in movements)
+    closes = abs(travel) <= NEXT * max((abs(phase.lift) for phase in movements), default=1.0)
+    if movements and end - reached <= near:
+        require_end(movements, closes, near + begin)
+    jumps = any(
+        phase.law.code == Spline.code for phase in movements
+    )  # the acceleration of a spline begins and ends with one
     axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": "velocity" if jumps else "acceleration",
             "closes": "position" if closes else "feed" if read.delay else "open", "shift": rounded(read.delay),
-            "position": float(found[0].y if found else table.y[0]), "phases": phases}  # fmt: skip
+            "position": float(movements[0].y if movements else table.y[0]), "phases": phases}  # fmt: skip
     master = {"cycle": rounded(end - begin), "unit": units[0]}
-    points = max((len(one.law.points) for one in found if isinstance(one.law, Spline)), default=0)
+    points = max((len(phase.law.points) for phase in movements if isinstance(phase.law, Spline)), default=0)
     rows = {"points": points, "phases": len(phases)}
     sizes = {name: count for name, count in rows.items() if count > getattr(Sizes(), name)}  # usually there is room
     return {"template": "machine", "title": title, "laws": laws, "sizes": sizes, "master": master, "axes": [axis]}
 
 
-def require_end(found: Sequence[FoundPhase], closes: bool, begin: float) -> None:
+def require_end(phases: Sequence[FoundPhase], closes: bool, begin: float) -> None:
     """Raise TargetError where the last phase ends on the way, and the first does not take over what it ends with."""
-    one, other = found[-1], found[0]
-    if one.law.code == "LIN" or not any(one.rates(1)):
+    last, other = phases[-1], phases[0]
+    if last.law.code == "LIN" or not any(last.rates(1)):
         return
     taken = (other.lift / (other.end - other.begin), 0.0) if other.law.code == "LIN" else other.rates(0)
-    size = abs(one.lift) if isinstance(one.law, Spline) else 1.0
-    near = (AS_FAST * size * one.law.coefficients.cv, AS_FAST * size * one.law.coefficients.ca)
-    span = one.end - one.begin
-    steps = enumerate(zip(one.rates(1), taken, near, strict=True), 1)
+    size = abs(last.lift) if isinstance(last.law, Spline) else 1.0
+    near = (AS_FAST * size * last.law.coefficients.cv, AS_FAST * size * last.law.coefficients.ca)
+    span = last.end - last.begin
+    steps = enumerate(zip(last.rates(1), taken, near, strict=True), 1)
     jumps = any(abs(a - b) * span**k > most for k, (a, b, most) in steps)
     if not closes or other.begin > begin or jumps:
-        raise TargetError(f"it ends on the way at {one.end:.9g}, and its begin does not take that over: "
+        raise TargetError(f"it ends on the way at {last.end:.9g}, and its begin does not take that over: "
                           "an axis ends at rest, or as it begins")  # fmt: skip
 
 
-def boundary_rates(found: Sequence[FoundPhase], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
+def boundary_rates(phases: Sequence[FoundPhase], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
     """Return y' and y'' of a phase where another curved one, or none, ends: as machines have them, of s in m or rad."""
-    before = found[k - 1]
-    meets = k == 0 or found[k].begin - before.end <= near
-    if not meets or {"LIN", Spline.code} & {found[k].law.code, before.law.code if k else ""}:
+    before = phases[k - 1]
+    meets = k == 0 or phases[k].begin - before.end <= near
+    if not meets or {"LIN", Spline.code} & {phases[k].law.code, before.law.code if k else ""}:
         return {}
     x, y = units
     size = measured(x, 1.0).lift(y).size
-    rates = zip(RATES, found[k].rates(0), strict=True)
+    rates = zip(RATES, phases[k].rates(0), strict=True)
     return {name: shown(si(value, ENTERED[y].size), size) for name, value in rates if value}
 
 
@@ -158,13 +160,13 @@ def rounded(x: float) -> float:
     return float(f"{x:.12g}")
 
 
-def law_entry(one: FoundPhase, k: int) -> tuple[str, dict[str, Any]]:
+def law_entry(phase: FoundPhase, k: int) -> tuple[str, dict[str, Any]]:
     """Return the name of a movement's law in a description, and its entry there where it needs one."""
-    if isinstance(one.law, Spline):
-        points = [{"at": at, "s": s} for at, s in one.law.points]
-        first, last = one.law.slopes
+    if isinstance(phase.law, Spline):
+        points = [{"at": at, "s": s} for at, s in phase.law.points]
+        first, last = phase.law.slopes
         name = f"Read {k + 1}"
         return name, {name: {"family": Spline.code, "points": points, "first_slope": first, "last_slope": last}}
-    if one.law.code in (*CODES, "LIN"):
-        return one.law.code, {}
-    return one.law.name, {one.law.name: {"family": one.law.code}}
+    if phase.law.code in (*CODES, "LIN"):
+        return phase.law.code, {}
+    return phase.law.name, {phase.law.name: {"family": phase.law.code}}

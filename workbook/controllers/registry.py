@@ -21,8 +21,8 @@ MODULES = ("br", "codesys", "columns", "mitsubishi", "rockwell", "siemens", "twi
 
 def targets() -> list[Target]:
     """Return every target, in the order of the register."""
-    found = [import_module(f"workbook.controllers.targets.{module}").TARGETS for module in MODULES]
-    return sorted((one for some in found for one in some), key=lambda one: TARGETS.index(one.name))
+    families = [import_module(f"workbook.controllers.targets.{module}").TARGETS for module in MODULES]
+    return sorted((family for some in families for family in some), key=lambda family: TARGETS.index(family.name))
 
 
 def target(name: str) -> Target:

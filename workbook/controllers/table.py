@@ -43,8 +43,8 @@ class Table:
         rises = np.diff(self.x) > 0.0
         if not rises.all():
             k = int(np.argmin(rises)) + 1
-            said = f"point {k + 1}: x is {self.x[k]:.9g} after {self.x[k - 1]:.9g}"
-            raise TargetError(f"{said}; expected the master to rise from point to point")
+            message = f"point {k + 1}: x is {self.x[k]:.9g} after {self.x[k - 1]:.9g}"
+            raise TargetError(f"{message}; expected the master to rise from point to point")
 
     @property
     def columns(self) -> dict[str, Array]:
@@ -71,17 +71,17 @@ def _clamped(table: Table) -> CamProfile:
     slopes = table.slopes
     if slopes is None:
         points = CamPoints(table.x, table.y, None, None, 0.0)
-        one, other = (points.rate_at(side)[0] if points.moves_at(side) else 0.0 for side in (0, -1))
-        slopes = one, other
+        first, other = (points.rate_at(side)[0] if points.moves_at(side) else 0.0 for side in (0, -1))
+        slopes = first, other
     if table.straight is None or not table.straight.any():
         return interpolation.spline(table.x, table.y, slopes)
     return interpolation.parted_spline(table.x, table.y, slopes, table.straight)
 
 
-def required_part(part: T | None, said: str) -> T:
+def required_part(part: T | None, part_name: str) -> T:
     """Return a part of a table; raise TargetError where it has none."""
     if part is None:
-        raise TargetError(f"the table has no {said}")
+        raise TargetError(f"the table has no {part_name}")
     return part
 
 

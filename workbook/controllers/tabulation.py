@@ -47,7 +47,7 @@ class CertifiedTable(NamedTuple):
     def share(self, order: str) -> float:
         """Return the largest deviation of one order by any of the rules, as a share of the motion's peak."""
         k = ORDERS.index(order)
-        return max(one.deviations[k].share for one in self.certificates.values())
+        return max(certificate.deviations[k].share for certificate in self.certificates.values())
 
     def excess(self, tolerance: Mapping[str, float]) -> float:
         """Return the largest ratio of a deviation to what is tolerated."""
@@ -81,15 +81,15 @@ def tabulate(target: Target, axis: CamAxis, n: int) -> Table:
     return table_at(target, of, np.union1d(x, before), units)
 
 
-def placed_otherwise(target: Target, axis: CamAxis, made: CertifiedTable) -> CertifiedTable | None:
+def placed_otherwise(target: Target, axis: CamAxis, certified: CertifiedTable) -> CertifiedTable | None:
     """Return the table of as many points at equal steps, or of a table at equal steps as many on the breaks.
 
     There is none of segments, and of too few points for the breaks.
     """
     other = replace(target, spacing="free" if target.spacing == "equal" else "equal", counts=())
-    if target.spacing == "breaks" or made.points < fewest_points(other, axis.profile):
+    if target.spacing == "breaks" or certified.points < fewest_points(other, axis.profile):
         return None
-    return certify_table(other, tabulate(other, axis, made.points), axis.profile)
+    return certify_table(other, tabulate(other, axis, certified.points), axis.profile)
 
 
 def require_count(target: Target, n: int) -> None:
@@ -122,10 +122,10 @@ def table_at(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -
     if target.built:
         return target.built(of, x, (x_step, y_step))
     at = of.at(x)
-    sizes = [max(float(np.abs(one).max()), float(np.ptp(at.y)) * (len(x) / of.total) ** k) for k, one in enumerate(at)]
-    y, v, a, j = (np.where(np.abs(one) < ROUNDED * size, 0.0, one) for one, size in zip(at, sizes, strict=True))
-    had = [number.rounded(column) if name in target.columns else None
-           for name, column in (("y'", v), ("y''", a), ("y'''", j))]  # fmt: skip
+    sizes = [max(float(np.abs(row).max()), float(np.ptp(at.y)) * (len(x) / of.total) ** k) for k, row in enumerate(at)]
+    y, v, a, j = (np.where(np.abs(row) < ROUNDED * size, 0.0, row) for row, size in zip(at, sizes, strict=True))
+    had = [number.rounded(row) if name in target.columns else None
+           for name, row in (("y'", v), ("y''", a), ("y'''", j))]  # fmt: skip
     h = WITHIN * np.diff(x)
     begins, ends = of.index(x[:-1] + h), of.index(x[1:] - h)
     lines = np.asarray(straight(of)[begins] & (begins == ends)) if "straight" in target.columns else None
@@ -139,10 +139,10 @@ def fewest_points(target: Target, of: CamProfile) -> int:
     return max(target.points[0], needed)
 
 
-def reread(target: Target, text: str, made: Table) -> Table:
+def reread(target: Target, text: str, table_before: Table) -> Table:
     """Return what an independent reader finds in the file; slopes that go beside it are taken from what was made."""
     table = parse_table(text, target)
-    return table if table.slopes or not made.slopes else replace(table, slopes=made.slopes)
+    return table if table.slopes or not table_before.slopes else replace(table, slopes=table_before.slopes)
 
 
 @dataclass
@@ -159,9 +159,9 @@ class Tries:
         if n not in self.made:
             if self.spent > WORK:
                 return None
-            one = certify_table(self.target, tabulate(self.target, self.axis, n), self.axis.profile)
-            self.spent += (n + len(self.axis.profile.edges)) * len(one.certificates)
-            self.made[n] = one
+            certified = certify_table(self.target, tabulate(self.target, self.axis, n), self.axis.profile)
+            self.spent += (n + len(self.axis.profile.edges)) * len(certified.certificates)
+            self.made[n] = certified
         return self.made[n]
 
 
@@ -172,12 +172,12 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     if best.excess(tolerance) <= 1.0:
         return best
     for orders in range(max(map(ORDERS.index, tolerance)), 0, -1):
-        lower = {order: tolerance.get(order) or min(one for name, one in tolerance.items() if ORDERS.index(name) > k)
+        lower = {order: tolerance.get(order) or min(most for name, most in tolerance.items() if ORDERS.index(name) > k)
                  for k, order in enumerate(ORDERS[:orders])}  # fmt: skip
         other = search_table(tries, lower)
         lost = max(best.share(order) for order in tolerance) >= LOST
-        kept = other.excess(tolerance) * BETTER <= best.excess(tolerance)
-        if other.excess(lower) < best.excess(lower) and (lost or kept):
+        keeps = other.excess(tolerance) * BETTER <= best.excess(tolerance)
+        if other.excess(lower) < best.excess(lower) and (lost or keeps):
             best = other
         if best.excess(lower) <= 1.0:
             break
@@ -193,9 +193,9 @@ def candidates(tries: Tries, tolerance: Mapping[str, float]) -> Iterator[Certifi
     equal = target.spacing == "equal"
     n, most = fewest_points(target, of), min(target.points[1], MOST_EQUAL if equal else MOST_TRIED)
     n = max(n, min(len(of.edges), most)) if equal else n
-    while n <= most and (made := tries.of(n)):
-        yield made
-        growth = min(max(made.excess(tolerance) ** 0.5, GROWTH[0]), GROWTH[1])
+    while n <= most and (certified := tries.of(n)):
+        yield certified
+        growth = min(max(certified.excess(tolerance) ** 0.5, GROWTH[0]), GROWTH[1])
         n = min(max(n + 1, int(n * growth)), most) if n < most else most + 1
 
 
@@ -204,24 +204,24 @@ def search_table(tries: Tries, tolerance: Mapping[str, float]) -> CertifiedTable
     target = tries.target
     best: CertifiedTable | None = None
     before, idle = 0, 0
-    for made in candidates(tries, tolerance):
-        if made.excess(tolerance) <= 1.0:  # between it and the one before, to a hundredth of the points
-            low, high = max(before, fewest_points(target, tries.axis.profile) - 1), made.points
-            while high - low > max(1, high // COARSE) and not target.counts and (one := tries.of((low + high) // 2)):
-                if one.excess(tolerance) <= 1.0:
-                    made, high = one, (low + high) // 2
+    for certified in candidates(tries, tolerance):
+        if certified.excess(tolerance) <= 1.0:  # between it and the one before, to a hundredth of the points
+            low, high = max(before, fewest_points(target, tries.axis.profile) - 1), certified.points
+            while high - low > max(1, high // COARSE) and not target.counts and (middle := tries.of((low + high) // 2)):
+                if middle.excess(tolerance) <= 1.0:
+                    certified, high = middle, (low + high) // 2
                 else:
                     low = (low + high) // 2
-            return made
+            return certified
         idle += 1
-        if best is None or made.excess(tolerance) < BETTER * best.excess(tolerance):
-            best, idle = made, 0
+        if best is None or certified.excess(tolerance) < BETTER * best.excess(tolerance):
+            best, idle = certified, 0
         if idle == IDLE and target.spacing != "equal":  # equal steps miss the breaks by luck: each try may be better
             break
-        before = made.points
+        before = certified.points
     if best is None:
-        said = f"{tries.axis.name} has breaks for {fewest_points(target, tries.axis.profile)} points"
-        raise TargetError(f"{target.name}: {said}; at most {target.points[1]} fit")
+        message = f"{tries.axis.name} has breaks for {fewest_points(target, tries.axis.profile)} points"
+        raise TargetError(f"{target.name}: {message}; at most {target.points[1]} fit")
     return best
 
 

@@ -49,8 +49,8 @@ class ClaimedFormat:
     @property
     def claims(self) -> list[Claim]:
         """The claims, and how certain each is: documented, probable or untested."""
-        told = CLAIMS[self.name].items()
-        return [Claim(what, certainty, source) for certainty, rows in told for what, source in rows]
+        claims = CLAIMS[self.name].items()
+        return [Claim(what, certainty, source) for certainty, rows in claims for what, source in rows]
 
     @property
     def untested(self) -> list[Claim]:
@@ -104,12 +104,12 @@ class SwitchExport(NamedTuple):
     @property
     def called(self) -> list[str]:
         """The lines that tell which track is which."""
-        return [f"track {one.number}: {visible(one.name)}{'' if one.on else NEVER}" for one in self.tracks]
+        return [f"track {track.number}: {visible(track.name)}{'' if track.on else NEVER}" for track in self.tracks]
 
     @property
     def times(self) -> list[tuple[int, float, float]]:
         """Each time of being on: the number of its track, from where, to where."""
-        return [(one.number, *each) for one in self.tracks for each in one.on]
+        return [(track.number, *each) for track in self.tracks for each in track.on]
 
 
 @dataclass(frozen=True)
@@ -154,53 +154,55 @@ def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
     """Return switches as tracks in a target's numbers, a begin at the end of the cycle as 0; or raise TargetError."""
     if len(given) > tappets.tracks:
         raise TargetError(f"{len(given)} switches; expected at most {tappets.tracks}")
-    found = []
-    for k, one in enumerate(given, 1):
-        cycle = one.switch.cycle
-        ends = [(0.0 if begin == cycle else begin, end or cycle) for begin, end in one.switch.on]
+    listed = []
+    for k, switch in enumerate(given, 1):
+        cycle = switch.switch.cycle
+        ends = [(0.0 if begin == cycle else begin, end or cycle) for begin, end in switch.switch.on]
         held = tappets.number.rounded(np.array(ends).reshape(-1, 2)).tolist()
-        for (begin, end), (first, last) in zip(one.switch.on, held, strict=True):
+        for (begin, end), (first, last) in zip(switch.switch.on, held, strict=True):
             if first == last:
-                told = f"{one.name}: on from {begin:.9g} to {end:.9g}"
-                raise TargetError(f"{told} is no time in {tappets.number.name}")
-        found.append(Track(k, one.name, tuple((first, last) for first, last in held)))
-    count = sum(len(one.on) for one in found)
+                message = f"{switch.name}: on from {begin:.9g} to {end:.9g}"
+                raise TargetError(f"{message} is no time in {tappets.number.name}")
+        listed.append(Track(k, switch.name, tuple((first, last) for first, last in held)))
+    count = sum(len(track.on) for track in listed)
     if not 1 <= count <= tappets.times:
         raise TargetError(f"{count} times of being on; expected 1 to {tappets.times:,}")
-    return found
+    return listed
 
 
 def tracks_of_rows(text: str, rows: Iterable[Sequence[float]]) -> list[Track]:
     """Return the tracks of times, with the names that comments of the text tell; raise TargetError, by track."""
     names = {int(number): name.strip() for number, name in CALLED.findall(text)}
-    found: dict[int, list[tuple[float, float]]] = {number: [] for number in names}
+    spans: dict[int, list[tuple[float, float]]] = {number: [] for number in names}
     for number, begin, end in rows:
         if not 1 <= number <= MOST_TRACKS or number != int(number):
             raise TargetError(f"a track has the number {number:g}; expected 1 to {MOST_TRACKS:,}")
-        found.setdefault(int(number), []).append((begin, end))
-    if not any(found.values()):
+        spans.setdefault(int(number), []).append((begin, end))
+    if not any(spans.values()):
         raise TargetError("no time of being on; expected a track with one")
-    if sum(map(len, found.values())) > MOST_TIMES:
+    if sum(map(len, spans.values())) > MOST_TIMES:
         raise TargetError(f"more than {MOST_TIMES:,} times of being on; expected at most so many")
-    made = []
-    for number, times in sorted(found.items()):
+    listed = []
+    for number, times in sorted(spans.items()):
         on = sorted(times)
         if len(on) > 1 and on[0][0] == 0.0 and on[-1][1] == CYCLE:  # one that goes on past the end of the cycle
             on = [*on[1:-1], (on[-1][0], on[0][1])]
         name = names.get(number, f"Track {number}").removesuffix(NEVER)
         try:
-            made.append(Track(number, name, Switch(name, tuple(on), CYCLE).on))
+            listed.append(Track(number, name, Switch(name, tuple(on), CYCLE).on))
         except ValueError as error:
             raise TargetError(f"track {number}: {error}") from None
-    return made
+    return listed
 
 
-def differences(given: Sequence[CamSwitch], found: Sequence[Track]) -> list[SwitchDifference]:
+def differences(given: Sequence[CamSwitch], listed: Sequence[Track]) -> list[SwitchDifference]:
     """Return how each track differs from the switch that is meant; raise TargetError where there are others."""
-    if [one.number for one in found] != [*range(1, len(given) + 1)]:
-        raise TargetError(f"tracks {', '.join(str(one.number) for one in found[:9])}; expected 1 to {len(given)}")
-    pairs = zip(given, found, strict=True)
-    return [compare_switches(one.switch, Switch(one.name, track.on, one.switch.cycle)) for one, track in pairs]
+    if [track.number for track in listed] != [*range(1, len(given) + 1)]:
+        raise TargetError(f"tracks {', '.join(str(track.number) for track in listed[:9])}; expected 1 to {len(given)}")
+    pairs = zip(given, listed, strict=True)
+    return [
+        compare_switches(switch.switch, Switch(switch.name, track.on, switch.switch.cycle)) for switch, track in pairs
+    ]
 
 
 def read_table(path: Path, target: Target) -> Table:
@@ -240,9 +242,9 @@ def parse_table(text: str, target: Target) -> Table:
         if not np.all(terms <= LARGEST):
             k = int(np.argmin(terms <= LARGEST))
             raise TargetError(f"segment {k + 1}: a term reaches {terms[k]:.3g}; expected at most {LARGEST:.0e}")
-    told = COUNTED.search(text)
-    if told and int(told[1]) != len(table.x):
-        raise TargetError(f"{len(table.x)} points; its header tells {told[1]} (is the file cut off?)")
+    match = COUNTED.search(text)
+    if match and int(match[1]) != len(table.x):
+        raise TargetError(f"{len(table.x)} points; its header tells {match[1]} (is the file cut off?)")
     return table
 
 

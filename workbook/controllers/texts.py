@@ -42,8 +42,8 @@ class Number:
         size = np.abs(values / step if self.whole else values)
         if not np.all(size <= self.largest):
             at = tuple(np.argwhere(~(size <= self.largest))[0])  # of a polynomial, its row and coefficient
-            said = f"{values[at]:.6g} is beyond what {self.name} holds; expected smaller ones"
-            raise TargetError(f"point {at[0] + 1}: {said}")
+            message = f"{values[at]:.6g} is beyond what {self.name} holds; expected smaller ones"
+            raise TargetError(f"point {at[0] + 1}: {message}")
         if self.whole:
             return np.asarray(np.round(np.round(values / step) * step, 12))
         return values if self is LREAL else np.asarray(values.astype(np.float32).astype(np.float64))
@@ -82,18 +82,18 @@ def step_of(unit: str, reach: float = 0.0, largest: float = DINT.largest) -> flo
 
 def counts(steps: tuple[float, float], units: tuple[str, str]) -> str:
     """Return the comment that says what a whole number of x and of y counts."""
-    (x, y), (one, other) = steps, (unit.replace(" ", "_") for unit in units)
-    return f"one step is {LREAL.text(x)} {one} of x and {LREAL.text(y)} {other} of y"
+    (x, y), (first, other) = steps, (unit.replace(" ", "_") for unit in units)
+    return f"one step is {LREAL.text(x)} {first} of x and {LREAL.text(y)} {other} of y"
 
 
 def read_counts(text: str) -> tuple[float, float]:
     """Return what whole numbers of a file count; 1 where its comment does not say."""
-    found = TOLD.search(text)
-    if found is None:
+    match = TOLD.search(text)
+    if match is None:
         return 1.0, 1.0
-    x, y = (float(told) if re.fullmatch(NUMBER, told) else 0.0 for told in found.groups())
+    x, y = (float(number) if re.fullmatch(NUMBER, number) else 0.0 for number in match.groups())
     if not (0.0 < x <= LARGEST and 0.0 < y <= LARGEST):
-        raise TargetError(f"one step is {found[1]} of x and {found[2]} of y; expected numbers above 0, up to 1e9")
+        raise TargetError(f"one step is {match[1]} of x and {match[2]} of y; expected numbers above 0, up to 1e9")
     return x, y
 
 
@@ -104,8 +104,8 @@ def stands(offset: float, unit: str) -> str:
 
 def read_stand(text: str) -> float:
     """Return where the axis is when its cam begins; 0 where the comment does not say."""
-    found = STANDS.search(text)
-    return float(found[1]) if found else 0.0
+    match = STANDS.search(text)
+    return float(match[1]) if match else 0.0
 
 
 def as_lines(columns: Iterable[Array], separator: str = ";", decimal: str = ".", number: Number = LREAL) -> str:
@@ -121,36 +121,36 @@ def remarks(*lines: str) -> str:
 
 def numbers(text: str, widths: Sequence[int], counted: bool = False) -> list[list[float]]:
     """Return the rows of numbers below what stands above, so many columns wide; raise TargetError, by line."""
-    kept: list[tuple[int, str]] = []
+    lines: list[tuple[int, str]] = []
     for n, whole in enumerate(text.splitlines(), 1):
         line = whole.split("#", 1)[0].translate(SIGNS).strip() if whole else ""
-        if line and (kept or (STARTS.match(line) and not WORDS.match(line.lstrip("+-0123456789.,")))):
-            kept.append((n, line))
-        if len(kept) > MOST_POINTS + 1:
+        if line and (lines or (STARTS.match(line) and not WORDS.match(line.lstrip("+-0123456789.,")))):
+            lines.append((n, line))
+        if len(lines) > MOST_POINTS + 1:
             raise TargetError(f"more than {MOST_POINTS:,} lines of numbers; expected at most so many")
-    if not kept:
+    if not lines:
         raise TargetError("there is no line of numbers; expected a table of two columns or more")
-    if counted and not WHOLE.fullmatch(kept[0][1]):
-        raise TargetError(f"line {kept[0][0]}: {kept[0][1][:40]!r}; expected how many numbers follow")
-    if WHOLE.fullmatch(kept[0][1]):
-        if int(kept[0][1][:9]) != len(kept) - 1:
-            raise TargetError(f"line {kept[0][0]}: {kept[0][1][:9]} points are told, {len(kept) - 1} follow")
-        if len(kept) == 1:
-            raise TargetError(f"line {kept[0][0]}: it tells of no points; expected two or more")
-        kept = kept[1:]
+    if counted and not WHOLE.fullmatch(lines[0][1]):
+        raise TargetError(f"line {lines[0][0]}: {lines[0][1][:40]!r}; expected how many numbers follow")
+    if WHOLE.fullmatch(lines[0][1]):
+        if int(lines[0][1][:9]) != len(lines) - 1:
+            raise TargetError(f"line {lines[0][0]}: {lines[0][1][:9]} points are told, {len(lines) - 1} follow")
+        if len(lines) == 1:
+            raise TargetError(f"line {lines[0][0]}: it tells of no points; expected two or more")
+        lines = lines[1:]
     decimals: set[str] = set()
-    separator = found_separator([line for _, line in kept])
-    if separator and all(line.endswith(separator.rstrip(" ")) for _, line in kept):
-        kept = [(n, line[:-1]) for n, line in kept]
-    rows = [row(n, line, separator, decimals) for n, line in kept]
-    for n, line in kept if separator == "," else ():
+    separator = found_separator([line for _, line in lines])
+    if separator and all(line.endswith(separator.rstrip(" ")) for _, line in lines):
+        lines = [(n, line[:-1]) for n, line in lines]
+    rows = [row(n, line, separator, decimals) for n, line in lines]
+    for n, line in lines if separator == "," else ():
         if any(ZEROS.fullmatch(field.strip()) for field in line.split(",")):
             raise TargetError(f"line {n}: {line[:40]!r}; a comma parts the columns and is the decimal sign, it seems: "
                               "expected two signs")  # fmt: skip
     if rows and len(rows[0]) not in widths:
         expected = " or ".join(map(str, widths))
-        raise TargetError(f"line {kept[0][0]}: {len(rows[0])} columns; expected {expected}")
-    for (n, _), values in zip(kept, rows, strict=True):
+        raise TargetError(f"line {lines[0][0]}: {len(rows[0])} columns; expected {expected}")
+    for (n, _), values in zip(lines, rows, strict=True):
         if len(values) != len(rows[0]):
             raise TargetError(f"line {n}: {len(values)} columns; expected {len(rows[0])}, as in the line before")
     return rows
@@ -172,7 +172,7 @@ def row(n: int, line: str, separator: str | None, decimals: set[str]) -> list[fl
     if len(line) > WIDEST:
         raise TargetError(f"line {n}: {len(line):,} characters; expected a row of numbers")
     fields = [field.strip() for field in (line.split(separator) if separator else line.split())]
-    found = []
+    values = []
     for field in fields:
         if not FIELD.fullmatch(field):
             raise TargetError(f"line {n}: {field[:40]!r} is no number; expected one in each column")
@@ -180,10 +180,10 @@ def row(n: int, line: str, separator: str | None, decimals: set[str]) -> list[fl
         value = float(field.replace(",", "."))
         if not math.isfinite(value):
             raise TargetError(f"line {n}: {field[:40]!r} is too large for a number")
-        found.append(value)
+        values.append(value)
     if len(decimals) > 1:
         raise TargetError(f"line {n}: both . and , stand for the decimal sign; expected one of them")
-    return found
+    return values
 
 
 def without_comments(text: str) -> str:
@@ -191,10 +191,10 @@ def without_comments(text: str) -> str:
     return COMMENT.sub(" ", text)
 
 
-def columns(found: Iterable[tuple[int, str, str]], names: Sequence[str]) -> list[Array]:
+def columns(triples: Iterable[tuple[int, str, str]], names: Sequence[str]) -> list[Array]:
     """Return the columns of fields that were assigned, by element, field and text; raise TargetError, by element."""
     elements: dict[int, dict[str, float]] = {}
-    for index, name, text in islice(((i, n, t) for i, n, t in found if n in names), MOST_POINTS * len(names) + 1):
+    for index, name, text in islice(((i, n, t) for i, n, t in triples if n in names), MOST_POINTS * len(names) + 1):
         row = elements.setdefault(index, {})
         if name in row:
             raise TargetError(f"element {index}: {name} is assigned twice; expected once")
@@ -206,8 +206,8 @@ def columns(found: Iterable[tuple[int, str, str]], names: Sequence[str]) -> list
     for expected, index in enumerate(elements, min(elements)):
         lacks = [name for name in names if name not in elements[index]]
         if lacks or index != expected:
-            said = f"lacks {lacks[0]}" if lacks else f"follows element {expected - 1}"
-            raise TargetError(f"element {index} {said}; expected every element in order, with {', '.join(names)}")
+            message = f"lacks {lacks[0]}" if lacks else f"follows element {expected - 1}"
+            raise TargetError(f"element {index} {message}; expected every element in order, with {', '.join(names)}")
     return [np.array([row[name] for row in elements.values()]) for name in names]
 
 
@@ -218,11 +218,11 @@ def indexed(text: str, names: Sequence[str]) -> list[Array]:
 
 def grouped(text: str, names: Sequence[str]) -> list[Array]:
     """Return the columns that ``(field := value, …)`` initialises, a group an element."""
-    found, index = [], -1
+    elements, index = [], -1
     for name, value in ASSIGNED.findall(without_comments(text)):
         index += name == names[0]
-        found.append((index, name, value))
-    return columns(found, names)
+        elements.append((index, name, value))
+    return columns(elements, names)
 
 
 def points(text: str, columns: Sequence[Array], count: str = "") -> Table:
@@ -237,18 +237,18 @@ def points(text: str, columns: Sequence[Array], count: str = "") -> Table:
 
 def assigned_number(text: str, name: str) -> float | None:
     """Return the number that is assigned to a name once; None where none is. Raises TargetError for two that differ."""
-    found = {value for known, value in ASSIGNED.findall(without_comments(text)) if known == name}
-    if len(found) > 1:
-        raise TargetError(f"{name} is {' and '.join(sorted(found)[:2])}; expected one table in a file")
-    value = found.pop() if found else None
+    values = {value for known, value in ASSIGNED.findall(without_comments(text)) if known == name}
+    if len(values) > 1:
+        raise TargetError(f"{name} is {' and '.join(sorted(values)[:2])}; expected one table in a file")
+    value = values.pop() if values else None
     return float(value) if value and PLAIN.fullmatch(value) else None
 
 
 def require_count(text: str, name: str, points: int) -> None:
     """Raise TargetError where a count is told that is not that of the points."""
-    told = assigned_number(text, name)
-    if told is not None and told != points:
-        raise TargetError(f"{name} is {told:g}, {points} points follow; expected as many (is the file cut off?)")
+    count = assigned_number(text, name)
+    if count is not None and count != points:
+        raise TargetError(f"{name} is {count:g}, {points} points follow; expected as many (is the file cut off?)")
 
 
 PAIR = re.compile(rf"\[\s{{0,9}}({NUMBER})\s{{0,9}},\s{{0,9}}({NUMBER})\s{{0,9}}\]")
@@ -256,9 +256,11 @@ PAIR = re.compile(rf"\[\s{{0,9}}({NUMBER})\s{{0,9}},\s{{0,9}}({NUMBER})\s{{0,9}}
 
 def pairs(text: str, begin: str, end: str) -> list[Array]:
     """Return x and y of ``:= [x, y, …]`` or ``:= [[x, y], …]``; raise TargetError where that is not so."""
-    _, found, rest = without_comments(text).partition(begin)
+    _, body_start, rest = without_comments(text).partition(begin)
     body, closed, _ = rest.partition(end)
-    values = [value.strip() for value in PAIR.sub(r"\1, \2", body + end[1:]).split(",")] if found and closed else []
+    values = (
+        [value.strip() for value in PAIR.sub(r"\1, \2", body + end[1:]).split(",")] if body_start and closed else []
+    )
     if len(values) < 4 or len(values) % 2 or not all(map(PLAIN.fullmatch, values)):
         raise TargetError(f"expected {begin} x and y of each point {end}, of numbers alone (is the file cut off?)")
     return [np.array([float(value) for value in values[k::2]]) for k in (0, 1)]

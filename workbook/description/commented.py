@@ -39,8 +39,8 @@ class DescriptionWriter:
 
     def tables(self, title: str, path: str, data: Mapping[str, Any], many: bool = False) -> Iterator[str]:
         """Yield a table, and those below it."""
-        own = [one for one in self.known if one.path == path and one.kind in ("", data.get(KIND))]
-        entries = [(key, one.kind) for one in own for key in one.keys if key.name in data]
+        own = [section for section in self.known if section.path == path and section.kind in ("", data.get(KIND))]
+        entries = [(key, section.kind) for section in own for key in section.keys if key.name in data]
         lines = [f"[[{title}]]" if many else f"[{title}]"] if title else []
         lines += [f"family = {toml(data['family'])}"] if path.startswith("laws.") and "family" in data else []
         lines += [line for key, kind in entries for line in self.entry(key, kind, data[key.name])]
@@ -66,7 +66,7 @@ class DescriptionWriter:
         if not (key.rows and value):
             yield from line(f"{key.name} = {toml(value)}", about(key) if new else "")
             return
-        used = [row for row in key.rows if any(row.name in one for one in value)]
+        used = [row for row in key.rows if any(row.name in entry for entry in value)]
         self.told |= {(row.path, kind) for row in used}
         if new:
             yield from comments(f"{key.meaning}: {', '.join(with_unit(row) for row in used)}")
@@ -77,22 +77,26 @@ class DescriptionWriter:
     def rest(self) -> Iterator[str]:
         """Yield in comments the keys that have not been written yet, and a line for each family of laws."""
         laws = ["# [laws]"]
-        for one in self.known:
-            if one.path.startswith("laws."):
-                code = one.path.rpartition(".")[2]
-                laws.append(f"# {code} = {toml({'family': code} | {key.name: example_of(key) for key in one.keys})}")
+        for part in self.known:
+            if part.path.startswith("laws."):
+                code = part.path.rpartition(".")[2]
+                laws.append(f"# {code} = {toml({'family': code} | {key.name: example_of(key) for key in part.keys})}")
                 continue
-            keys = [key for key in one.keys if (key.path, one.kind) not in self.told]
+            keys = [key for key in part.keys if (key.path, part.kind) not in self.told]
             rows = [
-                row for key in one.keys if key not in keys for row in key.rows if (row.path, one.kind) not in self.told
+                row
+                for key in part.keys
+                if key not in keys
+                for row in key.rows
+                if (row.path, part.kind) not in self.told
             ]
             lines = [text for key in keys for text in unused_key_lines(key)]
             for row in rows:
                 lines += line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))
-            title = one.path.removesuffix(".*").replace(".*", "")
-            kind = [f"# kind = {toml(one.kind)}"] if one.kind else []
+            title = part.path.removesuffix(".*").replace(".*", "")
+            kind = [f"# kind = {toml(part.kind)}"] if part.kind else []
             if lines:
-                shown = f"# [[{title}]]" if one.path.endswith(".*") else f"# [{title}]"
+                shown = f"# [[{title}]]" if part.path.endswith(".*") else f"# [{title}]"
                 yield "\n".join([*([shown] if title else []), *kind, *lines])
         yield "\n".join(laws)
 
@@ -134,4 +138,4 @@ def line(text: str, remark: str) -> Iterator[str]:
 
 def comments(text: str) -> list[str]:
     """Return a text as comments."""
-    return [f"# {one}" for one in textwrap.wrap(text, WIDTH - 2, break_long_words=False, break_on_hyphens=False)]
+    return [f"# {row}" for row in textwrap.wrap(text, WIDTH - 2, break_long_words=False, break_on_hyphens=False)]

@@ -107,8 +107,8 @@ def sections(template: AnyTemplate, other: str = "") -> list[Section]:
     committed = [tomllib.loads(path.read_text(encoding="utf-8")) for path in paths]
     own, ways = [data for data in committed if data["template"] == template.name], [other] if other else template.others
     own.sort(key=lambda data: any(has_key(data, way) for way in ways) != bool(other))  # with that key first, or last
-    found = ModelWalk(cells, own).sections((type(machine),), "", machine.title)
-    return sorted(found, key=lambda section: LAST.get(section.path.partition(".")[0], 0))
+    listed = ModelWalk(cells, own).sections((type(machine),), "", machine.title)
+    return sorted(listed, key=lambda section: LAST.get(section.path.partition(".")[0], 0))
 
 
 class ModelWalk:
@@ -122,12 +122,12 @@ class ModelWalk:
         known = [model.model_fields for model in models]
         fields = {name: field for name, field in known[0].items() if all(name in own for own in known)}
         below = [(name, tables_of(field)) for name, field in fields.items()]
-        plain = tuple(self._key(join(path, name), fields[name]) for name, found in below if not found)
+        plain = tuple(self._key(join(path, name), fields[name]) for name, models in below if not models)
         by_kind = kinds(models)
         if by_kind:
             which = join(path, KIND)
-            one = Key(which, WORDS[which], "", either(by_kind), True, None, self._example(which))
-            plain = (one, *(key for key in plain if key.name != KIND))
+            kind_key = Key(which, WORDS[which], "", either(by_kind), True, None, self._example(which))
+            plain = (kind_key, *(key for key in plain if key.name != KIND))
         yield Section(path, about, models, plain)
         for kind, model in by_kind.items():
             own = [(name, field) for name, field in model.model_fields.items() if name not in fields]
@@ -165,8 +165,8 @@ class ModelWalk:
         meaning = meaning or (doc_line(table) if table else list_meaning(path))
         more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
         default = None if field.is_required() else field.get_default(call_default_factory=True)
-        rows = [self._key(join(f"{path}.*", name), one, of, first_value(default, name))
-                for name, one in (table.model_fields.items() if table else ())]  # fmt: skip
+        rows = [self._key(join(f"{path}.*", name), field, of, first_value(default, name))
+                for name, field in (table.model_fields.items() if table else ())]  # fmt: skip
         unit = cell.unit if cell else str(more.get("unit", ""))
         shown = listed_in if listed_in is not None else self._example(path, of)
         shown = field.examples[0] if shown is None and field.examples else shown
@@ -188,7 +188,7 @@ class ModelWalk:
 
 def first_value(rows: Any, name: str) -> Any:
     """Return an entry of the first of some rows that has it."""
-    return next((found for row in rows or [] if (found := getattr(row, name, None)) not in (None, "")), None)
+    return next((value for row in rows or [] if (value := getattr(row, name, None)) not in (None, "")), None)
 
 
 def list_meaning(path: str) -> str:

@@ -18,63 +18,63 @@ CATALOGUES = ("motors", "reducers")
 
 def schema(template: AnyTemplate) -> dict[str, Any]:
     """Return the schema of a template's descriptions, each key with its meaning, unit and example."""
-    made = model_schema(template.model, sections(template))
+    whole = model_schema(template.model, sections(template))
     for way, other in template.others.items():
         another = model_schema(other.model, sections(template, way))
         above, _, last = way.rpartition(".")
         asked = {"properties": {above: {"required": [last]}}, "required": [above]}
-        defs = made.pop("$defs") | another.pop("$defs")
-        made = {"if": asked, "then": another, "else": made, "$defs": defs}
-    return {"$schema": DRAFT, **made}
+        defs = whole.pop("$defs") | another.pop("$defs")
+        whole = {"if": asked, "then": another, "else": whole, "$defs": defs}
+    return {"$schema": DRAFT, **whole}
 
 
 def model_schema(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
     """Return the schema of the descriptions that a model checks, all but which draft it is of."""
-    made = model.model_json_schema()
+    whole = model.model_json_schema()
     for law in ENTRIES.values():
-        node = made["$defs"][law.__name__]
+        node = whole["$defs"][law.__name__]
         node["required"] = [name for name in node.get("required", []) if name != "family"]
     known_laws = {code: {"$ref": f"{REFERENCE}{law.__name__}"} for code, law in ENTRIES.items()}
     others = {"type": "object", "required": ["family"], "properties": {"family": {"enum": [*ENTRIES]}}}
-    made["$defs"]["Laws"] = {"type": "object", "properties": known_laws, "additionalProperties": others}
+    whole["$defs"]["Laws"] = {"type": "object", "properties": known_laws, "additionalProperties": others}
     for section in known:
-        for key, node in key_nodes(section, model, made):
+        for key, node in key_nodes(section, model, whole):
             node["description"] = remark(key)
             if key.example is not None and not key.rows:
                 node["examples"] = [key.example]
     for name in ("Selection", "Products"):
-        selection = made["$defs"].get(name, {}).get("properties", {})
+        selection = whole["$defs"].get(name, {}).get("properties", {})
         for entry in CATALOGUES:
             if entry in selection:
                 rows = selection[entry]
                 selection[entry] = {"description": rows.pop("description", ""), "anyOf": [{"const": "committed"}, rows]}
-    made["required"] = [*dict.fromkeys(["template", *made.get("required", [])])]
-    return made
+    whole["required"] = [*dict.fromkeys(["template", *whole.get("required", [])])]
+    return whole
 
 
-def key_nodes(section: Section, model: type[BaseModel], made: dict[str, Any]) -> Iterator[tuple[Key, dict[str, Any]]]:
+def key_nodes(section: Section, model: type[BaseModel], whole: dict[str, Any]) -> Iterator[tuple[Key, dict[str, Any]]]:
     """Yield each key of a section with its places in the schema of a model."""
     begin = f"{section.path}." if section.path else ""
-    for one in section.models:
-        table = made if one is model else made["$defs"][one.__name__]
-        for key in (*section.keys, *(row for one in section.keys for row in one.rows)):
-            node = node_at(made, table, key.path.removeprefix(begin))
+    for model_type in section.models:
+        table = whole if model_type is model else whole["$defs"][model_type.__name__]
+        for key in (*section.keys, *(row for entry in section.keys for row in entry.rows)):
+            node = node_at(whole, table, key.path.removeprefix(begin))
             if node is not None and (key.name != KIND or not section.models[1:]):
                 yield key, node
 
 
-def node_at(made: dict[str, Any], table: Any, path: str) -> dict[str, Any] | None:
+def node_at(whole: dict[str, Any], table: Any, path: str) -> dict[str, Any] | None:
     """Return the place of a key in a table of a schema, through references and optional tables, or None."""
     for part in path.split("."):
         for choice in [choice for choice in table.get("anyOf", ()) if choice.get("type") != "null"]:
             table = choice
         if "$ref" in table:
-            table = made["$defs"][table["$ref"].removeprefix(REFERENCE)]
+            table = whole["$defs"][table["$ref"].removeprefix(REFERENCE)]
         table = table.get("items") if part == "*" else table.get("properties", {}).get(part)
         if table is None:
             return None
-    found: dict[str, Any] = table
-    return found
+    node: dict[str, Any] = table
+    return node
 
 
 def any_schema() -> dict[str, Any]:
@@ -90,9 +90,9 @@ def any_schema() -> dict[str, Any]:
     return {"$schema": DRAFT, "type": "object", **named, "allOf": choices, "$defs": defs}
 
 
-def text(made: dict[str, Any]) -> str:
+def text(content: dict[str, Any]) -> str:
     """Return a schema as the text of a file."""
-    return json.dumps(made, indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
 
 HEAD = """\
@@ -119,23 +119,25 @@ def page() -> str:
     """Return the page."""
     parts, laws = [HEAD], list[Section]()
     for name, template in TEMPLATES.items():
-        found = sections(template)
-        laws = laws or [section for section in found if section.path.startswith("laws.")]
-        own = [section for section in found if not section.path.startswith("laws.")]
+        every = sections(template)
+        laws = laws or [section for section in every if section.path.startswith("laws.")]
+        own = [section for section in every if not section.path.startswith("laws.")]
         parts.append(f"## {name}\n\n{own[0].models[0].__doc__ or ''}\n")
         parts += [section_text(section) for section in own]
-        parts += [alternative_text(key, found, sections(template, key)) for key in template.others]
+        parts += [alternative_text(key, every, sections(template, key)) for key in template.others]
     return "\n".join([*parts, LAWS, *(section_text(section) for section in laws)])
 
 
-def alternative_text(other: str, own: Iterable[Section], told: Iterable[Section]) -> str:
+def alternative_text(other: str, own: Iterable[Section], listed: Iterable[Section]) -> str:
     """Return the table of the keys that another way to tell a machine has, or takes in other units or ranges."""
 
-    def lined(found: Iterable[Section]) -> dict[str, tuple[str, ...]]:
-        return {f"{key.path}.{line[0]}": line for one in found for key in one.keys for line in key_lines("", [key])}
+    def lined(listed: Iterable[Section]) -> dict[str, tuple[str, ...]]:
+        return {
+            f"{key.path}.{line[0]}": line for section in listed for key in section.keys for line in key_lines("", [key])
+        }
 
     known = lined(own)
-    rows = [(*line[:-1], "") for key, line in lined(told).items() if known.get(key, ())[1:4] != line[1:4]]
+    rows = [(*line[:-1], "") for key, line in lined(listed).items() if known.get(key, ())[1:4] != line[1:4]]
     return f"### With `{other}`\n\nWhat differs then.\n\n{md_table(rows)}"
 
 
@@ -146,9 +148,9 @@ def section_text(section: Section) -> str:
     return f"{title}{md_table(key_lines(section.path, section.keys))}" if section.keys else title.rstrip("\n") + "\n"
 
 
-def md_table(told: Iterable[tuple[str, ...]]) -> str:
+def md_table(lines: Iterable[tuple[str, ...]]) -> str:
     """Return lines as a table, with titles."""
-    rows = [TITLES, ("---",) * len(TITLES), *told]
+    rows = [TITLES, ("---",) * len(TITLES), *lines]
     return "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
 
 

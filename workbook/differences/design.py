@@ -67,36 +67,38 @@ class Design:
 
     def results(self) -> dict[Key, Figure]:
         """Return all results but texts in tables, long tables and matrices (the best pairs stand for those)."""
-        found = self._figures("result")
-        return {key: one for key, one in found.items() if not key[2] or isinstance(one.value, int | float)}
+        figures = self._figures("result")
+        return {key: figure for key, figure in figures.items() if not key[2] or isinstance(figure.value, int | float)}
 
     def checks(self) -> dict[Key, Figure]:
         """Return the checks on which the overall verdict rests, with the sentence of each that fails."""
-        found = {}
+        figures = {}
         for sheet, q in self.book.checks:
             axis, rest = self._axis(q.name)
             says = str(self.book.blocks[f"{q.name}{SAYS}"].quantities[0].value or "")
-            found[axis, rest, "", ""] = Figure(sheet.title, q.label, "", *self.exact.judge(q.name, q.value, says))
-        return found
+            figures[axis, rest, "", ""] = Figure(sheet.title, q.label, "", *self.exact.judge(q.name, q.value, says))
+        return figures
 
     def _figures(self, role: str) -> dict[Key, Figure]:
-        blocks = [one for one in self.book.blocks.values() if role == "input" or (one.size <= LONG and not one.lead)]
+        blocks = [
+            block for block in self.book.blocks.values() if role == "input" or (block.size <= LONG and not block.lead)
+        ]
         columns = ((block, q) for block in blocks for q in block.quantities if q.role == role)
-        found: dict[Key, Figure] = {}
+        figures: dict[Key, Figure] = {}
         for block, q in columns:
             axis, rest = self._axis(block.name)
             rows = rows_of(block, axis) if block.is_table else [""]
             for row, value in zip(rows, as_rows(q.value, block.size, q.name), strict=True):
                 place = f"{block.sheet.title}: {row}" if row else block.sheet.title
-                found[axis, rest, q.name if row else "", row] = Figure(place, q.label, q.unit, value)
-        return found
+                figures[axis, rest, q.name if row else "", row] = Figure(place, q.label, q.unit, value)
+        return figures
 
     def _axis(self, name: str) -> tuple[str, str]:
         """Return the name of the axis that a block belongs to, and the rest of the block's name."""
-        if (found := NUMBERED.match(name)) is None:
+        if (match := NUMBERED.match(name)) is None:
             return "", name
-        number, rest = int(found[2]), f"{found[1]}{name[found.end() :]}"
-        if found[1] == "drive" and (held := self.book.blocks.get(f"drive{number}_axis")):
+        number, rest = int(match[2]), f"{match[1]}{name[match.end() :]}"
+        if match[1] == "drive" and (held := self.book.blocks.get(f"drive{number}_axis")):
             return str(held.quantities[0].value), rest
         return str(number) if number > len(self.axes) else self.axes[number - 1], rest
 
@@ -121,7 +123,7 @@ def read_design(path: Path) -> Design:
     match, _ = match_layout(file, entries.template, machine)
     report = Report(file.path, entries.template.name, findings=[*entries.moved, *layout_findings(match)])
     check_structure(match, report)
-    edited = [f"{one.sheet}!{one.cell} ({one.what}): {one.computed}" for one in report.findings]
+    edited = [f"{finding.sheet}!{finding.cell} ({finding.what}): {finding.computed}" for finding in report.findings]
     ours = {pair.address.sheet for pair in match.pairs}
     own = [f"the sheet {title!r}" for title in file.workbook.sheetnames if title not in ours]
     formulas = file.contents.formulas
@@ -187,7 +189,7 @@ def one_sided(old: list[str], new: list[str]) -> dict[str, list[str]]:
 
 def changes(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[Change]:
     """Return the figures that differ, in the order of the new book; what only the old one has comes last."""
-    found = []
+    listed = []
     for key in [*after, *(key for key in before if key not in after)]:
         was, now = before.get(key), after.get(key)
         shown = now or before[key]
@@ -196,10 +198,10 @@ def changes(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[C
         if not same(old, new):
             less = is_number(old) and is_number(new) and new < old
             worse = new == FAIL if old == OK else less and shown.label.startswith("Reserve")
-            found.append(Change(*shown[:3], old, new, worse, now.says if now else ""))
-    return found
+            listed.append(Change(*shown[:3], old, new, worse, now.says if now else ""))
+    return listed
 
 
-def same(one: Any, other: Any) -> bool:
+def same(old: Any, other: Any) -> bool:
     """Whether two values are the same; an empty text is an empty cell."""
-    return (one in EMPTY and other in EMPTY) or same_value(one, other, SMALLEST)
+    return (old in EMPTY and other in EMPTY) or same_value(old, other, SMALLEST)

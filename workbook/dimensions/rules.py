@@ -47,8 +47,8 @@ FREE, UNKNOWN = Term(free=True), Term()
 def plain(number: float) -> bool:
     """Whether a number is a count or converts units: whole, one part of a whole number, or such times π."""
     sizes = (abs(number), abs(number) / math.pi, abs(number) * math.pi)
-    either = [one for size in sizes if size for one in (size, 1 / size)]
-    return not number or any(one >= 0.5 and math.isclose(one, round(one), rel_tol=1e-12) for one in either)
+    either = [ratio for size in sizes if size for ratio in (size, 1 / size)]
+    return not number or any(ratio >= 0.5 and math.isclose(ratio, round(ratio), rel_tol=1e-12) for ratio in either)
 
 
 class FormulaChecker:
@@ -76,8 +76,8 @@ class FormulaChecker:
         if sign == "±":
             return parts[0]
         numbers = [part.number for part in parts if part.number is not None]
-        if len(numbers) == len(parts) and (made := number_of(sign, *numbers)) is not None:
-            return Term(number=made, free=True)
+        if len(numbers) == len(parts) and (number := number_of(sign, *numbers)) is not None:
+            return Term(number=number, free=True)
         if sign in "+-":
             return self.like("a sum", parts)
         if sign in "*/":
@@ -146,18 +146,18 @@ class FormulaChecker:
 
 def product(parts: Sequence[Term], signs: Sequence[int]) -> Term:
     """Return the term of a product, ``signs`` -1 for a divisor; unknown if one of its factors is."""
-    found = NONE
+    dimension = NONE
     for part, sign in zip(parts, signs, strict=True):
         if part.factor is None:
             return UNKNOWN
-        found = found * part.factor if sign > 0 else found / part.factor
-    return Term(found)
+        dimension = dimension * part.factor if sign > 0 else dimension / part.factor
+    return Term(dimension)
 
 
 def power_of(dimension: Dimension, exponent: float) -> Dimension:
     """Return a power of a dimension, its exponents as fractions so that √x² is x."""
-    found = {name: Fraction(power * exponent).limit_denominator(60) for name, power in powers(dimension).items()}
-    return Dimension({name: float(power) for name, power in found.items()})
+    exponents = {name: Fraction(power * exponent).limit_denominator(60) for name, power in powers(dimension).items()}
+    return Dimension({name: float(power) for name, power in exponents.items()})
 
 
 def number_of(sign: str, *numbers: float) -> float | None:
@@ -186,48 +186,48 @@ class UnitWalk:
         self.terms: dict[Address, Term] = {}
         self.areas: dict[Area, Term] = {}
         for cell, unit in units.items():
-            found = dimension_of(unit)
+            dimension = dimension_of(unit)
             if is_either(unit):
                 self.terms[cell] = UNKNOWN
-            elif found is not None and not isinstance(contents.constants.get(cell), str):
-                self.terms[cell] = Term(found)
+            elif dimension is not None and not isinstance(contents.constants.get(cell), str):
+                self.terms[cell] = Term(dimension)
 
     def walk(self, order: Iterable[Address]) -> Dimensions:
         """Return what came of all formulas, each behind those that it needs."""
-        found = Dimensions()
+        result = Dimensions()
         for cell in order:
             formula = self.contents.formulas[cell]
-            reading = FormulaChecker([self.argument(one) for one in formula.arguments])
+            reading = FormulaChecker([self.argument(argument) for argument in formula.arguments])
             try:
-                made, wrong = reading.of(tree(formula.shape)), reading.wrong
+                term, wrong = reading.of(tree(formula.shape)), reading.wrong
             except (FormulaError, RecursionError):
-                made, wrong = UNKNOWN, []
-            label = self.terms.setdefault(cell, made).dimension
-            if label is not None and made.dimension is not None and made.dimension != label:
-                wrong.append(f"{dimension_text(made.dimension)} where the unit says {dimension_text(label)}")
+                term, wrong = UNKNOWN, []
+            label = self.terms.setdefault(cell, term).dimension
+            if label is not None and term.dimension is not None and term.dimension != label:
+                wrong.append(f"{dimension_text(term.dimension)} where the unit says {dimension_text(label)}")
             if wrong and not is_either(self.units.get(cell, "")):
-                found.wrong[cell] = "; ".join(dict.fromkeys(wrong))
-            found.formulas += 1
-            found.known += made.dimension is not None or made.free
-        return found
+                result.wrong[cell] = "; ".join(dict.fromkeys(wrong))
+            result.formulas += 1
+            result.known += term.dimension is not None or term.free
+        return result
 
-    def argument(self, one: Area | str) -> Term:
+    def argument(self, argument: Area | str) -> Term:
         """Return the term of a text, a cell or a range."""
-        if isinstance(one, str):
+        if isinstance(argument, str):
             return FREE
-        if one.size == 1:
-            return self.cell(one.first)
-        if one not in self.areas:
-            self.areas[one] = self.range(one)
-        return self.areas[one]
+        if argument.size == 1:
+            return self.cell(argument.first)
+        if argument not in self.areas:
+            self.areas[argument] = self.range(argument)
+        return self.areas[argument]
 
-    def range(self, one: Area) -> Term:
+    def range(self, area: Area) -> Term:
         """Return the term of a range: unknown where that of one of its cells is."""
-        terms = [self.cell(cell) for cell in one.cells()]
+        terms = [self.cell(cell) for cell in area.cells()]
         if any(term.dimension is None and not term.free for term in terms):
             return UNKNOWN
-        found = tuple(dict.fromkeys(term.dimension for term in terms if term.dimension is not None))
-        return Term(found[0]) if len(found) == 1 else Term(several=found) if found else FREE
+        dimensions = tuple(dict.fromkeys(term.dimension for term in terms if term.dimension is not None))
+        return Term(dimensions[0]) if len(dimensions) == 1 else Term(several=dimensions) if dimensions else FREE
 
     def cell(self, cell: Address) -> Term:
         """Return the term of a cell; texts and empty cells go with any."""

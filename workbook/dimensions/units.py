@@ -25,30 +25,30 @@ registry = cache(UnitRegistry[Any])  # what gives the units that pint knows
 
 def dimension_of(unit: str) -> Dimension | None:
     """Return the dimension of a unit, the first ``/`` before all that divides; None where it is not known."""
-    found = parse_unit(unit)
-    return None if found is None else found.dimensionality
+    quantity = parse_unit(unit)
+    return None if quantity is None else quantity.dimensionality
 
 
 def size_of(unit: str) -> tuple[Dimension, float] | None:
     """Return the dimension of a unit and its size in SI; None where it is not known."""
-    found = parse_unit(unit)
-    return None if found is None else (found.dimensionality, float(f"{found.magnitude:.12g}"))
+    quantity = parse_unit(unit)
+    return None if quantity is None else (quantity.dimensionality, float(f"{quantity.magnitude:.12g}"))
 
 
 @cache
 def parse_unit(unit: str) -> Any:
     """Return a unit as pint's quantity in base units, the first ``/`` before all that divides; None if not known."""
-    found = registry().Quantity(1.0)
+    quantity = registry().Quantity(1.0)
     for k, part in enumerate(unit.strip(" []()").split("/")):
         text, at = part.translate(POWERS).strip(), 0
         while at < len(text):
             match = FACTOR.match(text, at)
             if match is None or (factor := parse_word(match["word"])) is None:
                 return None
-            found *= factor ** (int(match["power"] or 1) * (-1 if k else 1))
+            quantity *= factor ** (int(match["power"] or 1) * (-1 if k else 1))
             between = BETWEEN.match(text, match.end())
             at = between.end() if between else match.end()
-    return found if unit.strip(" []()") else None
+    return quantity if unit.strip(" []()") else None
 
 
 def is_either(unit: str) -> bool:
@@ -69,8 +69,8 @@ def parse_word(word: str) -> Any:
 
 def powers(dimension: Dimension) -> dict[str, float]:
     """Return the powers of the base quantities in a dimension."""
-    found: dict[str, Any] = dict(dimension)
-    return {name: float(power) for name, power in found.items()}
+    exponents: dict[str, Any] = dict(dimension)
+    return {name: float(power) for name, power in exponents.items()}
 
 
 @cache

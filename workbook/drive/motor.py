@@ -19,7 +19,7 @@ ReducerLimit = tuple[str, str, str, bool, float, float]  # what, both its cells,
 
 def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> list[Quantity]:
     """Return the checks of RMS torque, peak torque and speed; ``mends`` says, behind what fails, what would mend it."""
-    found = (
+    limits = (
         ("rms", "RMS torque within the continuous torque", "@rms", "@continuous", "Nm", 1.0, reserve.rms_torque),
         ("peak", "peak torque within the motor's", PEAKS, "@motor_peak", "Nm", 1.0, reserve.peak_torque),
         ("speed", "speed within the motor's", "@speed", "@motor_nmax", "rpm", RPM, reserve.speed),
@@ -27,15 +27,15 @@ def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> l
     return [
         CELLS["limit_checks"](
             "@ok_{name}",
-            one.ok,
+            check.ok,
             name=name,
             of=of,
             what=what,
             cell=cell,
             allowed=limit,
-            says=exceeding(cell, limit, unit, shown(one.value, size), shown(one.limit, size)).then(mends),
+            says=exceeding(cell, limit, unit, shown(check.value, size), shown(check.limit, size)).then(mends),
         )
-        for name, what, cell, limit, unit, size, one in found
+        for name, what, cell, limit, unit, size, check in limits
     ]
 
 
@@ -58,7 +58,7 @@ def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTH
     return cell("@ok_curve", not falls or spare >= 0.0, of=of, says=says)
 
 
-def within_reducer(of: str, *found: ReducerLimit, mends: CheckSentence = NOTHING) -> list[Quantity]:
+def within_reducer(of: str, *limits: ReducerLimit, mends: CheckSentence = NOTHING) -> list[Quantity]:
     """Return the checks of a reducer's limits."""
     units = {"torque": "Nm", "mean torque": "Nm", "speed": "rpm"}
     names = {"torque": "peak", "mean torque": "mean", "speed": "speed"}
@@ -73,7 +73,7 @@ def within_reducer(of: str, *found: ReducerLimit, mends: CheckSentence = NOTHING
             cell=cell,
             says=exceeding(cell, limit, units[what], value, most).then(mends),
         )
-        for what, cell, limit, ok, value, most in found
+        for what, cell, limit, ok, value, most in limits
     ]
 
 

@@ -33,26 +33,26 @@ def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any], e
     faults: list[Fault] = []
     tried = data = model.spelled(data)
     for turn in range(MOST_ROUNDS):
-        machine, found = validated(model, check, tried)
+        machine, refused = validated(model, check, tried)
         if machine is not None:
-            kept = differing(model, data, machine.model_dump(), replaced)
-            machine._design = Design(kept, tuple(faults))
+            changed = differing(model, data, machine.model_dump(), replaced)
+            machine._design = Design(changed, tuple(faults))
             return machine
         if turn == 0:
             tried, dumped = deepcopy(data), example().model_dump()
-        for fault in found:
+        for fault in refused:
             path = fault.key
             while path in replaced and path:
                 path = join(split(path)[:-1])
             if not path:
-                raise RefusedError(found)
+                raise RefusedError(refused)
             whole = path == fault.key
             fits = whole and fault.fits is not None
             put(tried, split(path), fault.fits if fits else fitting(model, path, dumped, tried))
             replaced.setdefault(path, turn)
             if whole:
                 faults.append(fault._replace(turn=turn))
-    raise RefusedError(found)
+    raise RefusedError(refused)
 
 
 def validated(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> tuple[M | None, list[Fault]]:
@@ -61,10 +61,10 @@ def validated(model: type[M], check: Callable[[M], None], data: dict[str, Any]) 
         machine = model.model_validate(data)
         check(machine)
     except ValidationError as error:
-        told = [(fault, numbers_of(fault, model)) for fault in error.errors(include_url=False)]
-        if refused := [fault for fault, numbers in told if numbers is None]:
+        faults = [(fault, numbers_of(fault, model)) for fault in error.errors(include_url=False)]
+        if refused := [fault for fault, numbers in faults if numbers is None]:
             raise RefusedError(refused) from None
-        return None, [each for _, numbers in told for each in numbers or ()]
+        return None, [each for _, numbers in faults for each in numbers or ()]
     except DesignError as error:
         return None, [of_rule("", error)]
     return machine, []
@@ -87,8 +87,8 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
         known = fault["type"] == "missing" or value is None or value == {}
         known = known and (kind is float or get_origin(kind) is Literal or rules.takes_law(constraints))
     fits = 0.0 if not beyond and kind is float and Ge(0) in constraints else None  # as a cell reads it
-    said = f"expected {rules.expectation(kind, constraints)}"
-    return [Fault(key, key, "", said, value if beyond else None, fits)] if known else None
+    message = f"expected {rules.expectation(kind, constraints)}"
+    return [Fault(key, key, "", message, value if beyond else None, fits)] if known else None
 
 
 def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
@@ -100,9 +100,9 @@ def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
     if isinstance(cause, EntryError):
         return f"{where(f'{key}.{cause.field}'.strip('.'))}: {cause}"
     if fault["type"].startswith("union_tag"):
-        said = quoted(fault["input"].get(rules.KIND)) if fault["type"] == "union_tag_invalid" else ""
+        kind_text = quoted(fault["input"].get(rules.KIND)) if fault["type"] == "union_tag_invalid" else ""
         expected = rules.either(rules.kinds_at(model, rule.split(".")))
-        return f"{where(f'{key}.{rules.KIND}')}: {f'found {said}' if said else 'empty'}; expected {expected}"
+        return f"{where(f'{key}.{rules.KIND}')}: {f'found {kind_text}' if kind_text else 'empty'}; expected {expected}"
     if fault["type"] == "extra_forbidden":
         above, unknown = key.removesuffix(f".{fault['loc'][-1]}"), str(fault["loc"][-1])
         kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
@@ -127,13 +127,13 @@ def of_rule(where: str, error: DesignError) -> Fault:
 def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: dict[str, Any]) -> Any:
     """Return a valid entry, or all entries below a place: the example's numbers with the texts that were entered."""
     rule = ruled(path, tried)
-    found = example_at(example, split(rule))
-    if found is None:
+    entry = example_at(example, split(rule))
+    if entry is None:
         kind, constraints = rules.field_at(model, rule)
         if len(rules.tables(kind)) != 1 or any(field.is_required() for field in rules.fields(kind).values()):
             return rules.within(kind, constraints)
-        found = kind().model_dump()
-    return refilled(get(tried, split(path), MISSING), found)
+        entry = kind().model_dump()
+    return refilled(get(tried, split(path), MISSING), entry)
 
 
 def keys_of(model: type[BaseModel], loc: tuple[int | str, ...]) -> tuple[str, str]:
@@ -170,26 +170,28 @@ def refilled(held: Any, example: Any) -> Any:
             return deepcopy(held)  # what an example of another kind has does not fit
         return {key: refilled(known.get(key, MISSING), value) for key, value in example.items() if value is not None}
     if isinstance(example, list) and example and isinstance(held, list) and held:
-        return [refilled(one, example[min(i, len(example) - 1)]) for i, one in enumerate(held)]
+        return [refilled(row, example[min(i, len(example) - 1)]) for i, row in enumerate(held)]
     return held if isinstance(held, str) and isinstance(example, str) else deepcopy(example)
 
 
 def differing(
-    model: type[BaseModel], entered: dict[str, Any], made: dict[str, Any], replaced: dict[str, int]
+    model: type[BaseModel], entered: dict[str, Any], complete: dict[str, Any], replaced: dict[str, int]
 ) -> dict[str, Replaced]:
     """Return by key the entries below the places that were replaced, where they differ."""
-    found: dict[str, Replaced] = {}
+    by_path: dict[str, Replaced] = {}
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
         place = split(path)
-        old, new = ({join(way): value for way, value in leaves(get(data, place), place)} for data in (entered, made))
+        old, new = (
+            {join(way): value for way, value in leaves(get(data, place), place)} for data in (entered, complete)
+        )
         for key in new | old:
             absent = old.get(key, {}) == {}
             was = None if absent else old[key]
             if absent and key in new and get(entered, split(key)[:-1]):
                 was = rules.default_at(model, ruled(key, entered))
             if was != new.get(key):
-                found.setdefault(key, Replaced(plain(was), turn))
-    return found
+                by_path.setdefault(key, Replaced(plain(was), turn))
+    return by_path
 
 
 def plain(value: Any) -> Any:

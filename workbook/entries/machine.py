@@ -52,7 +52,7 @@ class Design(NamedTuple):
     faults: tuple[Fault, ...] = ()
 
 
-Dated = Annotated[Text, BeforeValidator(lambda told: told.isoformat() if isinstance(told, date) else told)]
+Dated = Annotated[Text, BeforeValidator(lambda day: day.isoformat() if isinstance(day, date) else day)]
 """a date as a text, or as TOML has dates"""
 
 
@@ -126,7 +126,7 @@ class Exporting(Machine):
         name = get(data, ("export", "axis"))
         if not isinstance(name, str):
             return data
-        names = [one.casefold() for one in cls.axis_names(data)]
+        names = [name.casefold() for name in cls.axis_names(data)]
         if name.casefold() not in names:
             raise EntryError("export.axis", f"no axis is named {name!r}; expected {_one_of(cls.axis_names(data))}")
         return {**data, "export": {**data["export"], "axis": names.index(name.casefold()) + 1}}

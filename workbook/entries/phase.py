@@ -60,8 +60,8 @@ def forward(name: str, phases: Sequence[TurnPhase], unit: str = "°", length: fl
     for row, phase in enumerate(phases, 1):
         if phase.stop <= phase.start:
             short = phase.start - phase.stop
-            said = f"{name} row {row} ends at {figure(phase.stop)}{unit}, {figure(short)}{unit} before it begins"
-            yield DesignError("phases", said, "forward", filling(phases, length))
+            message = f"{name} row {row} ends at {figure(phase.stop)}{unit}, {figure(short)}{unit} before it begins"
+            yield DesignError("phases", message, "forward", filling(phases, length))
             return
 
 
@@ -69,4 +69,6 @@ def filling(phases: Sequence[TurnPhase], length: float = TURN) -> list[dict[str,
     """Return the phases, evenly spread over the cycle."""
     step = length / len(phases)
     ends = pairwise([*(i * step for i in range(len(phases))), length])
-    return [one.model_dump() | {"start": start, "stop": stop} for one, (start, stop) in zip(phases, ends, strict=True)]
+    return [
+        phase.model_dump() | {"start": start, "stop": stop} for phase, (start, stop) in zip(phases, ends, strict=True)
+    ]

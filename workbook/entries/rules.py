@@ -39,14 +39,14 @@ def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
 
 def tables(kind: Any) -> tuple[type[BaseModel], ...]:
     """Return the models that a table may be of: one, several of a table of different kinds, none of an entry."""
-    found = kind if isinstance(kind, tuple) else (kind,)
-    return found if all(isinstance(one, type) and issubclass(one, BaseModel) for one in found) else ()
+    models = kind if isinstance(kind, tuple) else (kind,)
+    return models if all(isinstance(model, type) and issubclass(model, BaseModel) for model in models) else ()
 
 
 def kinds(kind: Any) -> dict[str, type[BaseModel]]:
     """Return the models of a table of different kinds by what the entry ``kind`` says; none of any other."""
     models = tables(kind)
-    return {get_args(one.model_fields[KIND].annotation)[0]: one for one in models} if len(models) > 1 else {}
+    return {get_args(model.model_fields[KIND].annotation)[0]: model for model in models} if len(models) > 1 else {}
 
 
 def kinds_at(model: type[BaseModel], path: Sequence[str]) -> dict[str, type[BaseModel]]:
@@ -59,21 +59,21 @@ def kinds_at(model: type[BaseModel], path: Sequence[str]) -> dict[str, type[Base
 
 def fields(kind: Any) -> dict[str, FieldInfo]:
     """Return the entries of a table, of whatever kind it is."""
-    return {name: field for one in reversed(tables(kind)) for name, field in one.model_fields.items()}
+    return {name: field for model in reversed(tables(kind)) for name, field in model.model_fields.items()}
 
 
 def unwrap(annotation: Any, constraints: list[Any]) -> tuple[Any, list[Any]]:
     """Strip ``Annotated`` and ``| None`` from a type, collecting the constraints on the way."""
-    found = list(constraints)
+    gathered = list(constraints)
     if hasattr(annotation, "__metadata__"):
         for note in annotation.__metadata__:
-            found += note.metadata if isinstance(note, FieldInfo) else [note]
-        return unwrap(get_args(annotation)[0], found)
+            gathered += note.metadata if isinstance(note, FieldInfo) else [note]
+        return unwrap(get_args(annotation)[0], gathered)
     if get_origin(annotation) in (Union, types.UnionType):
         several = [a for a in get_args(annotation) if a is not type(None)]
         models = tables(tuple(several))
-        return (models, found) if len(models) > 1 else unwrap(several[0], found)
-    return annotation, found
+        return (models, gathered) if len(models) > 1 else unwrap(several[0], gathered)
+    return annotation, gathered
 
 
 def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
@@ -87,11 +87,11 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     elif is_free_text(model, q):
         rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(longest(constraints)))
     else:
-        found = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
-        low, high = found.get(">=", found.get(">", -1e300)), found.get("<", found.get("<=", 1e300))
+        by_sign = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
+        low, high = by_sign.get(">=", by_sign.get(">", -1e300)), by_sign.get("<", by_sign.get("<=", 1e300))
         rule = DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
-        if ">" in found and high == 1e300:
-            rule = DataValidation("decimal", operator="greaterThan", formula1=repr(found[">"]))
+        if ">" in by_sign and high == 1e300:
+            rule = DataValidation("decimal", operator="greaterThan", formula1=repr(by_sign[">"]))
     rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
     rule.allow_blank = "*" in q.key
     rule.promptTitle = rule.errorTitle = clip(q.label, 32)
@@ -160,7 +160,7 @@ def is_table(kind: Any) -> bool:
     """Whether a list is one of rows, each of several entries and none of them a table again."""
     rows = tables(get_args(kind)[0])
     entries = [unwrap(entry.annotation, [])[0] for row in rows for entry in row.model_fields.values()]
-    return bool(rows) and not any(get_origin(one) is list or tables(one) for one in entries)
+    return bool(rows) and not any(get_origin(entry) is list or tables(entry) for entry in entries)
 
 
 def within(kind: Any, constraints: list[Any]) -> Any:
@@ -181,9 +181,9 @@ SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}
 
 def known(constraints: list[Any]) -> list[Any]:
     """Return the bounds of a number that a person would know; of two lower ones the greater counts."""
-    found = [c for c in constraints if type(c) in SIGNS and abs(astuple(c)[0]) not in (LARGEST, SMALLEST)]
-    least = max((astuple(c)[0] for c in found if isinstance(c, Gt | Ge)), default=0.0)
-    return [c for c in found if isinstance(c, Lt | Le) or astuple(c)[0] == least]
+    bounds = [c for c in constraints if type(c) in SIGNS and abs(astuple(c)[0]) not in (LARGEST, SMALLEST)]
+    least = max((astuple(c)[0] for c in bounds if isinstance(c, Gt | Ge)), default=0.0)
+    return [c for c in bounds if isinstance(c, Lt | Le) or astuple(c)[0] == least]
 
 
 def beyond_all(value: float, constraints: list[Any]) -> bool:

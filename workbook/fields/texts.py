@@ -89,15 +89,15 @@ def sheet_title(name: str, taken: Iterable[str]) -> str:
     """Return a title for the sheet of a name; Law for a name of which nothing is left."""
     words = cut(re.sub(r"[\[\]:*?/\\]", "-", name), LONGEST) or "Law"
     others = {lookup_key(title) for title in (*taken, *RESERVED)}
-    found, more = words, 1
-    while lookup_key(found) in others:
+    short, more = words, 1
+    while lookup_key(short) in others:
         more += 1
         ending = f" ({more})"
-        found = cut(words, LONGEST - len(ending)) + ending
-    return found
+        short = cut(words, LONGEST - len(ending)) + ending
+    return short
 
 
 def cut(text: str, most: int) -> str:
     """Return as much of a text as UTF-16 has in so many units, without apostrophes or blanks at its ends."""
-    kept = text.strip("' ").encode("utf-16-le", "surrogatepass")[: 2 * most].decode("utf-16-le", "ignore")
-    return kept.strip("' ")
+    short = text.strip("' ").encode("utf-16-le", "surrogatepass")[: 2 * most].decode("utf-16-le", "ignore")
+    return short.strip("' ")

@@ -57,9 +57,9 @@ class DesignError(EntryError):
 class DesignFaultsError(ValueError):
     """All that does not go together below one model."""
 
-    def __init__(self, found: list[DesignError]) -> None:
-        super().__init__("; ".join(map(str, found)))
-        self.found = found
+    def __init__(self, faults: list[DesignError]) -> None:
+        super().__init__("; ".join(map(str, faults)))
+        self.found = faults
 
 
 class Model(BaseModel):
@@ -73,7 +73,7 @@ class Model(BaseModel):
 
     @model_validator(mode="after")
     def _goes_together(self) -> Self:
-        found = list(self.design_faults())
-        if found:
-            raise DesignFaultsError(found)
+        faults = list(self.design_faults())
+        if faults:
+            raise DesignFaultsError(faults)
         return self

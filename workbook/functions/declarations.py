@@ -21,7 +21,7 @@ NAMESPACE = "MOTION"
 TEXTS = tomllib.loads(Path(__file__).with_name("functions.toml").read_text(encoding="utf-8"))
 CODES: tuple[str, ...] = tuple(code for code, page in FAMILY.items() if page.functions)
 """codes of the laws that the functions know: of every family but points, which are a table of their own"""
-SAID = {code: Text(*one["says"]) for one in TEXTS["takes"] for code in one["codes"]}
+SAID = {code: Text(*entry["says"]) for entry in TEXTS["takes"] for code in entry["codes"]}
 TAKES = {code: SAID[code] for code in (*LAWS, "OWN") if code in SAID}  # what each law takes that takes anything
 
 
@@ -54,15 +54,15 @@ class Function(NamedTuple):
 
 def with_law_texts(texts: Sequence[str]) -> Text:
     """Return texts of three languages with the codes of the laws, and with what each law takes."""
-    made = []
+    languages = []
     for words, text in zip(zip(*TAKES.values(), strict=True), texts, strict=True):
-        alike = {one: [code for code, other in zip(TAKES, words, strict=True) if other == one] for one in words}
-        takes = "; ".join(f"{', '.join(codes)}: {one}" for one, codes in alike.items())
-        made.append(text.format(codes=", ".join(CODES[:-1]), last=CODES[-1], takes=takes))
-    return Text(*made)
+        alike = {text: [code for code, other in zip(TAKES, words, strict=True) if other == text] for text in words}
+        takes = "; ".join(f"{', '.join(codes)}: {words}" for words, codes in alike.items())
+        languages.append(text.format(codes=", ".join(CODES[:-1]), last=CODES[-1], takes=takes))
+    return Text(*languages)
 
 
-ARGUMENTS = {name: Argument(one["kind"], Text(*one["name"]), with_law_texts(one["help"]), one.get("optional", False))
-             for name, one in TEXTS["arguments"].items()}  # fmt: skip
-FUNCTIONS = [Function(key, with_law_texts(one["help"]), [ARGUMENTS[name] for name in one["arguments"]])
-             for key, one in TEXTS["functions"].items()]  # fmt: skip
+ARGUMENTS = {name: Argument(row["kind"], Text(*row["name"]), with_law_texts(row["help"]), row.get("optional", False))
+             for name, row in TEXTS["arguments"].items()}  # fmt: skip
+FUNCTIONS = [Function(key, with_law_texts(entry["help"]), [ARGUMENTS[name] for name in entry["arguments"]])
+             for key, entry in TEXTS["functions"].items()]  # fmt: skip

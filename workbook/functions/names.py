@@ -56,7 +56,7 @@ class Definition(NamedTuple):
 def definitions() -> tuple[Definition, ...]:
     """Return every name: the functions in the order of their declaration, then the helpers they call."""
     helps = {function.name: function.help.en for function in FUNCTIONS}
-    found = {}
+    by_name = {}
     text = SOURCE.read_text(encoding="utf-8")
     for name, formula in tables().items():
         text = text.replace(f"«{name}»", formula)
@@ -68,9 +68,9 @@ def definitions() -> tuple[Definition, ...]:
         if heading is None:
             raise ValueError(f"{SOURCE.name}: no name and formula: {lines[:60]!r}")
         name = heading["name"]
-        found[name] = Definition(name, heading["note"] or helps[name], heading["formula"])
-    order = [*helps, *(name for name in found if name not in helps)]
-    return tuple(found[name] for name in order)
+        by_name[name] = Definition(name, heading["note"] or helps[name], heading["formula"])
+    order = [*helps, *(name for name in by_name if name not in helps)]
+    return tuple(by_name[name] for name in order)
 
 
 def meaning(stored: str) -> list[tuple[str, object]]:
@@ -117,9 +117,9 @@ def term(value: Any) -> Term:
     if isinstance(value, Term):
         return value
     for power, pi in enumerate(PI):
-        found = Fraction(value / math.pi**power).limit_denominator(LARGEST)
-        if abs(found * math.pi**power - value) <= 1e-15 * abs(value):
-            return fraction(found, pi)
+        ratio = Fraction(value / math.pi**power).limit_denominator(LARGEST)
+        if abs(ratio * math.pi**power - value) <= 1e-15 * abs(value):
+            return fraction(ratio, pi)
     raise ValueError(f"{value!r} is no fraction of 1, π or π²")
 
 
@@ -139,28 +139,28 @@ def spelled(*values: Any) -> str:
 
 def array(values: Sequence[float]) -> str:
     """Return a number, or several as an array, as whole ones over what they have in common."""
-    found = [Fraction(value).limit_denominator(LARGEST) for value in values]
-    common = lcm(*(one.denominator for one in found))
-    whole = ",".join(str(one * common) for one in found)
-    text = f"{{{whole}}}" if len(found) > 1 else whole
+    ratios = [Fraction(value).limit_denominator(LARGEST) for value in values]
+    common = lcm(*(ratio.denominator for ratio in ratios))
+    whole = ",".join(str(ratio * common) for ratio in ratios)
+    text = f"{{{whole}}}" if len(ratios) > 1 else whole
     return text if common == 1 else f"{text} / {common}"
 
 
 def of_parameters(function: Callable[..., Any], text: Callable[[Any], str]) -> str:
     """Return what a function of a law's parameters gives, as a text, where the column ``p`` holds them."""
     names = signature(function).parameters
-    if any(one.kind is Parameter.VAR_POSITIONAL for one in names.values()):
+    if any(parameter.kind is Parameter.VAR_POSITIONAL for parameter in names.values()):
         return "p"
-    found = text(function(*(Term(name) for name in names)))
+    formula = text(function(*(Term(name) for name in names)))
     let = ", ".join(f"{name}, INDEX(p, {k})" for k, name in enumerate(names, 1))
-    return f"LET({let}, {found})" if let else found
+    return f"LET({let}, {formula})" if let else formula
 
 
 def pieces_formula(law: LawForm) -> str:
     """Return the pieces of a law that writes them out; all but the first have no use for its velocity."""
 
     def rows(pieces: Sequence[Mapping[str, Any]]) -> str:
-        each = [f"HSTACK({spelled(*(one.get(name, 0.0) for name in PIECE), law.begin)})" for one in pieces]
+        each = [f"HSTACK({spelled(*(piece.get(name, 0.0) for name in PIECE), law.begin)})" for piece in pieces]
         return f"VSTACK({', '.join(each)})"
 
     return of_parameters(law.pieces, rows) if law.pieces else ""
@@ -191,18 +191,18 @@ def domain_condition(law: LawForm) -> str:
 
 def by_law(text: Callable[[LawForm], str], otherwise: str, **more: str) -> str:
     """Return a formula that chooses by ``code``; laws of the same text together, those of none left out."""
-    found: dict[str, list[str]] = {}
-    for code, one in more.items():
-        found.setdefault(one, []).append(f'code = "{code}"')
+    codes_of: dict[str, list[str]] = {}
+    for code, formula in more.items():
+        codes_of.setdefault(formula, []).append(f'code = "{code}"')
     for code, law in LAWS.items():
         try:
-            found.setdefault(text(law), []).append(f'code = "{code}"')
+            codes_of.setdefault(text(law), []).append(f'code = "{code}"')
         except TypeError as error:
             raise TypeError(f"{code}: of parameters LAWS may take differences, products and choices") from error
-    found.pop("", None)
-    for one, codes in reversed(found.items()):
+    codes_of.pop("", None)
+    for formula, codes in reversed(codes_of.items()):
         among = codes[0] if len(codes) == 1 else f"OR({', '.join(codes)})"
-        otherwise = f"IF({among}, {one},\n    {otherwise})"
+        otherwise = f"IF({among}, {formula},\n    {otherwise})"
     return otherwise
 
 

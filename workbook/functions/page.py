@@ -156,9 +156,9 @@ def parameters(sheet: Sheet, shown: PageInputs) -> None:
             continue
         entered = laws[code]
         sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
-            given(one.column, one.short, "", "",
-                  [get(entered, split(one.key))], f"laws.{code}.{one.key}", format="0.0000")
-            for one in page.parameters
+            given(parameter.column, parameter.short, "", "",
+                  [get(entered, split(parameter.key))], f"laws.{code}.{parameter.key}", format="0.0000")
+            for parameter in page.parameters
         ))  # fmt: skip
     rows = len(pieces) + EMPTY_PIECES
     sheet.table("OWN", "OWN: a row a piece of a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *(
@@ -187,8 +187,8 @@ def results(shown: PageInputs) -> list[Any]:
     law, motion, k = shown.one.evaluate(shown.xi), shown.motion.at(shown.x), shown.one.coefficients
     xi = "#NUM!" if shown.law == "DWL" else inverse(shown.one, shown.s)
     jerk = k.cj if math.isfinite(k.cj) else "#NUM!"
-    reduced = math.fsum(Part("", one.inertia, speed_ratio=one.ratio).reflected for one in shown.shafts)
-    value, duration = np.array([(one.value, one.duration) for one in shown.profile]).T
+    reduced = math.fsum(Part("", shaft.inertia, speed_ratio=shaft.ratio).reflected for shaft in shown.shafts)
+    value, duration = np.array([(place.value, place.duration) for place in shown.profile]).T
     rms = float(np.sqrt(value**2 @ duration / duration.sum()))
     return [*law, xi, k.cv, k.ca, k.ca_rms, jerk, *motion[:3], reduced, rms]
 
@@ -219,8 +219,8 @@ def motion(sheet: Sheet, shown: PageInputs) -> None:
     sheet.note("OWN takes its pieces side by side, each as in its table above; a wider table has room for more.")
     sheet.table(
         "phases", "Phases", rows,
-        given("law", "law", "", "", filled([one.law for one in phases], rows, None), "phases.*.law", align="center"),
-        *(entry(name, name, [getattr(one, name) for one in phases], name) for name in ("duration", "lift")),
+        given("law", "law", "", "", filled([p.law for p in phases], rows, None), "phases.*.law", align="center"),
+        *(entry(name, name, [getattr(p, name) for p in phases], name) for name in ("duration", "lift")),
         *(entry(f"p{i}", f"parameter {i}", values, "p.*") for i, values in enumerate(zip(*p, strict=True), 1)),
     )  # fmt: skip
     sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=13)
@@ -235,19 +235,19 @@ def sums(sheet: Sheet, shown: PageInputs) -> None:
     )
     for table, rows, columns in tables:
         sheet.table(table, table.capitalize(), len(rows), *(
-            given(name, words, symbol, "", [getattr(one, key) for one in rows], f"{table}.*.{key}", format="General")
+            given(name, words, symbol, "", [getattr(row, key) for row in rows], f"{table}.*.{key}", format="General")
             for name, words, symbol, key in columns
         ))  # fmt: skip
 
 
 def samples(sheet: Sheet, shown: PageInputs) -> None:
     """Declare what each argument takes, then the sampled law and the sampled motion."""
-    found: dict[str, Argument] = {a.name.en: a for f in FUNCTIONS for a in f.arguments}
+    arguments: dict[str, Argument] = {a.name.en: a for f in FUNCTIONS for a in f.arguments}
     sheet.heading("The arguments")
     sheet.table(
-        "arguments", "Bad arguments give the error values of built-in functions: #VALUE!, #NUM!", len(found),
-        constant("argument", "argument", "", "", list(found), align="left"),
-        constant("takes", "what it takes", "", "", [a.help.en for a in found.values()], align="left"),
+        "arguments", "Bad arguments give the error values of built-in functions: #VALUE!, #NUM!", len(arguments),
+        constant("argument", "argument", "", "", list(arguments), align="left"),
+        constant("takes", "what it takes", "", "", [a.help.en for a in arguments.values()], align="left"),
     )  # fmt: skip
     sheet.heading("The sampled law and the sampled motion")
     xi, x = np.arange(LAW_STEPS + 1) / LAW_STEPS, np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS

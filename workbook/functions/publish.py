@@ -40,14 +40,14 @@ PACKAGE = resources.files("workbook.functions") / "addin"
 
 def write_book(path: Path, shown: PageInputs = EXAMPLE) -> None:
     """Write the workbook of the names; the cell that says whether they compute has no saved value."""
-    names = [DefinedName(one.name, comment=one.note[:NOTE], attr_text=one.stored) for one in definitions()]
-    made = parts(declare(shown), PageInputs, names, f"{NAMESPACE}.")  # a copied sheet brings along these names alone
-    pack(archive.with_dynamic_arrays(made | {SHEET: WHETHER.sub(rb"\1\2", made[SHEET])}), path, overwrite=True)
+    names = [DefinedName(term.name, comment=term.note[:NOTE], attr_text=term.stored) for term in definitions()]
+    pieces = parts(declare(shown), PageInputs, names, f"{NAMESPACE}.")  # a copied sheet brings along these names alone
+    pack(archive.with_dynamic_arrays(pieces | {SHEET: WHETHER.sub(rb"\1\2", pieces[SHEET])}), path, overwrite=True)
 
 
 def write_text(path: Path) -> None:
     """Write the definitions to paste elsewhere: a name, what it is for, and its formula in one line."""
-    entries = (f"{one.name}\n{one.note}\n={' '.join(one.formula.split())}\n" for one in definitions())
+    entries = (f"{term.name}\n{term.note}\n={' '.join(term.formula.split())}\n" for term in definitions())
     path.write_bytes("\n".join([HEAD, *entries]).encode())  # the same line ends on every system
 
 
@@ -60,15 +60,15 @@ def write_files(folder: Path | None = None) -> list[Path]:
 
 
 def stale_files() -> list[Path]:
-    """Return the committed files that today's code would generate differently, and those that are not there."""
-    found = []
+    """Return the old files that today's code would generate differently, and those that are not there."""
+    stale = []
     with tempfile.TemporaryDirectory() as folder:
         for fresh in write_files(Path(folder)):
-            kept = FOLDER / fresh.name
-            same = kept.exists() and (same_book(fresh, kept) if kept.suffix == ".xlsx" else cmp(fresh, kept, False))
+            old = FOLDER / fresh.name
+            same = old.exists() and (same_book(fresh, old) if old.suffix == ".xlsx" else cmp(fresh, old, False))
             if not same:
-                found.append(kept)
-    return found
+                stale.append(old)
+    return stale
 
 
 def write_add_in(path: Path, overwrite: bool = False) -> None:
@@ -82,15 +82,15 @@ def write_add_in(path: Path, overwrite: bool = False) -> None:
 
 def add_in() -> dict[str, bytes]:
     """Return the files of the add-in by name, in order: texts are on every system the same bytes."""
-    described = [f"description/{one}.txt" for one in Text._fields]
+    described = [f"description/{language}.txt" for language in Text._fields]
     texts = ["META-INF/manifest.xml", "description.xml", *described, "motion.py"]
     category = Text(*TEXTS["category"])
     wizard = Template((PACKAGE / "CalcAddIns.xcu").read_text(encoding="utf-8"))
-    told = wizard.generate(namespace=NAMESPACE, functions=FUNCTIONS, category=category)
-    made = {name: (PACKAGE / name).read_text(encoding="utf-8").encode() for name in texts}
-    made["description.xml"] = made["description.xml"].replace(b"VERSION", __version__.encode())
-    made |= {"CalcAddIns.xcu": told, "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
+    registry = wizard.generate(namespace=NAMESPACE, functions=FUNCTIONS, category=category)
+    files = {name: (PACKAGE / name).read_text(encoding="utf-8").encode() for name in texts}
+    files["description.xml"] = files["description.xml"].replace(b"VERSION", __version__.encode())
+    files |= {"CalcAddIns.xcu": registry, "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
     for module in sorted((PACKAGE / "motion_functions").iterdir(), key=attrgetter("name")):
         if module.name.endswith(".py"):
-            made[f"pythonpath/motion_functions/{module.name}"] = module.read_text(encoding="utf-8").encode()
-    return made
+            files[f"pythonpath/motion_functions/{module.name}"] = module.read_text(encoding="utf-8").encode()
+    return files

@@ -86,10 +86,12 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     except Exception as error:  # one strange file must not take the others' verdicts with it
         failed = f"({type(error).__name__}: {error})"
         return no_report(path, f"verifying it failed inside motionbook {failed}; please report this")
-    if report.findings and all(one.kind == "witness" for one in report.findings):  # no cell is known to be wrong
-        found = report.findings[0]
-        version = next(ran.version for ran in report.witnesses if ran.name == found.cell)
-        return no_report(path, f"{in_full(found.cell, version)} gave no values to compare: {found.computed}")
+    if report.findings and all(
+        finding.kind == "witness" for finding in report.findings
+    ):  # no cell is known to be wrong
+        finding = report.findings[0]
+        version = next(ran.version for ran in report.witnesses if ran.name == finding.cell)
+        return no_report(path, f"{in_full(finding.cell, version)} gave no values to compare: {finding.computed}")
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
 
@@ -152,11 +154,11 @@ def find_workbooks(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
     failed: list[Outcome] = []
     for path in paths:
         if os.path.isdir(path):  # not where the system cannot tell, as of a name longer than any
-            if not (found := list(workbooks_in(path, failed))):
+            if not (workbooks := list(workbooks_in(path, failed))):
                 failed.append(no_report(path, "there is no workbook in this folder"))
         else:
-            found = [Target(path, named=True)]
-        for target in found:
+            workbooks = [Target(path, named=True)]
+        for target in workbooks:
             if target.named or target.path.absolute() not in targets:
                 targets[target.path.absolute()] = target
     return list(targets.values()), failed

@@ -23,17 +23,17 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
     """Return in lines what a file has that is neither an entry nor ``own``, what is carried over besides."""
     file = match.file
     ours = {pair.address.sheet for pair in match.pairs}
-    kept = {sheet.title for sheet in own.sheets}
-    foreign = [title for title in file.workbook.sheetnames if title not in ours | kept]
+    titles = {sheet.title for sheet in own.sheets}
+    foreign = [title for title in file.workbook.sheetnames if title not in ours | titles]
     lines = [f"the sheet {title!r} is not carried over: it is none of the generated ones" for title in foreign]
     report = Report(file.path, template)
     check_structure(match, report)
     edited, added = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
-    for found in (found for found in report.findings if found.kind != "missing"):
-        edited[found.sheet].append(found.cell)
+    for finding in (finding for finding in report.findings if finding.kind != "missing"):
+        edited[finding.sheet].append(finding.cell)
     taken = {(cell.parent.title, cell.coordinate) for cell, _ in own.cells}
     for at in file.contents.formula_cells:
-        if at.sheet in ours | kept and at not in match.numbers and (at.sheet, at.a1) not in taken:
+        if at.sheet in ours | titles and at not in match.numbers and (at.sheet, at.a1) not in taken:
             added[at.sheet].append(at.a1)
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
     lines += [f"formulas added on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in added.items()]
@@ -46,19 +46,21 @@ def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> 
     known_rules = compare_rules(match, [CellGroup(pairs) for pairs in match.columns], Differences())
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
-        declared = next(one for one, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(one)))
+        declared = next(
+            ours for ours, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(ours))
+        )
         words, held = {text.text for text in declared.texts}, list(read_charts(match, sheet.title))
         texts = [a.a1 for a, content in match.file.contents.constants.items()
                  if a.sheet == sheet.title and a not in match.numbers and content not in words]  # fmt: skip
         notes = [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment]
-        ours_drawn = {id(found) for *_, found in pair_charts(match, declared, held)}
+        ours_drawn = {id(chart) for *_, chart in pair_charts(match, declared, held)}
         charts = [chart.at.a1 for chart in held if id(chart) not in ours_drawn]
         formats = [str(a.sqref) for a in sheet.conditional_formatting if {id(rule) for rule in a.rules} - known_rules]
         for what, cells in (("texts and numbers", texts), ("notes", notes), ("charts", charts),
                             ("conditional formats", formats)):  # fmt: skip
             if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:
                 lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
-    if left := [one.name for one in own_names(match) if one not in own.names]:
+    if left := [name.name for name in own_names(match) if name not in own.names]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
     lines += [f"charts and pictures of the sheet {sheet.title!r} are not carried over" for sheet in own.sheets
               if match.file.inspected and match.file.inspected.drawings.get(sheet.title)]  # fmt: skip
@@ -103,4 +105,4 @@ def carried_content(contents: Contents, cell: Cell, known: set[str]) -> Any:
 def own_names(match: Match) -> list[DefinedName]:
     """Return the names that are someone's own."""
     declared, held = {name.casefold() for name, _ in match.declared.names()}, match.file.workbook.defined_names.items()
-    return [one for name, one in held if name.casefold() not in declared and not name.startswith("_xl")]
+    return [defined for name, defined in held if name.casefold() not in declared and not name.startswith("_xl")]

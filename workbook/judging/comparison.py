@@ -161,7 +161,7 @@ class Comparison:
 
     def elsewhere(self, template: AnyTemplate, machine: Machine, suspects: set[Address]) -> list[Finding]:
         """Return what differs at variations of the inputs: cells in turn, the ``suspects`` at each."""
-        found = Report(self.report.path, self.report.template)
+        report = Report(self.report.path, self.report.template)
         if any(place is None for _, place in self.match.misfits):
             return []
         try:
@@ -179,8 +179,8 @@ class Comparison:
                 if differs(right, a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))
                     deviation = difference(value, right.get(a), right.peak(a))
-                    found.add(self.pairs[a], "value", value, right.get(a), deviation, by)
-        return found.findings
+                    report.add(self.pairs[a], "value", value, right.get(a), deviation, by)
+        return report.findings
 
 
 def differs(right: ExpectedValues, address: Address, value: Any) -> bool:
@@ -191,14 +191,14 @@ def differs(right: ExpectedValues, address: Address, value: Any) -> bool:
 
 def by_variation(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -> list[list[Address]]:
     """Return the cells that are looked at in each variation."""
-    found: list[list[Address]] = [[] for _ in range(variations)]
+    by_turn: list[list[Address]] = [[] for _ in range(variations)]
     for n, (address, pair) in enumerate(pairs.items()):
         i, every = pair.cell.i, SHARE if pair.cell.block.size < LONG else variations
         spread = i // SPREAD % variations + (variations if i % SPREAD else 0)
         first = n % SHARE if pair.cell.block.size < LONG else spread
-        for turn in found if address in suspects else found[first::every]:
+        for turn in by_turn if address in suspects else by_turn[first::every]:
             turn.append(address)
-    return found
+    return by_turn
 
 
 def count_cells(match: Match, report: Report) -> None:

@@ -61,18 +61,20 @@ def layout_findings(match: Match) -> Iterator[Finding]:
             gone[fit.place.sheet, row, count].append(block)
         for j in fit.gone:
             columns[fit.place.sheet, fit.before(j)].append((block, block.quantities[j].label))
-    for _, run in groupby(enumerate(sorted(inserted)), key=lambda one: (one[1][0], one[1][1] - one[0])):
+    for _, run in groupby(
+        enumerate(sorted(inserted)), key=lambda numbered: (numbered[1][0], numbered[1][1] - numbered[0])
+    ):
         rows = [row for _, row in run]
         (sheet, first), (_, last) = rows[0], rows[-1]
-        found = f"row {first} was inserted" if first == last else f"rows {first} to {last} were inserted"
-        yield Finding(sheet, f"{first}:{last}", LAYOUT, found, SPARE, table_titles(inserted[rows[0]]))
+        change = f"row {first} was inserted" if first == last else f"rows {first} to {last} were inserted"
+        yield Finding(sheet, f"{first}:{last}", LAYOUT, change, SPARE, table_titles(inserted[rows[0]]))
     for (sheet, row, count), blocks in gone.items():
-        found = f"{'a row is' if count == 1 else f'{count} rows are'} gone above row {row}"
-        yield Finding(sheet, f"{row}:{row}", LAYOUT, found, UNDO, table_titles(blocks))
+        change = f"{'a row is' if count == 1 else f'{count} rows are'} gone above row {row}"
+        yield Finding(sheet, f"{row}:{row}", LAYOUT, change, UNDO, table_titles(blocks))
     for (sheet, number), torn in columns.items():
         letter, labels = get_column_letter(number), dict.fromkeys(repr(label) for _, label in torn)
-        found = f"a column is gone before column {letter}: {', '.join(labels)}"
-        yield Finding(sheet, f"{letter}:{letter}", LAYOUT, found, UNDO, table_titles([block for block, _ in torn]))
+        change = f"a column is gone before column {letter}: {', '.join(labels)}"
+        yield Finding(sheet, f"{letter}:{letter}", LAYOUT, change, UNDO, table_titles([block for block, _ in torn]))
 
 
 def fit_of(match: Match, block: Block) -> Fit | None:
@@ -103,7 +105,7 @@ def set_consequences_aside(match: Match, report: Report, suspects: set[Address])
     less = any(fit.lost or fit.gone for fit in fits.values())
     torn = less or any(fit.inserted for fit in fits.values()) or bool(match.misfits)
     formulas = {(p.address.sheet, p.address.a1): p for p in match.pairs} if torn else {}
-    kept: list[Finding] = []
+    causes: list[Finding] = []
     for f in report.findings:
         pair, follows = formulas.get((f.sheet, f.cell)), less and f.kind == "unread"
         if pair is not None:
@@ -111,5 +113,5 @@ def set_consequences_aside(match: Match, report: Report, suspects: set[Address])
             bereft = suspect and "#REF!" in str(pair.held)
             follows |= (f.kind in FOLLOWING and (bereft or not suspect)) or (f.kind == "formula" and bereft)
             follows |= f.kind == "changed" and pair.cell.block.name in unfit
-        (report.following if follows else kept).append(f)
-    report.findings[:] = kept
+        (report.following if follows else causes).append(f)
+    report.findings[:] = causes

@@ -52,9 +52,9 @@ class Match:
                 continue
             for j, cells in enumerate(block.by_column()):
                 if j < place.columns and place.rows and place.cell(0, j).column:
-                    found = zip(cells, place.down(j), strict=False)  # either may have more rows
+                    addresses = zip(cells, place.down(j), strict=False)  # either may have more rows
                     self.columns.append(
-                        [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in found]
+                        [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in addresses]
                     )
         self.pairs += chain.from_iterable(self.columns)
 
@@ -65,7 +65,7 @@ class Match:
     @cached_property
     def sheets(self) -> list[tuple[Sheet, str]]:
         """The declared sheets of which the file has blocks, each with the title of the sheet on which they are."""
-        return [(sheet, found[0][1].sheet) for sheet in self.declared.sheets if (found := self.placed(sheet))]
+        return [(sheet, placed[0][1].sheet) for sheet in self.declared.sheets if (placed := self.placed(sheet))]
 
     def size_of(self, block: Block) -> int:
         """Return how many rows a block had in the file, those counted that are gone."""
@@ -86,7 +86,7 @@ class Match:
     def same_formula(self, content: str, block: Block, text: str, sheet: str) -> bool:
         """Whether the formula ``text`` on a sheet of the file means what ``content`` means in a declared block."""
         arguments = self._arguments(content, block, text, sheet)
-        return arguments is not None and all(self.same(one, other) for one, other in arguments)
+        return arguments is not None and all(self.same(pair, other) for pair, other in arguments)
 
     def _arguments(self, content: str, block: Block, text: str, sheet: str) -> list[tuple[Argument, Argument]] | None:
         """Return the arguments of two formulas, declared and held, in pairs; None where these differ in shape."""
@@ -100,15 +100,17 @@ class Match:
 
     def differing_corners(self, pair: Pair) -> Iterator[tuple[Index, Index]]:
         """Yield the corners by which a formula of the declared shape differs: declared, and held."""
-        for one, other in self._arguments(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet) or ():
-            if not isinstance(one, str) and not isinstance(other, str) and not self.same(one, other):
-                for ours, theirs in zip(corners(one), corners(other), strict=True):
+        for our, other in self._arguments(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet) or ():
+            if not isinstance(our, str) and not isinstance(other, str) and not self.same(our, other):
+                for ours, theirs in zip(corners(our), corners(other), strict=True):
                     yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
 
     def leads_out(self, address: Address) -> bool:
         """Whether the formula in a cell of the file begins or ends a reference at a cell of no block."""
         formula = self.file.contents.formulas.get(address)
-        areas = (one for one in formula.arguments if isinstance(one, Area)) if formula is not None else ()
+        areas = (
+            (argument for argument in formula.arguments if isinstance(argument, Area)) if formula is not None else ()
+        )
         return any(corner not in self._held_index for area in areas for corner in corners(area))
 
     def lost(self, area: Area | None) -> bool:
@@ -166,7 +168,7 @@ class Match:
                 if any(text and text == other for text, other in zip(texts, held, strict=True)):
                     return up
         above = range(1, min(MOST_BETWEEN, place.row))
-        return next((up for up in above if any(isinstance(one, str) for one in self._line_held(place, up))), 1)
+        return next((up for up in above if any(isinstance(text, str) for text in self._line_held(place, up))), 1)
 
     def _heading(self, block: Block) -> list[list[str | None]]:
         """Return the lines of a block's heading as declared, from the one just above it."""
@@ -180,15 +182,15 @@ class Match:
     @cached_property
     def headless(self) -> set[str]:
         """The tables that have lost their headings: there is no text just above, and none of their own further up."""
-        found = set()
+        headless = set()
         for block in self.declared.blocks.values():
             place = self.file.places.get(block.name) if block.is_table else None
             names = {text for line in self._heading(block) for text in line if text} if place else set()
-            held = {up: {one for one in self._line_held(place, up) if isinstance(one, str)}
+            held = {up: {text for text in self._line_held(place, up) if isinstance(text, str)}
                     for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))} if place else {}  # fmt: skip
             if names and not any(held.get(up) for up in HEAD) and not any(names & texts for texts in held.values()):
-                found.add(block.name)
-        return found
+                headless.add(block.name)
+        return headless
 
     @cached_property
     def _texts(self) -> dict[Index, str]:

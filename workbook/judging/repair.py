@@ -30,10 +30,10 @@ EMPTY = ", but below it"  # how the line on a row that was left empty ends
 def repair_book(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Finding]:
     """Put entries in order; return findings, and notices, on what was not. Raises ReadError for cells that were cut."""
     refuse_cut_cells(file, layout)
-    if said := [*repair_names(file, layout, model), *close_gaps(file, layout)]:
+    if notices := [*repair_names(file, layout, model), *close_gaps(file, layout)]:
         file.mended = True
         file.__dict__.pop("contents", None)  # they are of the cells as they were
-    return said
+    return notices
 
 
 def repair_names(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterator[Finding]:
@@ -46,7 +46,7 @@ def repair_names(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterat
         trimmed = name == text.strip()
         kind = NOTICE if trimmed and name not in texts.values() else "entry"
         expected = f"{name!r}, without blanks around it" if trimmed else f"a name that look-ups find, such as {name!r}"
-        for at in (at for at, one in texts.items() if one == text):
+        for at in (at for at, held in texts.items() if held == text):
             set_value(file, at, name)
             yield Finding(at.sheet, at.a1, kind, repr(text), expected, cells[at].title or cells[at].quantities[0].label)
         file.saved |= {at: v.replace(text, name) for at, v in file.saved.items() if isinstance(v, str)}
@@ -98,8 +98,8 @@ def close_gaps(file: BookFile, layout: Book) -> Iterator[Finding]:
                 set_value(file, place.cell(i, j), value)
         file.saved = {at: value for at, value in file.saved.items() if at.sheet != place.sheet}
         empty = next(i for i in range(place.rows) if i not in used)
-        at, said = place.cell(empty, columns[0]), f"nothing is entered in row {empty + 1} of the table {block.name}"
-        yield Finding(at.sheet, at.a1, NOTICE, f"{said}{EMPTY}", "fill it, or move up what is below", block.title)
+        at, message = place.cell(empty, columns[0]), f"nothing is entered in row {empty + 1} of the table {block.name}"
+        yield Finding(at.sheet, at.a1, NOTICE, f"{message}{EMPTY}", "fill it, or move up what is below", block.title)
 
 
 def set_value(file: BookFile, at: Address, value: Any) -> None:
@@ -113,15 +113,15 @@ def report_wrong_results(before: Cells, match: Match, ordered: Cells, report: Re
     right = ExpectedValues(match, match.declared)
     single = (p.address for p in match.pairs if p.declared_formula and not p.cell.block.is_table)
     wrong = [a for a in single if differs(right, a, before.get(a)) and not differs(right, a, ordered.get(a))]
-    for one in [one for one in report.notices if is_empty_row(one)] if wrong else ():
-        report.notices.remove(one)
-        expected = f"{one.expected}: by it {len(wrong)} results are wrong, {wrong[0]} the first"
-        report.findings.append(replace(one, kind=LAYOUT, expected=expected))
+    for notice in [notice for notice in report.notices if is_empty_row(notice)] if wrong else ():
+        report.notices.remove(notice)
+        expected = f"{notice.expected}: by it {len(wrong)} results are wrong, {wrong[0]} the first"
+        report.findings.append(replace(notice, kind=LAYOUT, expected=expected))
 
 
-def is_empty_row(found: Finding) -> bool:
+def is_empty_row(notice: Finding) -> bool:
     """Whether a finding tells of a row that was left empty before others."""
-    return str(found.computed).endswith(EMPTY)
+    return str(notice.computed).endswith(EMPTY)
 
 
 # Cells that were cut from a table

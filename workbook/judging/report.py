@@ -70,8 +70,8 @@ class Check:
 
     def judged(self, exact: ExactJudgement) -> "Check":
         """Return it as the exact engine judges it too."""
-        found, says = exact.judge(self.name, self.found, self.says)
-        return replace(self, found=found, says=says)
+        value, says = exact.judge(self.name, self.found, self.says)
+        return replace(self, found=value, says=says)
 
     @property
     def holds(self) -> bool:
@@ -81,8 +81,8 @@ class Check:
     @property
     def line(self) -> str:
         """The check in one line."""
-        said = f": {self.says}" if self.says else ""
-        return f"{self.sheet}!{self.cell} ({self.what}): {self.found}{said}"
+        message = f": {self.says}" if self.says else ""
+        return f"{self.sheet}!{self.cell} ({self.what}): {self.found}{message}"
 
 
 @dataclass
@@ -118,8 +118,8 @@ class Report:
     def findings_words(self) -> str:
         """How many findings there are, and how many cells follow from them."""
         causes = len(self.causes)
-        said, more = f"{causes:,} finding{'' if causes == 1 else 's'}", len(self.findings) - causes
-        return f"{said}; {more:,} cells are wrong only because of {'it' if causes == 1 else 'them'}" if more else said
+        words, more = f"{causes:,} finding{'' if causes == 1 else 's'}", len(self.findings) - causes
+        return f"{words}; {more:,} cells are wrong only because of {'it' if causes == 1 else 'them'}" if more else words
 
     @property
     def failing(self) -> list[Check]:
@@ -154,7 +154,7 @@ class Report:
 
     def tells(self, ran: WitnessRun) -> bool:
         """Whether a finding says that a witness could not answer."""
-        return any(one.kind == "witness" and one.cell == ran.name for one in self.findings)
+        return any(finding.kind == "witness" and finding.cell == ran.name for finding in self.findings)
 
     def add(
         self, pair: Pair, kind: str, computed: Any, expected: Any, deviation: float = math.inf, by: str = "",
@@ -164,7 +164,7 @@ class Report:
         at = pair.address
         self.findings.append(Finding(at.sheet, at.a1, kind, computed, expected, pair.what, deviation, by, why))
 
-    def say(self, at: Address, kind: str, found: Any, expected: Any, what: str) -> None:
+    def say(self, at: Address, kind: str, value: Any, expected: Any, what: str) -> None:
         """Enter a finding, or a notice, on what stands at an address."""
-        entry = Finding(at.sheet, at.a1, kind, found, expected, what)
+        entry = Finding(at.sheet, at.a1, kind, value, expected, what)
         (self.notices if kind == NOTICE else self.findings).append(entry)

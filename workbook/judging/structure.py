@@ -28,9 +28,9 @@ def check_structure(match: Match, report: Report) -> set[Address]:
         if place is not None and block.is_table:  # told with what was inserted or is gone
             continue
         expected = f"{block.size} rows by {len(block.quantities)} columns"
-        found = f"{place.rows} rows by {place.columns} columns" if place else None
+        size = f"{place.rows} rows by {place.columns} columns" if place else None
         where = (place.sheet, place.cell(0, 0).a1) if place else (block.sheet.title, block.name)
-        report.findings.append(Finding(*where, "missing", found, expected, block.title or block.quantities[0].label))
+        report.findings.append(Finding(*where, "missing", size, expected, block.title or block.quantities[0].label))
     suspects = set()
     for pair in match.pairs:
         if pair.cell.quantity.role == "input":
@@ -106,13 +106,13 @@ def function_findings(match: Match) -> Iterator[Finding]:
 def setting_findings(workbook: Workbook) -> Iterator[Finding]:
     """Yield the settings of a file that let formulas go stale, round them, or read them by other rules."""
     held = workbook.calculation
-    for wrong, found, expected in (
+    for wrong, setting, expected in (
         (held and held.calcMode == "manual", "manual", "automatic: else what is shown is not what was entered"),
         (held and held.iterate, "iterative", "not iterative: else a cell that depends on itself has a value"),
         (held and held.fullPrecision is False, "with the precision as displayed", "with full precision"),
     ):
         if wrong:
-            yield Finding("", "calculation", "setting", found, expected, COMPUTED)
+            yield Finding("", "calculation", "setting", setting, expected, COMPUTED)
     for sheet in workbook.worksheets:
         if sheet.sheet_properties.transitionEvaluation or sheet.sheet_properties.transitionEntry:
             rules = "by the rules of Lotus 1-2-3", "by those of Excel"
@@ -121,7 +121,7 @@ def setting_findings(workbook: Workbook) -> Iterator[Finding]:
 
 def stale_functions(workbook: Workbook) -> Iterator[str]:
     """Yield a note where names that define the functions MOTION.*, copied beside a machine, are not today's."""
-    held = {name: one.attr_text or "" for name, one in workbook.defined_names.items() if NAMESPACE in name}
+    held = {name: held.attr_text or "" for name, held in workbook.defined_names.items() if NAMESPACE in name}
     if not held:  # as in most books: the definitions need not be read
         return
     other = sorted(d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.stored))
@@ -135,9 +135,9 @@ def listed(names: list[str], most: int = 3) -> str:
     return ", ".join(names[:most]) + rest
 
 
-def finding(place: Place, name: str, found: str, expected: str) -> Finding:
+def finding(place: Place, name: str, fault: str, expected: str) -> Finding:
     """Return what is told of a name that leads elsewhere: where it leads, what is found there, what was expected."""
-    return Finding(place.sheet, place.cell(0, 0).a1, "name", f"{name}: {found}", expected)
+    return Finding(place.sheet, place.cell(0, 0).a1, "name", f"{name}: {fault}", expected)
 
 
 def column_name_findings(match: Match) -> Iterator[Finding]:
@@ -147,11 +147,11 @@ def column_name_findings(match: Match) -> Iterator[Finding]:
         block, place = match.declared.blocks[table], places.get(table)
         if place is None:
             continue
-        first, last = (place.part(one - block.column) for one in block.ends(column))
-        right, found = (first.corners[0], last.corners[1]), places.get(name)
-        if first.column and last.column and (found is None or found.corners != right):
+        first, last = (place.part(part - block.column) for part in block.ends(column))
+        right, held = (first.corners[0], last.corners[1]), places.get(name)
+        if first.column and last.column and (held is None or held.corners != right):
             expected = range_of(first._replace(columns=last.column - first.column + 1))
-            yield finding(found or first, name, range_of(found), expected)
+            yield finding(held or first, name, range_of(held), expected)
 
 
 def stray_blocks(match: Match) -> Iterator[Finding]:
@@ -164,8 +164,8 @@ def stray_blocks(match: Match) -> Iterator[Finding]:
             away[place.sheet].append((block, place))
         away.pop(counted[0][0] if counted else "", None)
         for title, ((first, place), *more) in away.items():
-            found = f"the sheet {title}" + (f", and so do {len(more)} more" if more else "")
-            yield finding(place, first.name, found, f"the sheet {counted[0][0]}, with the others: move it back")
+            others = f"the sheet {title}" + (f", and so do {len(more)} more" if more else "")
+            yield finding(place, first.name, others, f"the sheet {counted[0][0]}, with the others: move it back")
 
 
 def mislabelled_cells(match: Match) -> Iterator[Finding]:
@@ -197,7 +197,7 @@ def displaced_texts(match: Match) -> Iterator[Finding]:
             q, held = block.quantities[0], match.file.value(place.cell(0, 0))
             if q.role != "input" or not (held is None or isinstance(held, str)):
                 continue
-            usual = max((one for one in columns if one[0] == block.column), key=columns.__getitem__)[1]
+            usual = max((place for place in columns if place[0] == block.column), key=columns.__getitem__)[1]
             if place.column != usual or not texts_beside(match, place):
                 yield finding(place, block.name, range_of(place), f"the cell of {q.label!r}, below or above the others")
 
@@ -227,9 +227,9 @@ def has_own_heading(match: Match, block: Block, place: Place) -> bool:
     """Whether the heading that is declared for a block is the one that is nearest above it in the file."""
     headings = {text.text: text.row for text in block.sheet.texts if text.style == "heading"}
     above = [(row, text) for text, row in headings.items() if row < block.row]
-    found = ((r, cell.value) for (r, _), cell in match.file.workbook[place.sheet]._cells.items()
+    held_texts = ((r, cell.value) for (r, _), cell in match.file.workbook[place.sheet]._cells.items()
              if r < place.row and isinstance(cell.value, str) and cell.value in headings)  # fmt: skip
-    return bool(above) and max(found, default=(0, ""))[1] == max(above)[1]
+    return bool(above) and max(held_texts, default=(0, ""))[1] == max(above)[1]
 
 
 def range_of(place: Place | None) -> str:

@@ -42,8 +42,8 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     file = open_book(path)
     entries = Entries(file, agreed_values, repair_book)
     report = Report(path, entries.template.name, notes=list(file.notes))
-    for found in entries.moved:
-        (report.notices if found.kind == NOTICE else report.findings).append(found)
+    for move in entries.moved:
+        (report.notices if move.kind == NOTICE else report.findings).append(move)
     machine = entries.machine()
     report.notes += entries.beyond
     if entries.computed:
@@ -51,7 +51,7 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     judge(file, entries.template, machine, report, names, given=entries.computed, named=witnesses)
     report.witnesses += [WitnessRun(name, None) for name in absent]
     exact = entries.template.judge(machine)
-    report.checks = [one.judged(exact) for one in report.checks]
+    report.checks = [check.judged(exact) for check in report.checks]
     report.notes += exact.notes
     return report
 
@@ -84,7 +84,7 @@ def judge(
     with evaluation_copy(file, own, given) as bare:
         require_little_work(bare, file.path)
         asked: list[Witness] = [WITNESSES[name]() for name in witnesses]
-        asked += [made for name, make in WITNESSES.items() if name not in witnesses and (made := make()).kept]
+        asked += [asked_too for name, make in WITNESSES.items() if name not in witnesses and (asked_too := make()).kept]
         asked.sort(key=lambda w: w.kept)
         every = (*asked, *(make() for make in WITNESSES.values()))
         single = next(w for w in every if isinstance(w, CellWitness))
@@ -136,14 +136,14 @@ def count_own_cells(match: Match, report: Report, given: Collection[Address]) ->
 def check_results(match: Match, computed: Cells) -> list[Check]:
     """Return the machine's checks, with what their cells compute, or what the engine says where these do not."""
     at = {pair.cell.block.name: pair for pair in match.pairs if not pair.cell.block.is_table}
-    found = []
+    checks = []
     for sheet, quantity in match.declared.checks:
         pair = at.get(quantity.name)
         verdict = cell_text(pair, computed) or quantity.value
         says = cell_text(at.get(f"{quantity.name}{SAYS}"), computed) if verdict == FAIL else ""
         where = (pair.address.sheet, pair.address.a1) if pair else (sheet.title, quantity.name)
-        found.append(Check(*where, quantity.label, str(verdict or "unfinished"), says, quantity.name))
-    return found
+        checks.append(Check(*where, quantity.label, str(verdict or "unfinished"), says, quantity.name))
+    return checks
 
 
 def cell_text(pair: Pair | None, computed: Cells) -> str:

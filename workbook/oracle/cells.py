@@ -23,10 +23,10 @@ def find_cell(file: BookFile, text: str) -> Address:
         return file.places[text].cell(0, 0)
     held = file.contents.constants.items()
     labels = (at for at, value in held if isinstance(value, str) and plain_label(value) == plain_label(text))
-    found = [cell for label in labels if (cell := value_right_of(file, label)) is not None]
-    if len(found) == 1:
-        return found[0]
-    what = f"{len(found)} cells stand beside this label: {', '.join(map(str, found))}" if found else "no such cell"
+    cells = [cell for label in labels if (cell := value_right_of(file, label)) is not None]
+    if len(cells) == 1:
+        return cells[0]
+    what = f"{len(cells)} cells stand beside this label: {', '.join(map(str, cells))}" if cells else "no such cell"
     raise ReadError(f"{file.path.name}: {text!r}: {what}; expected an address, a defined name or a label")
 
 
@@ -63,7 +63,7 @@ def unit_of(file: BookFile, cell: Address) -> str:
     held = file.contents.constants
     left = held.get(cell._replace(column=cell.column - 1)) if cell.column > 1 else None
     above = held.get(cell._replace(row=cell.row - 1)) if cell.row > 1 else None
-    brackets = [one for text in (left, above) for one in BRACKETS.findall(str(text or ""))]
+    brackets = [bracket for text in (left, above) for bracket in BRACKETS.findall(str(text or ""))]
     texts = [held.get(cell._replace(column=cell.column + 1)), *brackets]
     units = (text.strip(" []()") for text in texts if isinstance(text, str))
     return next((unit for unit in units if dimension_of(unit) is not None), "")
@@ -106,7 +106,7 @@ def draft(file: BookFile) -> str:
         lines.append(f"{name} = book.input({given})  # entered {value}\n")
     for cell, name in variable_names(file, outputs, tuple(names.values())).items():
         read = contents.read(list(names), contents.needed(contents.formula_cells, [cell]) | {cell})
-        needed = ", ".join(name for one, name in names.items() if one in read)
+        needed = ", ".join(name for cell, name in names.items() if cell in read)
         lines += [f"\n\n@book.output({str(cell)!r}, unit={unit_of(file, cell)!r}, source='')\n",
                   f"def {name}({needed}):\n    raise NotImplementedError({label_of(file, cell)!r})\n"]  # fmt: skip
     return "".join(lines)
@@ -114,11 +114,11 @@ def draft(file: BookFile) -> str:
 
 def variable_names(file: BookFile, cells: list[Address], taken: tuple[str, ...] = ()) -> dict[Address, str]:
     """Return a variable for each cell, made of its label, each once."""
-    found: dict[Address, str] = {}
+    names: dict[Address, str] = {}
     count = Counter(taken)
     for cell in cells:
         words = re.sub(r"\W+", "_", label_of(file, cell).casefold()).strip("_")
         name = words if words.isidentifier() and not keyword.iskeyword(words) else f"cell_{cell.a1.casefold()}"
         count[name] += 1
-        found[cell] = name if count[name] == 1 else f"{name}_{count[name]}"
-    return found
+        names[cell] = name if count[name] == 1 else f"{name}_{count[name]}"
+    return names

@@ -92,17 +92,17 @@ class Oracle:
         """Declare a range whose columns ``of`` gives, an array each."""
         self.tables.append(Table(cells, columns, of, tolerance))
 
-    def arguments(self, one: Output | Table) -> Sequence[Input]:
+    def arguments(self, output: Output | Table) -> Sequence[Input]:
         """Return the inputs that a function takes: of an output those declared, else by the names of its parameters."""
-        if isinstance(one, Output) and one.inputs is not None:
-            return one.inputs
-        return [self.names[name] for name in parameters(one)]
+        if isinstance(output, Output) and output.inputs is not None:
+            return output.inputs
+        return [self.names[name] for name in parameters(output)]
 
 
 @cache
-def parameters(one: Output | Table) -> list[str]:
+def parameters(output: Output | Table) -> list[str]:
     """Return the names of a function's parameters; of a table without the first, its column."""
-    return list(inspect.signature(one.of).parameters)[isinstance(one, Table) :]
+    return list(inspect.signature(output.of).parameters)[isinstance(output, Table) :]
 
 
 def load_oracle(path: Path) -> Oracle:
@@ -110,21 +110,21 @@ def load_oracle(path: Path) -> Oracle:
     if not path.is_file():
         raise ReadError(f"{path}: there is no such file; expected declarations in Python")
     try:
-        found = runpy.run_path(str(path))
+        variables = runpy.run_path(str(path))
     except Exception as error:
         raise ReadError(f"{path}: {type(error).__name__}: {error}") from error
-    if len(oracles := [value for value in found.values() if isinstance(value, Oracle)]) != 1:
+    if len(oracles := [value for value in variables.values() if isinstance(value, Oracle)]) != 1:
         raise ReadError(f"{path}: {len(oracles)} oracles; expected one, such as pump = Oracle('Pump sizing')")
     oracle = oracles[0]
-    oracle.names = {name: value for name, value in found.items() if isinstance(value, Input)}
+    oracle.names = {name: value for name, value in variables.items() if isinstance(value, Input)}
     declared: list[Output | Table] = [*oracle.outputs, *oracle.tables]
-    for one in declared:
-        named = isinstance(one, Output) and one.inputs is not None
-        if unknown := [name for name in parameters(one) if name not in oracle.names and not named]:
+    for output in declared:
+        named = isinstance(output, Output) and output.inputs is not None
+        if unknown := [name for name in parameters(output) if name not in oracle.names and not named]:
             expected = ", ".join(oracle.names) or "none is declared"
-            raise ReadError(f"{path}: {one.of.__name__}({unknown[0]}): no input is called so; expected {expected}")
+            raise ReadError(f"{path}: {output.of.__name__}({unknown[0]}): no input is called so; expected {expected}")
     if not oracle.outputs and not oracle.tables:
-        raise ReadError(f"{path}: no output is declared; expected @{next(iter(found), 'oracle')}.output(CELL)")
+        raise ReadError(f"{path}: no output is declared; expected @{next(iter(variables), 'oracle')}.output(CELL)")
     return oracle
 
 
@@ -133,11 +133,11 @@ def load_oracle(path: Path) -> Oracle:
 SMALLEST = 1e-12  # by which two numbers that are the same may deviate
 
 
-def close(found: Any, expected: Any, allowed: float) -> bool:
+def close(value: Any, expected: Any, allowed: float) -> bool:
     """Whether a value deviates from the expected one by no more than is allowed; a text must be the same."""
-    if is_number(found) and is_number(expected):
-        return math.isfinite(found) and abs(found - expected) <= allowed + SMALLEST
-    return type(found) is type(expected) and bool(found == expected)
+    if is_number(value) and is_number(expected):
+        return math.isfinite(value) and abs(value - expected) <= allowed + SMALLEST
+    return type(value) is type(expected) and bool(value == expected)
 
 
 def magnitude(value: Any) -> float:
@@ -153,29 +153,29 @@ def cases(inputs: Sequence[Input], entered: Case, number: int, seed: int = 0) ->
 
     Source: A. B. Owen, Scrambled Sobol' and Niederreiter–Xing points, J. Complexity 14 (1998), in scipy.stats.qmc.
     """
-    varied = [one for one in inputs if options(one)]
-    found = [entered, *(entered | {one: value} for one in varied for value in options(one))]
-    for one, other in combinations([one for one in varied if one.choices], 2):
-        found += [entered | {one: a, other: b} for a in one.choices for b in other.choices]
-    if varied and len(found) < number:
-        points = qmc.Sobol(len(varied), scramble=True, seed=seed).random_base2((number - len(found) - 1).bit_length())
-        found += [
-            entered | {one: value_at(one, float(share)) for one, share in zip(varied, point, strict=True)}
+    varied = [variable for variable in inputs if options(variable)]
+    tried = [entered, *(entered | {first: value} for first in varied for value in options(first))]
+    for first, other in combinations([first for first in varied if first.choices], 2):
+        tried += [entered | {first: a, other: b} for a in first.choices for b in other.choices]
+    if varied and len(tried) < number:
+        points = qmc.Sobol(len(varied), scramble=True, seed=seed).random_base2((number - len(tried) - 1).bit_length())
+        tried += [
+            entered | {entry: value_at(entry, float(share)) for entry, share in zip(varied, point, strict=True)}
             for point in points
         ]
-    return found[:number]
+    return tried[:number]
 
 
-def options(one: Input) -> Sequence[Any]:
+def options(entry: Input) -> Sequence[Any]:
     """Return the choices of an input, or the ends of its range; nothing of one that stays as it is."""
-    if one.choices:
-        return one.choices
-    return [] if one.low is None or one.high is None else [one.low, one.high]
+    if entry.choices:
+        return entry.choices
+    return [] if entry.low is None or entry.high is None else [entry.low, entry.high]
 
 
-def value_at(one: Input, share: float) -> Any:
+def value_at(entry: Input, share: float) -> Any:
     """Return the value of an input at a share of its range, from 0 to 1."""
-    if one.choices:
-        return one.choices[min(int(share * len(one.choices)), len(one.choices) - 1)]
-    low, high = float(one.low or 0.0), float(one.high or 0.0)
+    if entry.choices:
+        return entry.choices[min(int(share * len(entry.choices)), len(entry.choices) - 1)]
+    low, high = float(entry.low or 0.0), float(entry.high or 0.0)
     return low + share * (high - low)

@@ -53,7 +53,7 @@ class OracleReport:
 
     def count(self, kind: Coverage) -> int:
         """How many formula cells are of a class."""
-        return sum(found == kind for found in self.coverage.values())
+        return sum(coverage == kind for coverage in self.coverage.values())
 
     @property
     def covered(self) -> float:
@@ -67,42 +67,42 @@ class Judge:
     def __init__(self, file: BookFile, oracle: Oracle) -> None:
         require_working()
         self.file, self.oracle = file, oracle
-        self.cells = {one: find_cell(file, one.cell) for one in oracle.inputs}
-        for one, cell in self.cells.items():
-            if cell in file.contents.formulas and not one.macro:
+        self.cells = {entry: find_cell(file, entry.cell) for entry in oracle.inputs}
+        for entry, cell in self.cells.items():
+            if cell in file.contents.formulas and not entry.macro:
                 raise ReadError(f"{file.path.name}: {cell} is an input and holds a formula; expected a value")
-        self.outputs = [(find_cell(file, one.cell), one) for one in oracle.outputs]
-        self.tables = [(cells_of(file, one.cells), one) for one in oracle.tables]
+        self.outputs = [(find_cell(file, output.cell), output) for output in oracle.outputs]
+        self.tables = [(cells_of(file, table.cells), table) for table in oracle.tables]
         formulas = file.contents.formula_cells
         self.formulas = [cell for cell in formulas if not oracle.sheets or cell.sheet in oracle.sheets]
         self.counted, self.sheets = set(self.formulas), {cell.sheet for cell in self.formulas}
-        units = {self.cells[one]: one.unit for one in oracle.inputs}
-        self.units = units | {cell: one.unit for cell, one in self.outputs}
+        units = {self.cells[entry]: entry.unit for entry in oracle.inputs}
+        self.units = units | {cell: output.unit for cell, output in self.outputs}
         asked = {*self.formulas, *self.targets}
         self.model = PycelModel(file.contents, file.contents.needed(set(formulas) - asked, asked) | asked)
 
     def judge(self, number: int, seed: int = 0, witnesses: Sequence[str] = (FIRST,)) -> OracleReport:
         """Compare the outputs at so many cases by each witness; look at units, saved values and gaps; count cells."""
         tried = cases(self.oracle.inputs, self.entered, number, seed)
-        found = OracleReport(len(tried))
-        found.wrong += self.deviating(tried, witnesses, found.notes)
-        found.dimensions = self.check_units()
-        found.wrong += self.other_findings()
-        wrong = found.dimensions.wrong.items()
-        found.wrong += [Fault(cell, "dimension", text, "one dimension") for cell, text in wrong]
-        found.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
-        return found
+        report = OracleReport(len(tried))
+        report.wrong += self.deviating(tried, witnesses, report.notes)
+        report.dimensions = self.check_units()
+        report.wrong += self.other_findings()
+        wrong = report.dimensions.wrong.items()
+        report.wrong += [Fault(cell, "dimension", text, "one dimension") for cell, text in wrong]
+        report.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
+        return report
 
     def other_findings(self) -> Iterator[Fault]:
         """Yield stale saved values, unread inputs, other units beside cells, numbers in place of formulas, gaps."""
         inputs = list(self.cells.values())
-        macros = {one: self.file.saved.get(cell) for one, cell in self.cells.items() if one.macro}
+        macros = {entry: self.file.saved.get(cell) for entry, cell in self.cells.items() if entry.macro}
         values = self.values(self.entered | macros)
         for cell, saved in self.file.saved.items():
-            found = values.get(cell)
-            known = cell in self.counted and saved is not None and found not in UNKNOWN
-            if known and not same_value(saved, found, SMALLEST):
-                yield Fault(cell, "saved", saved, found)
+            computed = values.get(cell)
+            known = cell in self.counted and saved is not None and computed not in UNKNOWN
+            if known and not same_value(saved, computed, SMALLEST):
+                yield Fault(cell, "saved", saved, computed)
         read = self.file.contents.read(inputs)
         yield from (Fault(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
         for cell, unit in self.units.items():
@@ -119,14 +119,18 @@ class Judge:
 
     def empty(self) -> Iterator[Fault]:
         """Yield the empty cells that a formula reads by themselves, each with the first such formula."""
-        contents, found = self.file.contents, dict[Address, Address]()
+        contents, readers = self.file.contents, dict[Address, Address]()
         filled = {*contents.formula_cells, *(cell for cell, value in contents.constants.items() if value is not None)}
         for cell in self.counted & contents.formulas.keys():
             formula = contents.formulas[cell]
-            for one in formula.arguments if BLANK.isdisjoint(formula.functions) and "" not in formula.arguments else ():
-                if isinstance(one, Area) and one.single and one.first not in filled:
-                    found[one.first] = min(cell, found.get(one.first, cell))
-        yield from (Fault(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(found.items()))
+            for area in (
+                formula.arguments if BLANK.isdisjoint(formula.functions) and "" not in formula.arguments else ()
+            ):
+                if isinstance(area, Area) and area.single and area.first not in filled:
+                    readers[area.first] = min(cell, readers.get(area.first, cell))
+        yield from (
+            Fault(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(readers.items())
+        )
 
     def check_units(self) -> Dimensions:
         """Return what cannot be by the units: those declared, and those beside the cells of the same sheets."""
@@ -140,9 +144,9 @@ class Judge:
     def entered(self) -> Case:
         """The inputs as the workbook has them; of a macro the number that was saved, else the low end of its range."""
         saved, constants = self.file.saved, self.file.contents.constants
-        macros = {one: saved.get(cell) for one, cell in self.cells.items() if one.macro}
-        numbers = {one: value if is_number(value) else one.low for one, value in macros.items()}
-        return {one: constants.get(cell) for one, cell in self.cells.items()} | numbers
+        macros = {entry: saved.get(cell) for entry, cell in self.cells.items() if entry.macro}
+        numbers = {entry: value if is_number(value) else entry.low for entry, value in macros.items()}
+        return {entry: constants.get(cell) for entry, cell in self.cells.items()} | numbers
 
     def deviating(self, tried: Sequence[Case], witnesses: Sequence[str], notes: list[str]) -> Iterator[Fault]:
         """Yield the outputs that are not what the oracle says, each at the first case and by the first witness."""
@@ -151,15 +155,15 @@ class Judge:
             unable, by = set[Address](), "" if name == FIRST else f"{name}: "
             try:
                 for case, values in zip(tried, self.values_by(name, tried), strict=True):
-                    for cell, expected, allowed, one in self.expected(case, values):
-                        found = values.get(cell)
-                        if cell in named or close(found, expected, allowed):
+                    for cell, expected, allowed, output in self.expected(case, values):
+                        value = values.get(cell)
+                        if cell in named or close(value, expected, allowed):
                             continue
-                        if found in UNKNOWN and name != FIRST:
+                        if value in UNKNOWN and name != FIRST:
                             unable.add(cell)
                         else:
                             named.add(cell)
-                            yield Fault(cell, "value", found, expected, by + self.case_text(one, case))
+                            yield Fault(cell, "value", value, expected, by + self.case_text(output, case))
             except WitnessError as error:
                 notes.append(f"{name}: {error}")
             if unable:
@@ -178,7 +182,7 @@ class Judge:
 
     def given(self, case: Case) -> Cells:
         """Return the values of a case by their cells."""
-        return {self.cells[one]: value for one, value in case.items()}
+        return {self.cells[entry]: value for entry, value in case.items()}
 
     def values(self, case: Case, others: Cells | None = None) -> Cells:
         """Return what all cells compute at a case; ``others`` stand in for formula cells."""
@@ -187,10 +191,10 @@ class Judge:
 
     def expected(self, case: Case, values: Cells) -> Iterator[tuple[Address, Any, float, Output | Table]]:
         """Yield each compared cell with what the oracle says of it, the deviation that is allowed, and who says it."""
-        for cell, one in self.outputs:
-            value = self.called(one, case)
+        for cell, output in self.outputs:
+            value = self.called(output, case)
             value = value.item() if isinstance(value, np.generic) else value
-            yield cell, value, one.tolerance * magnitude(value), one
+            yield cell, value, output.tolerance * magnitude(value), output
         for rows, table in self.tables:
             first = np.array([values.get(row[0]) for row in rows], dtype=float)
             columns = self.called(table, case, first)
@@ -199,18 +203,18 @@ class Judge:
                 for row, value in zip(rows, np.broadcast_to(column, first.shape).tolist(), strict=True):
                     yield row[j], value, allowed, table
 
-    def called(self, one: Output | Table, case: Case, *first: Any) -> Any:
+    def called(self, output: Output | Table, case: Case, *first: Any) -> Any:
         """Return what a declared function gives; raise ReadError where it cannot be computed."""
         try:
-            return one.of(*first, *(case[x] for x in self.oracle.arguments(one)))
+            return output.of(*first, *(case[x] for x in self.oracle.arguments(output)))
         except (ArithmeticError, TypeError, ValueError) as error:
-            what = f"{one.of.__name__} of the declarations at {self.case_text(one, case)}"
+            what = f"{output.of.__name__} of the declarations at {self.case_text(output, case)}"
             raise ReadError(f"{what}: {type(error).__name__}: {error}") from error
 
-    def case_text(self, one: Output | Table, case: Case) -> str:
+    def case_text(self, output: Output | Table, case: Case) -> str:
         """Return the inputs of a function with their values at a case."""
         names = {x: name for name, x in self.oracle.names.items()}
-        values = {names.get(x, x.cell): case[x] for x in self.oracle.arguments(one)}
+        values = {names.get(x, x.cell): case[x] for x in self.oracle.arguments(output)}
         return ", ".join(f"{name} = {x:.6g}" if is_number(x) else f"{name} = {x}" for name, x in values.items())
 
     @cached_property
@@ -221,23 +225,23 @@ class Judge:
 
     def covered(self, tried: list[Case]) -> dict[Address, Coverage]:
         """Return the class of each formula cell: a step is one whose change alters a compared cell at some case."""
-        found: dict[Address, Coverage] = dict.fromkeys(self.formulas, "unaccounted")
-        found |= {cell: "compared" for cell in self.targets if cell in found}
+        coverage: dict[Address, Coverage] = dict.fromkeys(self.formulas, "unaccounted")
+        coverage |= {cell: "compared" for cell in self.targets if cell in coverage}
         left = self.file.contents.needed(self.file.contents.formula_cells, self.targets)
-        left = {cell for cell in left if found.get(cell) == "unaccounted"}
+        left = {cell for cell in left if coverage.get(cell) == "unaccounted"}
         for case in tried if left else ():
             values = self.values(case)
             steps = {cell for cell in left if self.follows(case, values, cell)}
-            found |= dict.fromkeys(steps, "step")
+            coverage |= dict.fromkeys(steps, "step")
             left -= steps
-        return found
+        return coverage
 
     def follows(self, case: Case, values: Cells, cell: Address) -> bool:
         """Whether a compared cell changes with a formula cell."""
         value: Any = values.get(cell)
         changes: list[Any] = [change(value) for change in CHANGES] if is_number(value) else [f"{value}?", 1.0]
         changed = (self.values(case, {cell: other}) for other in changes)
-        pairs = ((one.get(target), values.get(target)) for one in changed for target in self.targets)
+        pairs = ((turn.get(target), values.get(target)) for turn in changed for target in self.targets)
         return not all(same_value(*pair, SMALLEST) for pair in pairs)
 
 

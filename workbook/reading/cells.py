@@ -82,8 +82,8 @@ def saved_values(inspected: Inspected) -> Cells:
     """Return the saved value of each formula cell of a file: a number, a text, True or False, an error; or None."""
     cells = [(title, held) for title, rows in inspected.sheets.items() for held in rows.written if held.how is not None]
     shared = inspected.strings.iter(f"{MAIN}si") if any(held.kind == "s" for _, held in cells) else ()
-    made: Any = Text.from_tree
-    texts = [str(made(one).content) for one in shared]
+    text_of: Any = Text.from_tree
+    texts = [str(text_of(shared_text).content) for shared_text in shared]
     return {Address(title, held.row, held.column): saved_value(held, texts) for title, held in cells}
 
 

@@ -49,8 +49,10 @@ class Contents:
         wanted: dict[tuple[str, int], list[int]] = {}
         for sheet, row, column in sorted(cells):
             wanted.setdefault((sheet, column), []).append(row)
-        told = self.patterns if by is None else grouped_by_pattern(self.formulas[a] for a in by if a in self.formulas)
-        return set(referenced_cells(told, wanted))
+        patterns = (
+            self.patterns if by is None else grouped_by_pattern(self.formulas[a] for a in by if a in self.formulas)
+        )
+        return set(referenced_cells(patterns, wanted))
 
     @cached_property
     def patterns(self) -> Patterns:
@@ -59,12 +61,12 @@ class Contents:
 
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
         """Return those of the formula ``cells`` on which those ``by`` depend; all if one of these cannot be parsed."""
-        left, found, last = set(cells), set[Address](), set(by)
+        left, needed, last = set(cells), set[Address](), set(by)
         while last and left:
             last = left if any(a in self.failed for a in last) else self.read(left, last)
-            found |= last
+            needed |= last
             left = left - last
-        return found
+        return needed
 
     def area(self, name: str, sheet: str) -> Area:
         """Resolve a defined name, the sheet's own before the workbook's; or ``title!`` to the sheet of that title."""
@@ -132,14 +134,14 @@ def referenced_cells(formulas: Patterns, wanted: Mapping[tuple[str, int], list[i
 
 def merged_rows(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int, int]]]:
     """Return areas by sheet and columns, as ranges of rows merged where they overlap: running sums become one."""
-    found: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
+    merged: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
     for sheet, top, left, bottom, right, _ in sorted(areas):
-        rows = found.setdefault((sheet, left, right), [])
+        rows = merged.setdefault((sheet, left, right), [])
         if rows and top <= rows[-1][1]:
             rows[-1] = rows[-1][0], max(rows[-1][1], bottom)
         else:
             rows.append((top, bottom))
-    return found
+    return merged
 
 
 def grouped_by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:

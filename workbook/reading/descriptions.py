@@ -47,8 +47,8 @@ def parse_toml(text: str, path: Path) -> dict[str, Any]:
     except RecursionError as error:
         raise ReadError(f"{path}: not valid TOML for a description: values are nested too deep") from error
     except ValueError as error:  # one of TOML's, or a whole number of too many digits
-        said = decimal_comma(text, error) or str(error).partition(";")[0]
-        raise ReadError(f"{path}: not valid TOML: {said}") from error
+        message = decimal_comma(text, error) or str(error).partition(";")[0]
+        raise ReadError(f"{path}: not valid TOML: {message}") from error
 
 
 def decimal_comma(text: str, error: ValueError) -> str:
@@ -63,8 +63,8 @@ def decimal_comma(text: str, error: ValueError) -> str:
 
 def counted_from_1(key: str) -> str:
     """Return a key whose lists are counted from 1, as people count: ``timing.axes[1].name``."""
-    told = spell(key)
-    return told if told == key else f"{told} (counted from 1)"
+    spelled = spell(key)
+    return spelled if spelled == key else f"{spelled} (counted from 1)"
 
 
 def write_machine(machine: Machine) -> str:

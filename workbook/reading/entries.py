@@ -79,8 +79,8 @@ class Entries:
         try:
             machine = validated(self.template, data, lambda key: self._where(cell_key(key, named)))
         except InputError as refused:
-            moved = [f"{self.file.path.name}: {one.sheet}!{one.cell}: {one.computed}; {one.expected}"
-                     for one in self.moved if one.kind == "notice"]  # fmt: skip
+            moved = [f"{self.file.path.name}: {move.sheet}!{move.cell}: {move.computed}; {move.expected}"
+                     for move in self.moved if move.kind == "notice"]  # fmt: skip
             raise InputError(self._lost() or moved[:1] or refused.lines) from None
         built = {name: text for name, place in self.file.places.items()  # what laws and axes were called
                  if name.endswith("_built") and isinstance(text := self.file.value(place.cell(0, 0)), str)}  # fmt: skip
@@ -160,8 +160,8 @@ class Entries:
                                   if value is None and self._must_be_there(q.key)]  # fmt: skip
             else:
                 where = f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1}"
-                said = f"of the table {block.name}, but below it; fill it, or move up what is below"
-                self._between.append(f"{where} {said}")
+                message = f"of the table {block.name}, but below it; fill it, or move up what is below"
+                self._between.append(f"{where} {message}")
 
     def _look_below(self, block: Block, last: list[Address]) -> None:
         """Note what stands in a table's columns directly under its last row, where nothing reads it."""
@@ -169,9 +169,9 @@ class Entries:
         there = [(at.a1, self.file.value(at)) for at in below] if block.is_table else []
         held = [a1 for a1, value in there if value is not None and not is_formula(value)]
         if held:
-            said = f"{last[0].sheet}: {', '.join(held)} stand under the last row of the table {block.name}, where "
+            message = f"{last[0].sheet}: {', '.join(held)} stand under the last row of the table {block.name}, where "
             mend = "enter them in a spare row of it, or build the book with more rows"
-            self.beyond.append(f"{said}nothing reads them; {mend}")
+            self.beyond.append(f"{message}nothing reads them; {mend}")
 
     def _must_be_there(self, key: str) -> bool:
         """Whether an empty cell of an entry is not what a description without it means."""

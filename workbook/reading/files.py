@@ -129,8 +129,8 @@ def innermost_cause(error: BaseException) -> str:
     """Return the innermost cause of an error in one short line."""
     while error.__cause__ is not None:
         error = error.__cause__
-    said = " ".join(str(error).split())
-    return f"{type(error).__name__}: {said}"[:160].strip(": ")
+    message = " ".join(str(error).split())
+    return f"{type(error).__name__}: {message}"[:160].strip(": ")
 
 
 def find_places(workbook: Workbook) -> dict[str, Place]:

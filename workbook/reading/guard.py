@@ -52,8 +52,8 @@ def guard(path: Path) -> Inspected:
     except PermissionError as error:
         raise ReadError(f"{path}: cannot be read; close it in the other program and try again") from error
     except (zipfile.BadZipFile, zlib.error, EOFError, OSError, NotImplementedError, ValueError) as error:
-        said = str(error)[:120] or type(error).__name__
-        raise ReadError(f"{path}: damaged: {said}; expected a workbook; {SAVE_AS}") from error
+        message = str(error)[:120] or type(error).__name__
+        raise ReadError(f"{path}: damaged: {message}; expected a workbook; {SAVE_AS}") from error
 
 
 def inspect(file: IO[bytes], size: int) -> Inspected:
@@ -68,7 +68,7 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
     names = [info.filename for info in infos]
     roots = {name: scan.root for name, scan in scans.items()}
     main, titled, shared = find_parts(roots, names)
-    held = [one for name in names if DRAWING.fullmatch(name) and name in roots for one in roots[name].iter()]
+    held = [element for name in names if DRAWING.fullmatch(name) and name in roots for element in roots[name].iter()]
     strings = roots.get(shared, Element("sst"))
     fonts = [[font for font in text.iter() if tag(font) == "rPr"] for text in strings if tag(text) == "si"]
     sheets: dict[str, Rows] = {}
@@ -84,7 +84,7 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
         strings,
         {n: fonts for n, fonts in enumerate(fonts) if fonts},
         {title: drawing_anchors(roots, part) for title, part in titled.items()},
-        {what: sum(tag(one) == name for one in held) for name, what in DRAWN.items()},
+        {what: sum(tag(element) == name for element in held) for name, what in DRAWN.items()},
         roots[main],
     )
 

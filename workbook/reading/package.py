@@ -69,13 +69,13 @@ def content_types(root: Element, names: set[str]) -> dict[str, str]:
 def relationships(parts: Mapping[str, Element], of: str) -> list[Relationship]:
     """Return the relationships of a part, or of the package; Refusal where two have one name."""
     name = join(dirname(of), "_rels", f"{basename(of)}.rels")
-    found = []
+    links = []
     for e in (e for e in parts.get(name, ()) if tag(e) == "Relationship"):
         target = normpath(join("/", dirname(of), e.get("Target", ""))).removeprefix("/")
         inside = e.get("TargetMode", "Internal") == "Internal"
-        found.append(Relationship(e.get("Id", ""), e.get("Type", "").rpartition("/")[2], target if inside else ""))
-    refuse_twice(f"has two relationships of the name {{}} in {short(name)}", (one.id for one in found))
-    return found
+        links.append(Relationship(e.get("Id", ""), e.get("Type", "").rpartition("/")[2], target if inside else ""))
+    refuse_twice(f"has two relationships of the name {{}} in {short(name)}", (link.id for link in links))
+    return links
 
 
 def optional_part(what: str, relations: list[Relationship], kind: str, typed_so: list[str], names: set[str]) -> str:
@@ -87,8 +87,8 @@ def optional_part(what: str, relations: list[Relationship], kind: str, typed_so:
 def only_part(what: str, targets: list[str], typed_so: list[str], names: set[str]) -> str:
     """Return the one part that both relationship and content type call by a name; raise Refusal for all else."""
     if len(targets) != 1 or typed_so != targets or targets[0] not in names:
-        said = ", ".join(short(name) for name in dict.fromkeys([*targets, *typed_so])) or "no part"
-        raise Refusal(f"{said} could be its {what} by relationship or content type; expected one by both; {SAVE_AS}")
+        listed = ", ".join(short(name) for name in dict.fromkeys([*targets, *typed_so])) or "no part"
+        raise Refusal(f"{listed} could be its {what} by relationship or content type; expected one by both; {SAVE_AS}")
     return targets[0]
 
 
@@ -108,8 +108,8 @@ def sheet_parts(root: Element, relations: list[Relationship], types: Mapping[str
     for title, e in ((e.get("name", ""), e) for e in listed):
         link = by_id.get(next((value for key, value in e.attrib.items() if key.endswith("}id")), ""))
         if link is None or link.kind not in SHEETS or not types.get(link.target, "").endswith(SHEETS[link.kind]):
-            said = "leads to no part that is one by relationship and content type"
-            raise Refusal(f"its sheet {short(title)} {said}; {SAVE_AS}")
+            message = "leads to no part that is one by relationship and content type"
+            raise Refusal(f"its sheet {short(title)} {message}; {SAVE_AS}")
         if link.kind == "worksheet":
             led[title] = link.target
     return led
@@ -117,10 +117,10 @@ def sheet_parts(root: Element, relations: list[Relationship], types: Mapping[str
 
 def only_child(root: Element, name: str) -> Element | list[Element]:
     """Return the one child of this name, wherever it stands below the root; nothing where there is none."""
-    found = [e for e in root.iter() if tag(e) == name]
-    if len(found) > 1 or (found and (found[0] not in list(root) or found[0].tag != f"{MAIN}{name}")):
+    children = [e for e in root.iter() if tag(e) == name]
+    if len(children) > 1 or (children and (children[0] not in list(root) or children[0].tag != f"{MAIN}{name}")):
         raise Refusal(f"damaged: its workbook holds <{name}> more than once, or in another place; {SAVE_AS}")
-    return found[0] if found else []
+    return children[0] if children else []
 
 
 def refuse_twice(words: str, names: Iterable[str]) -> None:
@@ -170,14 +170,14 @@ class Anchor(NamedTuple):
 
 def drawing_anchors(parts: Mapping[str, Element], sheet: str) -> list[Anchor]:
     """Return the drawings on a sheet that hide what is behind them, the lowest first; ``parts`` are roots by names."""
-    found = []
+    drawn = []
     for link in relationships(parts, sheet):
         if link.kind == "drawing":
-            charts = {one.id: parts.get(one.target, NOTHING) for one in relationships(parts, link.target)}
-            found += list(anchors(parts.get(link.target, NOTHING), charts))
+            charts = {related.id: parts.get(related.target, NOTHING) for related in relationships(parts, link.target)}
+            drawn += list(anchors(parts.get(link.target, NOTHING), charts))
         elif link.kind == "vmlDrawing":
-            found += shown_notes(parts.get(link.target, NOTHING))
-    return found
+            drawn += shown_notes(parts.get(link.target, NOTHING))
+    return drawn
 
 
 def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
@@ -186,11 +186,11 @@ def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
         if not tag(element).endswith("Anchor"):
             continue
         held = {tag(child): child for child in element}
-        if any(one.get("hidden") in ("1", "true") for one in element.iter() if tag(one) == "cNvPr"):
+        if any(part.get("hidden") in ("1", "true") for part in element.iter() if tag(part) == "cNvPr"):
             continue
-        if not any(tag(one) in OPAQUE and not see_through(one) for one in element.iter()):
+        if not any(tag(part) in OPAQUE and not see_through(part) for part in element.iter()):
             continue
-        ids = [value for one in element.iter() if tag(one) == "chart" for value in one.attrib.values()]
+        ids = [value for part in element.iter() if tag(part) == "chart" for value in part.attrib.values()]
         yield Anchor(
             corner(held["from"]) if "from" in held else Corner(0, 0, *two_numbers(held.get("pos"), "x", "y")),
             corner(held["to"]) if "to" in held else None,
@@ -201,7 +201,7 @@ def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
 
 def see_through(shape: Element) -> bool:
     """Whether a shape has neither a fill nor a text."""
-    if tag(shape) != "sp" or any(tag(one) == "t" and (one.text or "").strip() for one in shape.iter()):
+    if tag(shape) != "sp" or any(tag(part) == "t" and (part.text or "").strip() for part in shape.iter()):
         return False
     look = next((child for child in shape if tag(child) == "spPr"), None)
     return look is not None and any(tag(child) == "noFill" for child in look)
@@ -212,7 +212,7 @@ def shown_notes(root: Element) -> Iterator[Anchor]:
     for shape in root.iter():
         if tag(shape) != "shape" or "visibility:hidden" in shape.get("style", "").replace(" ", ""):
             continue
-        place = next((one.text or "" for one in shape.iter() if tag(one) == "Anchor"), "")
+        place = next((part.text or "" for part in shape.iter() if tag(part) == "Anchor"), "")
         numbers = [bounded_int(text) for text in place.split(",")]
         if len(numbers) == 8:
             left, right, top, down, *rest = numbers
@@ -227,9 +227,9 @@ def corner(element: Element) -> Corner:
     return Corner(max(column, 0), max(row, 0), held.get("colOff", 0), held.get("rowOff", 0))
 
 
-def two_numbers(element: Element | None, one: str, other: str) -> tuple[int, int]:
+def two_numbers(element: Element | None, first: str, other: str) -> tuple[int, int]:
     """Return two numbers of an element; 0 where it has none."""
-    return (0, 0) if element is None else (bounded_int(element.get(one)), bounded_int(element.get(other)))
+    return (0, 0) if element is None else (bounded_int(element.get(first)), bounded_int(element.get(other)))
 
 
 def bounded_int(text: str | None) -> int:

@@ -22,7 +22,7 @@ PLACED = frozenset({"r", "spans"})  # attributes of a row that say nothing of it
 FORMULA, VALUE = f"{MAIN}f", f"{MAIN}v"
 USUAL = frozenset({FORMULA, VALUE})  # what nearly all cells hold
 FREE = frozenset({f"{MAIN}extLst", f"{MAIN}rPr"})  # what stands in these is no part of a text
-WITHIN = {f"{MAIN}{name}": {f"{MAIN}{one}" for one in held.split()} for name, held in {
+WITHIN = {f"{MAIN}{name}": {f"{MAIN}{name}" for name in held.split()} for name, held in {
     "row": "c extLst", "c": "f v is extLst", "is": "t r rPh phoneticPr", "r": "rPr t", "rPh": "t",
 }.items()}  # fmt: skip
 """what the elements of a row may hold; all others hold a text"""
@@ -122,10 +122,10 @@ class RawCell(NamedTuple):
 
 def cell_position(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
     """Return row and column of a cell; raise Refusal where a sheet has no such cell."""
-    found = rule.fullmatch(text)
-    if found is None:
+    match = rule.fullmatch(text)
+    if match is None:
         raise Refusal(f"damaged: {short(text)} stands where a cell is expected; {SAVE_AS}")
-    letters, digits = found.groups()
+    letters, digits = match.groups()
     row, column = int(digits), column_index_from_string(letters.upper())
     if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
         raise Refusal(f"holds a cell {short(text)}; the last cell of a sheet is XFD1048576")
@@ -216,7 +216,7 @@ class Rows:
         refuse_two_texts(element, self.name)
         if fonts := list(element.iter(f"{MAIN}rPr")):
             self.fonts[self.row, self.column] = fonts
-        runs = [part for one in element for part in (one, *one) if tag(part) == "t" and tag(one) in ("t", "r")]
+        runs = [part for child in element for part in (child, *child) if tag(part) == "t" and tag(child) in ("t", "r")]
         return (before or "") + "".join(text_of(run, "t", self.name) for run in runs) if runs else before
 
     def _formula(self, element: Element) -> str:

@@ -149,8 +149,8 @@ class Scan:
         elif element.tag == DATA:
             element.clear()
 
-    def aside(self, said: object) -> None:
+    def aside(self, event: object) -> None:
         """Refuse a comment, or a namespace, within a row: some readers take what stands before it only."""
         if self._in_row and FREE.isdisjoint(self._path):
-            what = "a namespace of its own" if isinstance(said, tuple) else "a comment"
+            what = "a namespace of its own" if isinstance(event, tuple) else "a comment"
             raise Refusal(f"damaged: {self.name} holds {what} within a row; {SAVE_AS}")

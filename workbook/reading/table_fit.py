@@ -24,36 +24,36 @@ def changed_tables(file: BookFile, layout: Book) -> dict[str, Fit]:
             if place.rows * place.columns > 1:
                 fits[name] = Fit(place._replace(rows=1, columns=1), named=place)
         else:
-            found = in_rows_of_lead(file, block, fit_table(file, block, place), fits)
-            if found.inserted or found.added or found.lost or found.gone:
-                fits[name] = found
+            measured = in_rows_of_lead(file, block, fit_table(file, block, place), fits)
+            if measured.inserted or measured.added or measured.lost or measured.gone:
+                fits[name] = measured
     return fits
 
 
-def in_rows_of_lead(file: BookFile, block: Block, found: Fit, fits: dict[str, Fit]) -> Fit:
+def in_rows_of_lead(file: BookFile, block: Block, measured: Fit, fits: dict[str, Fit]) -> Fit:
     """Return the fit of a table without row numbers: it has the rows of the table that it stands beside."""
     lead = block.lead
     if lead is None or lead.name not in fits or numbering_column(block) is not None:
-        return found
+        return measured
     place, beside = file.places[block.name], file.places[lead.name]
     if (place.sheet, place.row, place.rows) != (beside.sheet, beside.row, beside.rows):
-        return found
+        return measured
     fit = fits[lead.name]
-    own = found.place._replace(rows=fit.place.rows, rows_at=fit.place.rows_at)
-    return found._replace(place=own, inserted=fit.inserted, lost=fit.lost)
+    own = measured.place._replace(rows=fit.place.rows, rows_at=fit.place.rows_at)
+    return measured._replace(place=own, inserted=fit.inserted, lost=fit.lost)
 
 
 def shortened_tables(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple[str, int], list[str]]:
     """Return the tables of entries that lack rows at their end, by sheet and row; sizes in ``grown`` are skipped."""
-    found: dict[tuple[str, int], list[str]] = {}
+    tables: dict[tuple[str, int], list[str]] = {}
     for name, block in layout.blocks.items():
         place = file.places.get(name)
         entered = block.is_table and any(q.role == "input" for q in block.quantities)
         if place is None or not entered or block.size in grown:
             continue
         if block.size > file.fits.get(name, Fit(place)).size:
-            found.setdefault((place.sheet, place.cell(place.rows - 1, 0).row + 1), []).append(name)
-    return found
+            tables.setdefault((place.sheet, place.cell(place.rows - 1, 0).row + 1), []).append(name)
+    return tables
 
 
 def fit_table(file: BookFile, block: Block, place: Place) -> Fit:
@@ -84,7 +84,7 @@ def own_rows(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int],
         return (own if 2 * len(own) > place.rows else rows), []
     first = as_rows(block.quantities[j].value, block.size, block.name)[0]
     held_there = (file.value(place.cell(r, j)) for r in rows)
-    numbers = [int(one) if type(one) in (int, float) and one % 1 == 0 else None for one in held_there]
+    numbers = [int(value) if type(value) in (int, float) and value % 1 == 0 else None for value in held_there]
     if numbers == list(range(first, first + place.rows)):
         return rows, []
     empty = [not any(holds_formula(file, place.cell(r, k)) for k in formulas) for r in rows]
@@ -99,19 +99,19 @@ def rows_by_numbers(
     aside: list[int] = []
     lost: list[tuple[int, int]] = []
     last = first - 1
-    for r, found in enumerate(numbers):
-        if found is not None and found > last:
-            missing = found - last - 1
+    for r, number in enumerate(numbers):
+        if number is not None and number > last:
+            missing = number - last - 1
             if missing and missing == len(aside):
                 own += aside  # emptied, not inserted
             elif missing:
                 lost.append((r, missing))
             own.append(r)
-            last, aside = found, []
-        elif found is not None and own and found == last:
+            last, aside = number, []
+        elif number is not None and own and number == last:
             if any(leads_up(below) == r for below in range(r + 1, min(r + 2, len(numbers)))):
                 own[-1] = r  # the copy was put above it
-        elif found is None and empty[r]:
+        elif number is None and empty[r]:
             aside.append(r)
         else:
             return None
@@ -163,9 +163,9 @@ def matched_columns(file: BookFile, block: Block, place: Place) -> list[int | No
     for j, row in enumerate(likes):
         line = [(best[j][0][0], (*best[j][0][1], None))]
         for c in range(place.columns):
-            kept, skipped, gone = best[j][c], line[c], best[j][c + 1]
+            taken, skipped, gone = best[j][c], line[c], best[j][c + 1]
             line.append(
-                max((kept[0] + row[c], (*kept[1], c)), skipped, (gone[0], (*gone[1], None)), key=lambda one: one[0])
+                max((taken[0] + row[c], (*taken[1], c)), skipped, (gone[0], (*gone[1], None)), key=lambda way: way[0])
             )
         best.append(line)
     return list(best[-1][-1][1])

@@ -26,64 +26,66 @@ def percent(share: float) -> str:
     return f"{share * 100.0:.3g} %" if math.isfinite(share) else "–"
 
 
-def excess(made: CertifiedTable, tolerance: Mapping[str, float]) -> str:
+def excess(certified: CertifiedTable, tolerance: Mapping[str, float]) -> str:
     """Return in words by how much a table misses what is tolerated."""
-    missed = [order for order, most in tolerance.items() if made.share(order) > most]
-    parts = [f"{WORDS[ORDERS.index(o)]} is off by {percent(made.share(o))} of its peak, {percent(tolerance[o])} asked"
-             for o in missed]  # fmt: skip
-    return f"with {made.points} points {'; '.join(parts)}"
+    missed = {order: certified.share(order) for order, most in tolerance.items() if certified.share(order) > most}
+    parts = [f"{WORDS[ORDERS.index(o)]} is off by {percent(share)} of its peak, {percent(tolerance[o])} asked"
+             for o, share in missed.items()]  # fmt: skip
+    return f"with {certified.points} points {'; '.join(parts)}"
 
 
-def show(axis: CamAxis, made: CertifiedTable, target: Target) -> None:
+def show(axis: CamAxis, certified: CertifiedTable, target: Target) -> None:
     """Print the certificate of each rule that may be the target's."""
-    for name, certificate in made.certificates.items():
-        bound = f", one of {len(made.certificates)} rules that may be its" if len(made.certificates) > 1 else ""
-        title = shown(f"{axis.name} to {target.name}: {made.points} points, {name}{bound}")
+    for name, certificate in certified.certificates.items():
+        bound = (
+            f", one of {len(certified.certificates)} rules that may be its" if len(certified.certificates) > 1 else ""
+        )
+        title = shown(f"{axis.name} to {target.name}: {certified.points} points, {name}{bound}")
         headings = [*HEADINGS[:4], f"at x ({axis.x_unit})", HEADINGS[5]]
         show_table(OUT, headings, rows(axis, certificate), (1, 3, 4, 5), title)
 
 
-def placing(axis: CamAxis, made: CertifiedTable, target: Target) -> dict[str, Any]:
+def placing(axis: CamAxis, certified: CertifiedTable, target: Target) -> dict[str, Any]:
     """Return the position's error, and that of as many points in the other placing, by what each is called."""
-    other = placed_otherwise(target, axis, made)
+    other = placed_otherwise(target, axis, certified)
     names = ("at equal steps", "placed by the motion")
-    tables = (made, other) if target.spacing == "equal" else (other, made)
+    tables = (certified, other) if target.spacing == "equal" else (other, certified)
     errors = [max(of.deviations[0].largest for of in table.certificates.values()) for table in tables if table]
     return dict(zip(names, errors, strict=True)) if other else {}
 
 
-def placing_line(axis: CamAxis, made: CertifiedTable, target: Target) -> str:
+def placing_line(axis: CamAxis, certified: CertifiedTable, target: Target) -> str:
     """Return in a line what equal steps cost, or what the places of the points gain; nothing of segments."""
-    errors = placing(axis, made, target)
+    errors = placing(axis, certified, target)
     parts = [f"{name} by {error:.3g} {axis.units[0]}" for name, error in errors.items()]
-    return f"Position of {made.points} points is off {', '.join(parts)}" if parts else ""
+    return f"Position of {certified.points} points is off {', '.join(parts)}" if parts else ""
 
 
 def rows(axis: CamAxis, of: Certificate) -> list[list[str]]:
     """Return a row of texts for each derivative."""
-    found = []
-    for k, one in enumerate(of.deviations):
+    lines = []
+    for k, error in enumerate(of.deviations):
         jump = f"{max(of.jumps[k], abs(of.closure[k])):.3g}" if k < len(of.jumps) else ""
-        found.append([WORDS[k], f"{one.largest:.3g}", axis.units[k], percent(one.share), f"{one.x:.6g}", jump])
-    return found
+        lines.append([WORDS[k], f"{error.largest:.3g}", axis.units[k], percent(error.share), f"{error.x:.6g}", jump])
+    return lines
 
 
-def certificate_data(axis: CamAxis, made: CertifiedTable, target: Target, path: str) -> dict[str, Any]:
+def certificate_data(axis: CamAxis, certified: CertifiedTable, target: Target, path: str) -> dict[str, Any]:
     """Return a certificate as data, the figures of each rule by derivative."""
     rules: dict[str, dict[str, Any]] = {}
-    for name, of in made.certificates.items():
-        found = rules[name] = dict[str, Any]()
-        for k, (word, unit, one) in enumerate(zip(WORDS, axis.units, of.deviations, strict=True)):
-            share = one.share if math.isfinite(one.share) else None
-            found[word] = {"unit": unit, "largest": one.largest, "share": share, "at": one.x, "peak": one.peak}
+    for name, of in certified.certificates.items():
+        figures = rules[name] = dict[str, Any]()
+        for k, (word, unit, error) in enumerate(zip(WORDS, axis.units, of.deviations, strict=True)):
+            share = error.share if math.isfinite(error.share) else None
+            figures[word] = {"unit": unit, "largest": error.largest, "share": share, "at": error.x, "peak": error.peak}
             if k < len(of.jumps):
-                found[word] |= {"jump": of.jumps[k], "closure": of.closure[k]}
-    return {"axis": axis.name, "target": target.name, "file": path, "points": made.points, "x_unit": axis.x_unit,
+                figures[word] |= {"jump": of.jumps[k], "closure": of.closure[k]}
+    return {"axis": axis.name, "target": target.name, "file": path, "points": certified.points, "x_unit": axis.x_unit,
             "rules": rules, "untested": [claim.what for claim in target.untested]}  # fmt: skip
 
 
 def page(
-    found: Sequence[tuple[CamAxis, CertifiedTable]], target: Target, tolerance: Mapping[str, float],
+    axes: Sequence[tuple[CamAxis, CertifiedTable]], target: Target, tolerance: Mapping[str, float],
     switches: Sequence[Sequence[str]] = (),
 ) -> str:  # fmt: skip
     """Return the page of the axes that were exported to a target, and of its switches, a row of texts each."""
@@ -92,35 +94,35 @@ def page(
         """Return how many points it should have."""
         best = automatic(target, axis, tolerance)
         asked = ", ".join(f"{WORDS[ORDERS.index(o)]} {percent(t)}" for o, t in tolerance.items())
-        kept = "the fewest that keep" if best.excess(tolerance) <= 1.0 else "the best there is, which does not keep"
-        return f"Recommended: {best.points} points, {kept} to {asked} of its peak."
+        words = "the fewest that keep" if best.excess(tolerance) <= 1.0 else "the best there is, which does not keep"
+        return f"Recommended: {best.points} points, {words} to {asked} of its peak."
 
     title = f"Cam tables for {target.title}"
     claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
     return document(title, rendered(
         "reports/cams.html", title=title, version=workbook.__version__, target=target,
-        claims=claims, found=found, advice=advice,
+        claims=claims, found=axes, advice=advice,
         headings=HEADINGS, rows=rows, placing=placing_line, pictures=pictures, switched=SWITCHED, switches=switches,
     ))  # fmt: skip
 
 
-def pictures(axis: CamAxis, made: CertifiedTable, target: Target) -> Iterator[str]:
+def pictures(axis: CamAxis, certified: CertifiedTable, target: Target) -> Iterator[str]:
     """Yield pictures: errors over the number of points; the acceleration meant and made by each rule; its errors."""
-    tried = sorted([*curve(target, axis), made], key=lambda one: one.points)
-    points = np.array([float(one.points) for one in tried])
+    tried = sorted([*curve(target, axis), certified], key=lambda table: table.points)
+    points = np.array([float(table.points) for table in tried])
     drawn = []
     for order, word in zip(ORDERS, WORDS, strict=True):
-        shares = np.array([one.share(order) for one in tried])
+        shares = np.array([table.share(order) for table in tried])
         drawn.append(Line(word, points, np.clip(np.nan_to_num(shares, posinf=FLOOR), FLOOR, None)))
-    title = f"{axis.name}: largest error over the number of points; {made.points} were taken"
+    title = f"{axis.name}: largest error over the number of points; {certified.points} were taken"
     yield plot(title, ("points", "of the peak"), drawn, (True, True))
     begin, end = axis.profile.edges[[0, -1]]
     x = np.linspace(begin, end, SAMPLES)
     meant = axis.profile.at(x)
-    found = {name: rule.made(made.table).at(x) for name, rule in rules_of(target, made.table).items()}
-    drawn = [Line("meant", x, meant.y2), *(Line(name, x, one.y2) for name, one in found.items())]
+    rebuilt = {name: rule.made(certified.table).at(x) for name, rule in rules_of(target, certified.table).items()}
+    drawn = [Line("meant", x, meant.y2), *(Line(name, x, curves.y2) for name, curves in rebuilt.items())]
     yield plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)
     for k, word in ((0, "position"), (2, "acceleration")):
-        errors = [Line(name, x, one[k] - meant[k]) for name, one in found.items()]
+        errors = [Line(name, x, curves[k] - meant[k]) for name, curves in rebuilt.items()]
         title = f"{axis.name}: error of the {word} over the cycle"
         yield plot(title, (axis.x_unit, axis.units[k]), errors)

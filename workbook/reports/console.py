@@ -53,7 +53,7 @@ def report_data(report: Report) -> dict[str, Any]:
                    "unfinished": report.unfinished},
         "witnesses": [{name: getattr(ran, name) for name in WITNESS} for ran in report.witnesses],
         "deviations": report.deviations,
-        **{name: [{field: plain(getattr(one, field)) for field in FINDING} for one in getattr(report, name)]
+        **{name: [{field: plain(getattr(finding, field)) for field in FINDING} for finding in getattr(report, name)]
            for name in ("findings", "notices")},
         "following": len({(f.sheet, f.cell) for f in report.following}),
         "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
@@ -82,16 +82,16 @@ def show_report(report: Report, console: Console, everything: bool = False) -> N
     if report.own:
         first = ", ".join(report.own[:8]) + (" …" if len(report.own) > 8 else "")
         lines.append(f"{report.own_words} ({first})")
-    for told in (*lines, *verdict(report)):
-        console.print(shown(told))
+    for text in (*lines, *verdict(report)):
+        console.print(shown(text))
 
 
 def verdict(report: Report) -> list[str]:
     """Return in lines what came of the cells, of the witnesses that were not asked, and of the machine's own checks."""
-    said = "every one computes what the engine computes" if report.agrees else report.findings_words
+    words = "every one computes what the engine computes" if report.agrees else report.findings_words
     lines = [f"Not on this machine: {w.name}" for w in report.witnesses if w.absent]
     lines += [f"Not compared by {w.name}: {w.why}" for w in report.witnesses if w.why and not report.tells(w)]
-    lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {said}.")
+    lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {words}.")
     for c in report.failing[:MOST]:
         lines.append(f"{c.found}  {c.sheet}!{c.cell}  {c.what}" + (f": {c.says}" if c.says else ""))
     if len(report.failing) > MOST:
@@ -103,38 +103,38 @@ def show_findings(report: Report, console: Console, everything: bool) -> None:
     """Print the findings; what only follows from others is counted by sheet, unless ``everything`` is asked for."""
     listed = report.findings if everything else report.causes
     headings = ["Cell", "What", "Kind", "Computes", "Expected", *(["By"] if len(report.witnesses) > 1 else [])]
-    told, rows = listed if everything else listed[:MOST], []
-    for f in told:
-        found, expected = map(figure, differing(f.computed, f.expected))
-        row = (where(f), f.what, f.kind, f"{found} ({f.why})" if f.why else found, expected, f.witness)
+    first, rows = listed if everything else listed[:MOST], []
+    for f in first:
+        computed, expected = map(figure, differing(f.computed, f.expected))
+        row = (where(f), f.what, f.kind, f"{computed} ({f.why})" if f.why else computed, expected, f.witness)
         rows.append(row[: len(headings)])
     show_table(console, headings, rows, title="Findings, causes first")
-    if len(listed) > len(told):
-        say(console, f"… and {len(listed) - len(told)} more; --all lists them")
+    if len(listed) > len(first):
+        say(console, f"… and {len(listed) - len(first)} more; --all lists them")
     if len(listed) < len(report.findings):
         sheets = Counter(f.sheet for f in report.findings if f.kind == FOLLOWS)
         counted = ", ".join(f"{count:,} on {sheet}" for sheet, count in sheets.items())
         say(console, f"Cells that are wrong only because of these: {counted}; --all lists them")
 
 
-def differing(found: Any, expected: Any) -> tuple[Any, Any]:
+def differing(computed: Any, expected: Any) -> tuple[Any, Any]:
     """Return two long formulas without what both begin and end with, ``…`` in its place; others as they are."""
-    both = found, expected
+    both = computed, expected
     if not all(isinstance(text, str) and text.startswith("=") for text in both) or max(map(len, both)) <= LONG:
         return both
-    same = alike(found, expected)
-    end = min(alike(found[::-1], expected[::-1]), min(map(len, both)) - same)
+    same = alike(computed, expected)
+    end = min(alike(computed[::-1], expected[::-1]), min(map(len, both)) - same)
     begin = max(0, same - AROUND)
-    while begin and WORD.match(found[begin - 1]) and WORD.match(found[begin]):  # not within a name
+    while begin and WORD.match(computed[begin - 1]) and WORD.match(computed[begin]):  # not within a name
         begin -= 1
     before, after = "…" if begin else "", "…" if end > AROUND else ""
-    return (f"{before}{found[begin : len(found) - end + AROUND]}{after}",
+    return (f"{before}{computed[begin : len(computed) - end + AROUND]}{after}",
             f"{before}{expected[begin : len(expected) - end + AROUND]}{after}")  # fmt: skip
 
 
-def alike(one: str, other: str) -> int:
+def alike(text: str, other: str) -> int:
     """Return with how many of the same characters two texts begin."""
-    return next((k for k, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
+    return next((k for k, (a, b) in enumerate(zip(text, other, strict=False)) if a != b), min(len(text), len(other)))
 
 
 @contextmanager
@@ -144,7 +144,7 @@ def progress(console: Console, words: str, total: int) -> Iterator[Callable[[int
                TimeRemainingColumn())  # fmt: skip
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("", total=total)
-        yield lambda count, said: bar.update(task, advance=count, description=escape(visible(said)))
+        yield lambda count, text: bar.update(task, advance=count, description=escape(visible(text)))
 
 
 def show(
@@ -176,34 +176,34 @@ def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
     table = Table("Workbook", *(Column(name, justify="right") for name in ("Formula cells", "Findings")))
     table.add_column("Verdict", no_wrap=True)
     for o in outcomes:
-        said = VERDICTS[o.verdict]
+        shown_verdict = VERDICTS[o.verdict]
         counts = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("-", "-")
-        table.add_row(shown(str(o.path)), *counts, shown(said.row, said.colour))
+        table.add_row(shown(str(o.path)), *counts, shown(shown_verdict.row, shown_verdict.colour))
     console.print(table)
     for o in outcomes:  # why it cannot be read, or the worst of its findings
         for text in o.reason.splitlines() if o.verdict == "unreadable" else ():
             say(console, text)
-        found = [*map(line, o.report.causes), *(check.line for check in o.report.failing)] if o.report else []
-        for text in found[:WORST]:
+        lines = [*map(line, o.report.causes), *(check.line for check in o.report.failing)] if o.report else []
+        for text in lines[:WORST]:
             say(console, f"{o.path}: {text}")
-        if len(found) > WORST:
-            say(console, f"{o.path}: and {len(found) - WORST:,} more; verify it alone, or add --report")
+        if len(lines) > WORST:
+            say(console, f"{o.path}: and {len(lines) - WORST:,} more; verify it alone, or add --report")
     compared = sum(o.report.compared for o in outcomes if o.report)
     count = Counter[str](outcome.verdict for outcome in outcomes)
-    told = [f"{count[verdict]} {words.several}" for verdict, words in VERDICTS.items() if count[verdict]]
+    parts = [f"{count[verdict]} {words.several}" for verdict, words in VERDICTS.items() if count[verdict]]
     verified = sum(outcome.report is not None for outcome in outcomes)
-    say(console, f"{compared:,} formula cells compared in {verified} workbooks: {', '.join(told)}.")
+    say(console, f"{compared:,} formula cells compared in {verified} workbooks: {', '.join(parts)}.")
 
 
 def catalogue() -> list[dict[str, Any]]:
     """Return every law's names, source, coefficients, for its parameters as delivered, continuity, names elsewhere."""
     rows: list[dict[str, Any]] = []
-    for law in (one() for one in CATALOGUE):
+    for law in (family() for family in CATALOGUE):
         figures = {name: plain(getattr(law.coefficients, field)) for name, field in (FIGURES | COSTS).items()}
         orders = continuity(law_joints(law, law.as_pieces()))
         smooth = dict(zip(SMOOTH, (DERIVATIVES[order] for order in orders), strict=True))
-        told = {"code": law.code, "name": law.name, "aliases": list(law.aliases), "source": law.source}
-        rows.append(told | figures | smooth | {"names": law.vendors._asdict()})
+        facts = {"code": law.code, "name": law.name, "aliases": list(law.aliases), "source": law.source}
+        rows.append(facts | figures | smooth | {"names": law.vendors._asdict()})
     return rows
 
 

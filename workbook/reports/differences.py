@@ -16,11 +16,11 @@ HEADINGS = ("where", "what", "old", "new", "unit", "difference", "")
 SAMPLES = 721  # of a diagram
 
 
-def data(found: Differences) -> dict[str, Any]:
+def data(differences: Differences) -> dict[str, Any]:
     """Return all differences as JSON has them."""
-    kinds = {name: [one._asdict() | {"difference": one.difference, "per_cent": one.per_cent}
-                    for one in getattr(found, name)] for name, _ in KINDS}  # fmt: skip
-    return {"same": found.same, **kinds, "edited": found.edited, "own": found.own}
+    kinds = {name: [change._asdict() | {"difference": change.difference, "per_cent": change.per_cent}
+                    for change in getattr(differences, name)] for name, _ in KINDS}  # fmt: skip
+    return {"same": differences.same, **kinds, "edited": differences.edited, "own": differences.own}
 
 
 def row(change: Change) -> list[str]:
@@ -36,14 +36,14 @@ def figure(value: Any) -> str:
     return "–" if value in (None, "") or value != value else f"{value:.7g}" if isinstance(value, float) else str(value)
 
 
-def show(console: Console, found: Differences) -> None:
+def show(console: Console, differences: Differences) -> None:
     """Print the differences as tables and lines."""
     for name, title in KINDS:
-        changes = getattr(found, name)
+        changes = getattr(differences, name)
         if changes:
             show_table(console, HEADINGS, map(row, changes), title=title, box=None, pad_edge=False)
     for name, title in LINES:
-        for sign, line in signed(getattr(found, name)):
+        for sign, line in signed(getattr(differences, name)):
             say(console, f"{title}: {sign} {line}")
 
 
@@ -52,11 +52,11 @@ def signed(lines: dict[str, list[str]]) -> list[tuple[str, str]]:
     return [*(("−", line) for line in lines["old"]), *(("+", line) for line in lines["new"])]
 
 
-def page(old: Design, new: Design, found: Differences) -> str:
+def page(old: Design, new: Design, differences: Differences) -> str:
     """Return the page of all differences, with the motions of both sides over one another."""
     title = f"{old.path.name} and {new.path.name}"
     return document(title, rendered(
-        "reports/differences.html", title=title, old=old, new=new, found=found, kinds=KINDS, lines=LINES, row=row,
+        "reports/differences.html", title=title, old=old, new=new, found=differences, kinds=KINDS, lines=LINES, row=row,
         headings=HEADINGS, signed=signed, drawn=diagrams(old, new),
     ))  # fmt: skip
 
@@ -64,13 +64,13 @@ def page(old: Design, new: Design, found: Differences) -> str:
 def diagrams(old: Design, new: Design) -> list[str]:
     """Return a picture of each axis whose motion differs: its position over the cycle, old and new."""
     before = {axis.name: axis for axis in TEMPLATES[old.machine.template].axes(old.machine)}
-    found = []
+    plots = []
     for axis in TEMPLATES[new.machine.template].axes(new.machine):
         lines = []
-        for name, one in (("old", before.get(axis.name)), ("new", axis)):
-            if one is not None:
-                x = np.linspace(one.profile.edges[0], one.profile.edges[-1], SAMPLES)
-                lines.append(Line(name, x, one.profile.at(x).y))
+        for name, drawn_axis in (("old", before.get(axis.name)), ("new", axis)):
+            if drawn_axis is not None:
+                x = np.linspace(drawn_axis.profile.edges[0], drawn_axis.profile.edges[-1], SAMPLES)
+                lines.append(Line(name, x, drawn_axis.profile.at(x).y))
         if len(lines) < 2 or not np.allclose(lines[0].y, lines[1].y, rtol=0.0, atol=1e-9 * np.ptp(lines[1].y)):
-            found.append(plot(f"{axis.name}: position over the cycle", (axis.x_unit, axis.y_unit), lines))
-    return found
+            plots.append(plot(f"{axis.name}: position over the cycle", (axis.x_unit, axis.y_unit), lines))
+    return plots

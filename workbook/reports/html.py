@@ -63,7 +63,7 @@ def paragraphs(error: Exception) -> str:
 
 def xml_safe(text: str) -> str:
     """Return a text with a visible escape for each character that neither XML nor a file in UTF-8 can hold."""
-    return visible(text, kept="\t\n")
+    return visible(text, safe="\t\n")
 
 
 FOLDER = str(Path(__file__).parents[1])
@@ -160,9 +160,9 @@ def plot(
                 for place in zip(across.at(line.x), up.at(line.y), strict=True)],
         names=[(line.name, WIDTH - RIGHT + 8, height + 4, colour)
                for line, colour, height in zip(lines, colours, heights, strict=True)],
-        handles={one.line: one.attributes for one in handles if one.x is None},
-        dragged=[(across.at(one.x), up.at(np.interp(one.x, of[one.line].x, of[one.line].y)), one)
-                 for one in handles if one.x is not None],
+        handles={handle.line: handle.attributes for handle in handles if handle.x is None},
+        dragged=[(across.at(handle.x), up.at(np.interp(handle.x, of[handle.line].x, of[handle.line].y)), handle)
+                 for handle in handles if handle.x is not None],
     )  # fmt: skip
 
 
@@ -200,7 +200,7 @@ def front_picture(
     taken = [(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
     written = []
     for number, (name, (px, py)) in enumerate(zip(names, places, strict=True), 1):
-        for words, box in ((said, box) for said in (name, str(number)) for box in around(px, py, said)):
+        for words, box in ((text, box) for text in (name, str(number)) for box in around(px, py, text)):
             if all(box[k + 2] < other[k] or other[k + 2] < box[k] for other in taken for k in (0, 1)):
                 taken.append(box)
                 written.append((words, box[0], box[3] - 3.0, INK))

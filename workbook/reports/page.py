@@ -87,22 +87,22 @@ def witness(ran: WitnessRun) -> str:
 def own_verdict(report: Report) -> str:
     """Return in words what the machine's own checks say."""
     failing = len(report.failing)
-    said = f"{failing} of {len(report.checks)} FAIL" if failing else f"all {len(report.checks)} OK"
-    return f"{said}, {report.unfinished:,} cells unfinished" if report.unfinished else said
+    words = f"{failing} of {len(report.checks)} FAIL" if failing else f"all {len(report.checks)} OK"
+    return f"{words}, {report.unfinished:,} cells unfinished" if report.unfinished else words
 
 
 def by_sheet(report: Report) -> dict[str, list[Finding]]:
     """Return the findings of each sheet that was compared or has any, and those of no sheet."""
-    found: dict[str, list[Finding]] = {sheet: [] for sheet in report.cells}
+    findings: dict[str, list[Finding]] = {sheet: [] for sheet in report.cells}
     for finding in report.findings:
-        found.setdefault(finding.sheet or ELSEWHERE, []).append(finding)
-    return found
+        findings.setdefault(finding.sheet or ELSEWHERE, []).append(finding)
+    return findings
 
 
 def found_words(finding: Finding) -> str:
     """Return what was found, and why it could not be evaluated."""
-    found = figure(finding.computed, 15)
-    return f"{found} ({finding.why})" if finding.why else found
+    value = figure(finding.computed, 15)
+    return f"{value} ({finding.why})" if finding.why else value
 
 
 def where(finding: Finding) -> str:
@@ -154,24 +154,24 @@ def junit(outcomes: Sequence[Outcome], when: datetime) -> str:
 
 def cases(outcome: Outcome) -> list[Case]:
     """Return a case for each sheet of a workbook and one for its own checks, or one for a book that was not read."""
-    report, found = outcome.report, list[Case]()
+    report, case_list = outcome.report, list[Case]()
     if report is None:
         tag = "skipped" if outcome.verdict == "no machine" else "error"  # it was rightly passed over
         return [Case("open", tag, outcome.reason.partition("\n")[0], outcome.verdict, outcome.reason)]
     for sheet, some in by_sheet(report).items():
         more = f" (and {len(some) - 1} more)" if len(some) > 1 else ""
         failed = ("failure", line(some[0]) + more, some[0].kind, "\n".join(map(line, some))) if some else ()
-        found.append(Case(sheet, *failed))
+        case_list.append(Case(sheet, *failed))
     lines = "\n".join(check.line for check in report.failing)
-    return [*found, Case(DESIGN) if report.holds else Case(DESIGN, "failure", own_verdict(report), "design", lines)]
+    return [*case_list, Case(DESIGN) if report.holds else Case(DESIGN, "failure", own_verdict(report), "design", lines)]
 
 
 def line(finding: Finding) -> str:
     """Return a finding in one line."""
     what = f" ({finding.what})" if finding.what else ""
     by = f" [{finding.witness}]" if finding.witness else ""
-    found, expected = found_words(finding), figure(finding.expected, 15)
-    return f"{where(finding)}{what}: {finding.kind}: found {found}, expected {expected}{by}"
+    value, expected = found_words(finding), figure(finding.expected, 15)
+    return f"{where(finding)}{what}: {finding.kind}: found {value}, expected {expected}{by}"
 
 
 def sarif(outcomes: Sequence[Outcome]) -> str:
@@ -179,13 +179,13 @@ def sarif(outcomes: Sequence[Outcome]) -> str:
     rules = [{"id": kind, "shortDescription": {"text": words}} for kind, words in (KINDS | OTHERS).items()]
     driver = {"name": "motionbook", "version": workbook.__version__, "rules": rules}
     results = []
-    for one in outcomes:
-        if one.verdict == "unreadable":
-            results.append(result(one, "unreadable", "error", one.reason))
-        for finding in one.report.findings if one.report else ():
-            results.append(result(one, finding.kind, "error", line(finding), f"{finding.sheet}!{finding.cell}"))
-        for check in one.report.failing if one.report else ():
-            results.append(result(one, "design", "warning", check.line, f"{check.sheet}!{check.cell}"))
+    for outcome in outcomes:
+        if outcome.verdict == "unreadable":
+            results.append(result(outcome, "unreadable", "error", outcome.reason))
+        for finding in outcome.report.findings if outcome.report else ():
+            results.append(result(outcome, finding.kind, "error", line(finding), f"{finding.sheet}!{finding.cell}"))
+        for check in outcome.report.failing if outcome.report else ():
+            results.append(result(outcome, "design", "warning", check.line, f"{check.sheet}!{check.cell}"))
     run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
     return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, ensure_ascii=False, indent=1) + "\n"
 

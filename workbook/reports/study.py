@@ -22,51 +22,51 @@ from workbook.studies.summary import Design, Summary
 MOST = 200  # designs that the page lists
 
 
-def page(plan: Plan, found: Summary, named: Labels, judged: BookCheck | None, when: datetime) -> str:
+def page(plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None, when: datetime) -> str:
     """Return the page."""
     versions = (f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
                 f"NumPy {np.__version__}")  # fmt: skip
-    varied = {path for one in plan.space.dimensions for path in one.paths}
+    varied = {path for dimension in plan.space.dimensions for path in dimension.paths}
     data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
     fixed = [(path, value) for path, value in leaves(data) if path not in varied and value != {}]
     more: dict[str, Any] = {"versions": versions, "fixed": fixed, "varied": varied_words, "spell": spell}
-    return document(plan.study.title, front(plan, found, named, judged, plan_page=True, **more))
+    return document(plan.study.title, front(plan, summary, named, judged, plan_page=True, **more))
 
 
 def front(
-    plan: Plan, found: Summary, named: Labels, judged: BookCheck | None = None, links: Sequence[str] = (), **page: Any
+    plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None = None, links: Sequence[str] = (), **page: Any
 ) -> str:
     """Return what came of a study as HTML: the best designs, as links where these are given, and what excludes others.
 
     What the page has besides is in ``page``.
     """
-    shown, names = found.best[:MOST], list(dict.fromkeys([*plan.study.goals, *plan.study.names]))
+    shown, names = summary.best[:MOST], list(dict.fromkeys([*plan.study.goals, *plan.study.names]))
     first = [*shown[0].entries.values(), *(shown[0].results[name] for name in names)] if shown else []
-    heads = [*(one.label for one in plan.space.dimensions), *(heading(name, named) for name in names)]
+    heads = [*(dimension.label for dimension in plan.space.dimensions), *(heading(name, named) for name in names)]
     css = ["" if isinstance(value, str) else ' class="number"' for value in first]
     drawn = picture(plan.study, shown, named, links) if shown and len(plan.study.goals) > 1 else ""
     return rendered(
-        "reports/study.html", plan=plan, found=found, named=named, judged=judged, links=links, picture=drawn,
+        "reports/study.html", plan=plan, found=summary, named=named, judged=judged, links=links, picture=drawn,
         columns=list(zip(heads, css, strict=False)), shown_best=shown, names=names, unranked=unranked, parted=breakable,
         judged_line=judged_line, excluding=excluding, heading=heading, figure=figure, **{"plan_page": False} | page,
     )  # fmt: skip
 
 
-def excluding(plan: Plan, found: Summary) -> list[tuple[str, str, int, int]]:
+def excluding(plan: Plan, summary: Summary) -> list[tuple[str, str, int, int]]:
     """Return constraints, bounds in words, and how many designs each excludes, and alone: first those that are told."""
-    counts = {name: found.excluded.get(name, 0) for name in plan.study.bounds}
-    checks = sorted(found.excluded.items(), key=lambda one: -one[1])
+    counts = {name: summary.excluded.get(name, 0) for name in plan.study.bounds}
+    checks = sorted(summary.excluded.items(), key=lambda counted: -counted[1])
     counts |= {name: count for name, count in checks if count and name not in counts}
-    said = {name: bound if isinstance(bound, str) else bound.words for name, bound in plan.study.bounds.items()}
-    return [(name, said.get(name, "OK"), count, found.alone.get(name, 0)) for name, count in counts.items()]
+    words = {name: bound if isinstance(bound, str) else bound.words for name, bound in plan.study.bounds.items()}
+    return [(name, words.get(name, "OK"), count, summary.alone.get(name, 0)) for name, count in counts.items()]
 
 
-def unranked(found: Summary) -> list[str]:
+def unranked(summary: Summary) -> list[str]:
     """Return in a line how many feasible designs have no place among the best since they lack an objective's value."""
-    if not found.unranked:
+    if not summary.unranked:
         return []
-    lacks = [f"{name} has no value in {count:,}" for name, count in found.without.items() if count]
-    return [f"{found.unranked:,} of {found.feasible:,} feasible designs cannot be ranked: {', '.join(lacks)}"]
+    lacks = [f"{name} has no value in {count:,}" for name, count in summary.without.items() if count]
+    return [f"{summary.unranked:,} of {summary.feasible:,} feasible designs cannot be ranked: {', '.join(lacks)}"]
 
 
 def breakable(words: str) -> str:
@@ -77,16 +77,16 @@ def breakable(words: str) -> str:
 def picture(study: Study, designs: Sequence[Design], named: Labels, links: Sequence[str] = ()) -> str:
     """Return the front by the first two objectives; its points are links where these are given."""
     first, second = list(study.goals)[:2]
-    values = np.array([[one.results[goal] for one in designs] for goal in (first, second)])
+    values = np.array([[design.results[goal] for design in designs] for goal in (first, second)])
     return front_picture(study.title, (heading(first, named), heading(second, named)), names_of(designs), values, links)
 
 
 def names_of(designs: Sequence[Design]) -> list[str]:
     """Return what stands beside points: the place in the table, and of what was chosen in words what differs."""
-    texts = [{key: value for key, value in one.entries.items() if isinstance(value, str)} for one in designs]
-    differing = [key for key in texts[0] if len({one.get(key) for one in texts}) > 1]
-    words = [", ".join(str(one[key]) for key in differing if key in one) for one in texts]
-    return [f"{place}  {said}".rstrip() for place, said in enumerate(words, 1)]
+    texts = [{key: value for key, value in design.entries.items() if isinstance(value, str)} for design in designs]
+    differing = [key for key in texts[0] if len({entered.get(key) for entered in texts}) > 1]
+    words = [", ".join(str(text[key]) for key in differing if key in text) for text in texts]
+    return [f"{place}  {text}".rstrip() for place, text in enumerate(words, 1)]
 
 
 def heading(name: str, named: Mapping[str, Label]) -> str:
@@ -95,11 +95,11 @@ def heading(name: str, named: Mapping[str, Label]) -> str:
     return f"{name}: {label.words}" + (f" [{label.unit}]" if label.unit else "")
 
 
-def varied_words(one: Dimension) -> str:
+def varied_words(dimension: Dimension) -> str:
     """Return over what something varied."""
-    said = f"{one.low:g} to {one.high:g}" + (f" in {one.steps} values" if one.steps else "")
-    said = ", ".join(map(figure, one.values[:MOST])) if one.values else said
-    return said + (f"; its room from {spell(one.takes)}" if one.takes else "")
+    words = f"{dimension.low:g} to {dimension.high:g}" + (f" in {dimension.steps} values" if dimension.steps else "")
+    words = ", ".join(map(figure, dimension.values[:MOST])) if dimension.values else words
+    return words + (f"; its room from {spell(dimension.takes)}" if dimension.takes else "")
 
 
 def judged_line(judged: BookCheck) -> str:
@@ -107,5 +107,5 @@ def judged_line(judged: BookCheck) -> str:
     if judged.differing:
         return f"The book of the design differs from the study: {', '.join(judged.differing)}."
     cells = f"{judged.cells:,} formula cells {'agree' if judged.agrees else 'DISAGREE'}"
-    said = f"The book of the design: {cells}; its results are the study's to {judged.deviation:.1e}."
-    return said + (f" Its checks that FAIL: {', '.join(judged.failing)}." if judged.failing else "")
+    words = f"The book of the design: {cells}; its results are the study's to {judged.deviation:.1e}."
+    return words + (f" Its checks that FAIL: {', '.join(judged.failing)}." if judged.failing else "")

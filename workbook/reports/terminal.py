@@ -95,7 +95,9 @@ def tolerant_outputs() -> Iterator[Callable[[], OSError | None]]:
     They print names of files too, on terminals that lack their letters.
     """
     before = sys.stdout, sys.stderr
-    out, err = (TolerantOutput(one.buffer, one.encoding, "backslashreplace", line_buffering=True) for one in before)
+    out, err = (
+        TolerantOutput(stream.buffer, stream.encoding, "backslashreplace", line_buffering=True) for stream in before
+    )
     sys.stdout, sys.stderr = out, err
 
     def fault() -> OSError | None:

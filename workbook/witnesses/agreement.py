@@ -46,20 +46,20 @@ class Evaluation:
     def value(self, address: Address) -> Any:
         """Return the value of a cell; raise DisputedError as :func:`agreed_values` says."""
         self._require_one_cell(address)
-        said: dict[str, Any] = {}
+        by_name: dict[str, Any] = {}
         for name, values in self._witnesses(address):
-            said[name] = values.get(address)
-            if said[name] == CYCLE:
+            by_name[name] = values.get(address)
+            if by_name[name] == CYCLE:
                 raise DisputedError("it computes from itself, or from cells that do")
-            known = {name: value for name, value in said.items() if value not in UNABLE.get(name, UNKNOWN)}
-            alike = len(said) == ENOUGH and not {*said.values()} & {*UNKNOWN} and len({*said.values()}) == 1
+            known = {name: value for name, value in by_name.items() if value not in UNABLE.get(name, UNKNOWN)}
+            alike = len(by_name) == ENOUGH and not {*by_name.values()} & {*UNKNOWN} and len({*by_name.values()}) == 1
             if len(known) == ENOUGH or alike:
                 saved = self._file.saved.get(address)
-                first, *others = (known if len(known) == ENOUGH else said).values()
+                first, *others = (known if len(known) == ENOUGH else by_name).values()
                 if all(same_value(first, value) for value in (*others, *([] if saved is None else [saved]))):
                     return first
-                raise DisputedError(", ".join(self._told(address, said)))
-        why = [*self._told(address, said), *self._failed.values()]
+                raise DisputedError(", ".join(self._told(address, by_name)))
+        why = [*self._told(address, by_name), *self._failed.values()]
         raise DisputedError(f"it cannot be computed by {ENOUGH} evaluators ({'; '.join(why)})")
 
     def _require_one_cell(self, address: Address) -> None:
@@ -75,9 +75,9 @@ class Evaluation:
                 where = "it" if cell == address else f"{cell}"
                 raise DisputedError(f"{where} computes with a range where Excel takes one cell of it")
 
-    def _told(self, address: Address, said: dict[str, Any]) -> list[str]:
+    def _told(self, address: Address, values: dict[str, Any]) -> list[str]:
         saved = self._file.saved.get(address)
-        all_said = said if saved is None else said | {"the file as it was saved": saved}
+        all_said = values if saved is None else values | {"the file as it was saved": saved}
         return [f"{name} has {quoted(value)}" for name, value in all_said.items()]
 
     def _witnesses(self, address: Address) -> Iterator[tuple[str, Cells]]:
@@ -141,16 +141,16 @@ def same_value(value: Any, other: Any, zero: float = ZERO) -> bool:
 
 def needs_intersection(formula: str) -> bool:
     """Whether a range stands for one cell of it (support.microsoft.com, "Implicit intersection operator: @")."""
-    found = list(words(formula.removeprefix("=")))
+    parts = list(words(formula.removeprefix("=")))
     begun: list[str] = []
-    for k, (kind, word) in enumerate(found):
+    for k, (kind, word) in enumerate(parts):
         if kind == "function" or word == "(":
             begun.append(word.upper())
         elif word == ")" and begun:
             begun.pop()
         elif kind == "lines" or (kind == "reference" and is_range(word)):
-            called = [one for one in begun if one != "("]
-            if not called or (is_operand(found, k) and OVER_ARRAYS.isdisjoint(called)):
+            called = [word for word in begun if word != "("]
+            if not called or (is_operand(parts, k) and OVER_ARRAYS.isdisjoint(called)):
                 return True
     return False
 
@@ -161,10 +161,10 @@ def is_range(word: str) -> bool:
     return last not in ("", first)
 
 
-def is_operand(found: list[tuple[str, str]], k: int) -> bool:
+def is_operand(parts: list[tuple[str, str]], k: int) -> bool:
     """Whether a sign of an operation stands before or behind a word, its brackets left aside."""
     before, after = k - 1, k + 1
-    while before >= 0 and after < len(found) and (found[before][1], found[after][1]) == ("(", ")"):
+    while before >= 0 and after < len(parts) and (parts[before][1], parts[after][1]) == ("(", ")"):
         before, after = before - 1, after + 1
-    beside = [found[at][1] for at in (before, after) if 0 <= at < len(found)]
+    beside = [parts[at][1] for at in (before, after) if 0 <= at < len(parts)]
     return not SIGNS.isdisjoint(beside)

@@ -49,15 +49,15 @@ def formulon_values(book: Workbook) -> dict[tuple[str, int, int], Any]:
     """Return what every cell of a book holds, by sheet, row and column."""
     from formulon import MergeRange
 
-    found = {}
+    values = {}
     for number in range(book.sheet_count()):
         title, more = book.sheet_name(number), True
         cursor: int | None = None
         while more:
             some, cursor = book.get_cells_in_range(number, MergeRange(*WHOLE), cursor)
             more = cursor is not None
-            found.update({(title, cell.row + 1, cell.col + 1): formulon_value(cell.value) for cell in some})
-    return found
+            values.update({(title, cell.row + 1, cell.col + 1): formulon_value(cell.value) for cell in some})
+    return values
 
 
 def formulon_value(value: Value) -> Any:
@@ -66,8 +66,8 @@ def formulon_value(value: Value) -> Any:
 
     if value.error_code is not None:
         return error_display_name(value.error_code)
-    made = value.to_python()
-    return made if isinstance(made, bool | float | str) else None
+    plain = value.to_python()
+    return plain if isinstance(plain, bool | float | str) else None
 
 
 EVALUATORS: dict[str, Callable[..., Any]] = {"formualizer": formualizer, "formulon": formulon, "ironcalc": ironcalc}

@@ -37,7 +37,7 @@ ITEM = '<item oor:path="/org.openoffice.Office.{}"><prop oor:name="{}" oor:op="f
 PROFILE = """<?xml version="1.0" encoding="UTF-8"?>
 <oor:items xmlns:oor="http://openoffice.org/2001/registry" xmlns:xs="http://www.w3.org/2001/XMLSchema"
  xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">{}</oor:items>
-""".format("".join(ITEM.format(*one) for one in SETTINGS))
+""".format("".join(ITEM.format(*setting) for setting in SETTINGS))
 
 
 class Formualizer(Witness):
@@ -68,9 +68,9 @@ class Formualizer(Witness):
             for cell, value in given.items():
                 book.set_value(*cell, value)
             book.evaluate_all()
-            found = {cell: book.get_value(*cell) for cell in file.contents.formula_cells}
+            values = {cell: book.get_value(*cell) for cell in file.contents.formula_cells}
             yield given, {cell: ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else plain_value(value)
-                          for cell, value in found.items()}  # fmt: skip
+                          for cell, value in values.items()}  # fmt: skip
 
 
 class Formulon(Witness):
@@ -80,8 +80,8 @@ class Formulon(Witness):
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell, None where it is empty or no single value."""
-        found = ask_apart(self, file.path.read_bytes())
-        return {address: found.get(address) for address in file.contents.formula_cells}
+        values = ask_apart(self, file.path.read_bytes())
+        return {address: values.get(address) for address in file.contents.formula_cells}
 
 
 class IronCalc(Witness):
@@ -93,8 +93,8 @@ class IronCalc(Witness):
         """Return the value of every formula cell."""
         cells = list(file.contents.formula_cells)
         with evaluation_copy(file, bare=True) as copy:  # an empty cell with a style, and t="n", would be 0
-            found = ask_apart(self, str(copy.path), [tuple(cell) for cell in cells])
-        return dict(zip(cells, found, strict=True))
+            values = ask_apart(self, str(copy.path), [tuple(cell) for cell in cells])
+        return dict(zip(cells, values, strict=True))
 
 
 def ask_apart(witness: Witness, *given: Any) -> Any:
@@ -133,10 +133,10 @@ def convert(source: Path, kind: str, folder: Path) -> Path:
             run = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False)
         except (OSError, subprocess.TimeoutExpired) as error:
             raise WitnessError(f"LibreOffice did not finish: {error}") from error
-    made = folder / f"{source.stem}.{kind.split(':')[0]}"
-    if not made.exists():
+    path = folder / f"{source.stem}.{kind.split(':')[0]}"
+    if not path.exists():
         raise WitnessError(f"LibreOffice could not open the file: {(run.stderr or run.stdout).strip()[:200]}")
-    return made
+    return path
 
 
 @cache
@@ -144,13 +144,13 @@ def version_of(soffice: str) -> str:
     """Return the version of a LibreOffice."""
     environment = os.environ | {"HOME": tempfile.gettempdir()} if sys.platform != "win32" else None
     try:
-        said = subprocess.run(
+        output = subprocess.run(
             [soffice, "--version"], capture_output=True, text=True, check=False, env=environment, timeout=TIMEOUT
         )
     except (OSError, subprocess.TimeoutExpired):  # converting says what is wrong
         return "unknown version"
-    found = re.search(r"\d+(\.\d+)+", said.stdout)
-    return found.group() if found else "unknown version"
+    match = re.search(r"\d+(\.\d+)+", output.stdout)
+    return match.group() if match else "unknown version"
 
 
 class LibreOffice(Witness):

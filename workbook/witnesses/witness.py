@@ -62,8 +62,8 @@ def naming_failures(witness: Witness) -> Iterator[None]:
 def in_full(name: str, version: str | None) -> str:
     """Return a witness' name with its version and Python's, on both of which its values rest."""
     python = f"Python {'.'.join(platform.python_version_tuple()[:2])}"
-    said = f"{name} {version or 'of no known version'}"
-    return said if python in said else f"{said} ({python})"
+    words = f"{name} {version or 'of no known version'}"
+    return words if python in words else f"{words} ({python})"
 
 
 class Model(Protocol):
@@ -123,11 +123,11 @@ def evaluation_copy(
 
 def copy_contents(file: BookFile, own: Collection[Address], given: Mapping[Address, Any]) -> Workbook:
     """Return a workbook of the same sheets, contents and names that lead to cells (see :func:`evaluation_copy`)."""
-    made = Workbook()
-    made.remove(made.worksheets[0])
-    made.epoch = file.workbook.epoch
+    values_book = Workbook()
+    values_book.remove(values_book.worksheets[0])
+    values_book.epoch = file.workbook.epoch
     for sheet in file.workbook.worksheets:
-        page = made.create_sheet(sheet.title)
+        page = values_book.create_sheet(sheet.title)
         for (row, column), cell in sheet._cells.items():
             address = Address(sheet.title, row, column)
             if cell.value is not None and address not in own:
@@ -138,11 +138,13 @@ def copy_contents(file: BookFile, own: Collection[Address], given: Mapping[Addre
                     copy.value = file.contents.constants.get(address, cell.value)
                     copy.data_type = cell.data_type.replace("d", "n")
         page.defined_names = names_of_cells(sheet.defined_names, file)
-    made.defined_names = names_of_cells(file.workbook.defined_names, file)
-    return made
+    values_book.defined_names = names_of_cells(file.workbook.defined_names, file)
+    return values_book
 
 
 def names_of_cells(names: Mapping[str, DefinedName], file: BookFile) -> DefinedNameDict:
     """Return those of the names that lead to cells in the book, or are called like one that does."""
-    kept = {name: DefinedName(name, attr_text=one.attr_text) for name, one in names.items() if name in file.places}
-    return DefinedNameDict(kept)
+    usable = {
+        name: DefinedName(name, attr_text=defined.attr_text) for name, defined in names.items() if name in file.places
+    }
+    return DefinedNameDict(usable)

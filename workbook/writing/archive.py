@@ -52,20 +52,20 @@ METADATA = (
 
 def complete_parts(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[str, str]]) -> dict[str, bytes]:
     """Return the parts as Excel writes them; ``abouts`` are title and alternative text of each chart, in order."""
-    made, core = dict(parts), "docProps/core.xml"
-    made[core] = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH, made[core])
+    complete, core = dict(parts), "docProps/core.xml"
+    complete[core] = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH, complete[core])
     ElementTree.register_namespace("", MAIN)
-    styles = ElementTree.fromstring(made["xl/styles.xml"])
+    styles = ElementTree.fromstring(complete["xl/styles.xml"])
     for font in styles.iter(f"{{{MAIN}}}font"):  # in the order of the standard (ISO/IEC 29500-1, 18.8.22)
         font[:] = sorted(font, key=lambda child: FONT_ORDER.index(child.tag.rpartition("}")[2]))
-    made["xl/styles.xml"] = ElementTree.tostring(styles)
+    complete["xl/styles.xml"] = ElementTree.tostring(styles)
     named = (f'name="{escape(title)}" descr="{escape(about)}"'.encode() for title, about in abouts)
-    for name, part in made.items():
+    for name, part in complete.items():
         if re.fullmatch(r"xl/drawings/drawing\d+\.xml", name):
-            made[name] = with_prefix(re.sub(rb'name="Chart \d+"', lambda _: next(named), part), b"xdr:")
+            complete[name] = with_prefix(re.sub(rb'name="Chart \d+"', lambda _: next(named), part), b"xdr:")
         elif name.endswith(".rels"):
-            made[name] = with_relative_targets(name, part.decode()).encode()
-    return with_part(made, "sharedStrings", strings)
+            complete[name] = with_relative_targets(name, part.decode()).encode()
+    return with_part(complete, "sharedStrings", strings)
 
 
 def with_prefix(part: bytes, prefix: bytes) -> bytes:
@@ -82,14 +82,14 @@ def with_relative_targets(name: str, part: str) -> str:
 
 def with_part(parts: dict[str, bytes], name: str, part: bytes, kind: str = "") -> dict[str, bytes]:
     """Return the parts with one more of the workbook, of this name and kind of relationship."""
-    made = parts | {f"xl/{name}.xml": part}
+    whole = parts | {f"xl/{name}.xml": part}
     for where, entry in (
         ("[Content_Types].xml", TYPE.format(name, kind or name)),
         ("xl/_rels/workbook.xml.rels", LINK.format(name, kind or name)),
     ):
-        body, _, end = made[where].rpartition(b"</")
-        made[where] = body + entry.encode() + b"</" + end
-    return made
+        body, _, end = whole[where].rpartition(b"</")
+        whole[where] = body + entry.encode() + b"</" + end
+    return whole
 
 
 def with_dynamic_arrays(parts: dict[str, bytes]) -> dict[str, bytes]:
@@ -116,28 +116,28 @@ def unzipped(data: bytes) -> dict[str, bytes]:
         return {info.filename: archive.read(info) for info in archive.infolist()}
 
 
-def same_book(one: Path, other: Path) -> bool:
+def same_book(first: Path, other: Path) -> bool:
     """Compare two files: to the byte, but for the last places of saved results of formulas and of points of charts."""
-    with zipfile.ZipFile(one) as a, zipfile.ZipFile(other) as b:
+    with zipfile.ZipFile(first) as a, zipfile.ZipFile(other) as b:
         if a.namelist() != b.namelist():
             return False
         return all(same_part(a.read(name), b.read(name)) for name in a.namelist())
 
 
-def same_part(one: bytes, other: bytes) -> bool:
+def same_part(first: bytes, other: bytes) -> bool:
     """Compare one part: the text around cached results exactly, the results nearly."""
-    if one == other:
+    if first == other:
         return True
-    if CACHED.sub(rb"\1", one) != CACHED.sub(rb"\1", other):
+    if CACHED.sub(rb"\1", first) != CACHED.sub(rb"\1", other):
         return False
-    pairs = zip_longest(CACHED.findall(one), CACHED.findall(other), fillvalue=(b"", b""))
+    pairs = zip_longest(CACHED.findall(first), CACHED.findall(other), fillvalue=(b"", b""))
     return all(nearly_equal(a[1], b[1]) for a, b in pairs)
 
 
-def nearly_equal(one: bytes, other: bytes) -> bool:
+def nearly_equal(first: bytes, other: bytes) -> bool:
     """Whether two cached results agree but for rounding."""
     try:
-        return one == other or math.isclose(float(one), float(other), rel_tol=LAST_PLACES, abs_tol=LAST_PLACES)
+        return first == other or math.isclose(float(first), float(other), rel_tol=LAST_PLACES, abs_tol=LAST_PLACES)
     except ValueError:
         return False
 
@@ -217,5 +217,5 @@ def value_xml(value: Any) -> tuple[str, str]:
 
 def element(name: str, text: str) -> str:
     """Return an element with a text, in which blanks at the ends count."""
-    kept = ' xml:space="preserve"' if text != text.strip() else ""
-    return f"<{name}{kept}>{escape(text, quote=False)}</{name}>"
+    space = ' xml:space="preserve"' if text != text.strip() else ""
+    return f"<{name}{space}>{escape(text, quote=False)}</{name}>"

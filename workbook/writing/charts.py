@@ -129,8 +129,8 @@ def fill_caches(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:
     ranges = {book.range(text): text for text in columns}
     known: dict[bytes, bytes] = {}
 
-    def cached(found: re.Match[bytes]) -> bytes:
-        range_ = found[1]
+    def cached(match: re.Match[bytes]) -> bytes:
+        range_ = match[1]
         if range_ not in known:
             values = book.values(ranges[unescape(range_.decode())])
             points = enumerate(value_xml(value) for value in values)  # what is no number has none

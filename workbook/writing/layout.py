@@ -46,12 +46,12 @@ class PossibleTexts:
         return self._known[key]
 
     def _of(self, block: Block, q: Quantity) -> Iterator[str]:
-        found = [text for text in as_rows(q.value, block.size, q.name) if isinstance(text, str)]
-        yield from found
+        texts = [text for text in as_rows(q.value, block.size, q.name) if isinstance(text, str)]
+        yield from texts
         if q.role == "input" and q.choices.startswith("="):
             for table, column in [self._book.column_names.get(q.choices[1:], ("", ""))]:
                 yield from self._column(table, column)
-        if found and q.formula is not None:
+        if texts and q.formula is not None:
             for formula in {q.formula} if isinstance(q.formula, str) else set(q.formula):
                 yield from self._taken(block, formula)
 
@@ -92,7 +92,7 @@ def lines_of(text: str, points: float, room: float) -> int:
 
 def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     """Return the width of each column that has one of its own, in digits."""
-    found: dict[int, float] = WIDTHS | sheet.widths
+    known_widths: dict[int, float] = WIDTHS | sheet.widths
     taken = taken_rows(sheet)
     for block in sheet.blocks:
         for q, column in zip(block.quantities, block.columns.values(), strict=True):
@@ -103,13 +103,13 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
                 texts = [word for text in texts for word in text.split()]
             font = style.ROLES[style.style_role(q.role, block.is_table)].font
             needed = max((text_width(text, font.sz or FULL, bool(font.b)) for text in texts), default=0.0)
-            has = found.get(column, COLUMN_WIDTH)
+            has = known_widths.get(column, COLUMN_WIDTH)
             if needed + GAP > has:
                 step = TOWARDS.get(style.side_of(q, sample(q), block.is_table), 0)
                 rows = range(block.row, block.row + block.size)
-                run = min(free_width(found, taken, row, column, step) for row in rows)
-                found[column] = max(has, needed + GAP - (0 if q.wrap else run))
-    return found
+                run = min(free_width(known_widths, taken, row, column, step) for row in rows)
+                known_widths[column] = max(has, needed + GAP - (0 if q.wrap else run))
+    return known_widths
 
 
 def taken_rows(sheet: Sheet) -> Mapping[int, set[int]]:
@@ -130,13 +130,13 @@ def taken_rows(sheet: Sheet) -> Mapping[int, set[int]]:
     return taken
 
 
-def free_width(found: dict[int, float], taken: Mapping[int, set[int]], row: int, column: int, step: int) -> float:
+def free_width(known: dict[int, float], taken: Mapping[int, set[int]], row: int, column: int, step: int) -> float:
     """Return how much room the empty cells beside a cell have; ``taken`` as :func:`taken_rows` returns it."""
     room = 0.0
     for beside in range(column + step, column + step * (RUN + 1), step or 1):
         if row in taken.get(beside, ()) or beside < FIRST:
             break
-        room += found.get(beside, COLUMN_WIDTH)
+        room += known.get(beside, COLUMN_WIDTH)
     return room
 
 
@@ -164,19 +164,19 @@ def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], hig
             costs[row] += cost
     best: dict[int, tuple[int, int]] = {sheet.head: (0, 0)}  # by the row that a page ends with: cost, page before
     for row in range(sheet.head + 1, last + 1):
-        found = [
+        possible = [
             (cost + PAGE + (costs[row] if row < last else 0), before)
             for before, (cost, _) in best.items()
             if ends[row] - ends[before] <= room
         ]
-        if found:
-            best[row] = min(found, key=lambda one: (one[0], -one[1]))
-    made: list[int] = []
+        if possible:
+            best[row] = min(possible, key=lambda choice: (choice[0], -choice[1]))
+    rows: list[int] = []
     row = best[last][1] if last in best else sheet.head
     while row > sheet.head:
-        made.append(row)
+        rows.append(row)
         row = best[row][1]
-    return made[::-1]
+    return rows[::-1]
 
 
 def unbroken_spans(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple[int, int, int]]:

@@ -72,13 +72,15 @@ def parts(book: Book, model: type[BaseModel], names: Iterable[DefinedName] | Non
     write_additions(own, workbook, cells, strings)
     draft = io.BytesIO()
     ExcelWriter(workbook, zipfile.ZipFile(draft, "w")).save()
-    made = archive.unzipped(draft.getvalue())
+    files = archive.unzipped(draft.getvalue())
     for number, page in enumerate(cells.values(), 1):
         name = f"xl/worksheets/sheet{number}.xml"
-        made[name] = page.within(made[name])
-    made |= charts.fill_caches({name: part for name, part in made.items() if name.startswith("xl/charts/chart")}, book)
+        files[name] = page.within(files[name])
+    files |= charts.fill_caches(
+        {name: part for name, part in files.items() if name.startswith("xl/charts/chart")}, book
+    )
     abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
-    return archive.complete_parts(made, strings.part(), abouts)
+    return archive.complete_parts(files, strings.part(), abouts)
 
 
 def write_additions(own: Additions, workbook: Workbook, cells: dict[str, Cells], strings: Strings) -> None:
@@ -86,8 +88,8 @@ def write_additions(own: Additions, workbook: Workbook, cells: dict[str, Cells],
     for sheet in own.sheets:
         cells[sheet.title], new = Cells(strings), workbook.create_sheet(sheet.title)
         for letter, column in sheet.column_dimensions.items():
-            made = new.column_dimensions[letter]
-            made.min, made.max, made.width, made.hidden = column.min, column.max, column.width, column.hidden
+            ours = new.column_dimensions[letter]
+            ours.min, ours.max, ours.width, ours.hidden = column.min, column.max, column.width, column.hidden
         for number, row in sheet.row_dimensions.items():
             new.row_dimensions[number].height = row.height
         for merged in sheet.merged_cells.ranges:

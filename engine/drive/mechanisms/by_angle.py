@@ -83,8 +83,8 @@ class PressCrank(ByAngle):
         outer = math.asin(self.offset / (self.rod + self.crank))
         inner = math.pi + math.asin(self.offset / (self.rod - self.crank))
         turn = 2.0 * math.pi
-        found = []
+        angles = []
         for centre in (outer - self.start, inner - self.start):
             first = math.ceil((low - centre) / turn)
-            found += [centre + turn * k for k in range(first, math.floor((high - centre) / turn) + 1)]
-        return sorted(found)
+            angles += [centre + turn * k for k in range(first, math.floor((high - centre) / turn) + 1)]
+        return sorted(angles)

@@ -57,7 +57,7 @@ class SlideLever:
 
     def lock_places(self, zero: float) -> list[LockPlace]:
         """Return where a slide that begins at ``zero`` (m) locks: lever and link in line, or link square to slide."""
-        lever, link, both, found = self.lever, self.link, (1.0, -1.0), []
+        lever, link, both, places = self.lever, self.link, (1.0, -1.0), []
         in_line = [((link + way * lever) ** 2 - self.offset**2, DEAD) for way in both]
         square = [(lever**2 - (self.offset + way * link) ** 2, SQUARE) for way in both]
         for (rest, name), sign in ((candidate, sign) for candidate in (*in_line, *square) for sign in both):
@@ -65,8 +65,8 @@ class SlideLever:
             along = at if name == DEAD else lever * math.cos(self.angle(at))
             x = at if rest >= 0.0 and (name == DEAD or abs(at - along) <= SAME * link) else zero
             below, above = x if x < zero else -self.far_off, x if x > zero else self.far_off
-            found.append(LockPlace(rest, at, math.hypot(at, self.offset), along, x, below, above, name))
-        return found
+            places.append(LockPlace(rest, at, math.hypot(at, self.offset), along, x, below, above, name))
+        return places
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such names
 def test_a_text_is_one_line():
     assert visible(NASTY) == PLAIN
     assert visible("Käse °C ∞ 漢字 😀") == "Käse °C ∞ 漢字 😀"
-    assert visible("a\nb", kept="\n") == "a\nb"
+    assert visible("a\nb", safe="\n") == "a\nb"
 
 
 @pytest.mark.parametrize("style", ["", "red"])

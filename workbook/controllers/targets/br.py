@@ -22,7 +22,7 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     Table(x, x)  # says which x does not rise
     both = of.at(x[:-1]), of.at(x[1:], left=True)
     offset = float(both[0].y[0])
-    begin, end = ([(one.y - offset) / dy, one.y1 * dx / dy, one.y2 * dx**2 / dy] for one in both)
+    begin, end = ([(ends.y - offset) / dy, ends.y1 * dx / dy, ends.y2 * dx**2 / dy] for ends in both)
     coefficients = texts.REAL.rounded(quintics_between(x / dx, begin, end))
     coefficients[0, 0] = 0.0
     return table(coefficients, texts.DINT.rounded(x / dx), steps, offset)
@@ -34,9 +34,9 @@ def table(c: Array, x: Array, steps: tuple[float, float], offset: float = 0.0) -
     places = np.round(x * dx, 12)
     Table(places, places)  # says which x does not rise
     powers = c * dy / dx ** np.arange(c.shape[1])
-    made = CamProfile(places, places[:-1], powers, np.zeros((len(powers), 0, 3)))
-    made.c[:, 0] += offset
-    return Table(places, made.at(places).y, profile=made, steps=steps)
+    profile = CamProfile(places, places[:-1], powers, np.zeros((len(powers), 0, 3)))
+    profile.c[:, 0] += offset
+    return Table(places, profile.at(places).y, profile=profile, steps=steps)
 
 
 def offset(table: Table) -> float:
@@ -46,11 +46,11 @@ def offset(table: Table) -> float:
 
 def polynomials(table: Table) -> Iterator[list[float]]:
     """Yield the coefficients of each polynomial in steps from its begin, and where it ends."""
-    made, (dx, dy) = required_part(table.profile, "polynomials"), table.steps
-    for row, end in zip(made.c, made.edges[1:], strict=True):
+    profile, (dx, dy) = required_part(table.profile, "polynomials"), table.steps
+    for row, end in zip(profile.c, profile.edges[1:], strict=True):
         scaled = [float(c) * (dx**i / dy) for i, c in enumerate(row)]
         scaled[0] = (row[0] - offset(table)) / dy
-        yield [*scaled, *[0.0] * (len(POWERS) - len(row)), round((end - made.edges[0]) / dx)]
+        yield [*scaled, *[0.0] * (len(POWERS) - len(row)), round((end - profile.edges[0]) / dx)]
 
 
 def read(text: str) -> Table:

@@ -16,7 +16,9 @@ SWITCHED = ("TrackNumber", "FirstOnPosition", "LastOnPosition")
 
 def ends(table: Table) -> list[float]:
     """Return ends that REAL holds exactly, of x and y, alike for editor and table: nothing is scaled."""
-    reached = [(one.min(), 2.0 ** ceil(log2(max(1.0, float(np.abs(one).max()))))) for one in (table.x, table.y)]
+    reached = [
+        (places.min(), 2.0 ** ceil(log2(max(1.0, float(np.abs(places).max()))))) for places in (table.x, table.y)
+    ]
     return [end for low, reach in reached for end in (-reach if low < 0.0 else 0.0, reach)] * 2
 
 

@@ -53,9 +53,11 @@ def table(ratios: Array, steps: tuple[float, float], offset: float) -> Table:
 
 def write_ratios(handed: CamExport) -> str:
     """Return comments, the resolution, and a ratio a line; that at the begin is 0 and is not written."""
-    made = handed.table
-    head = remarks(*handed.header, stands(float(made.y[0]), handed.units[1]), counts(made.steps, handed.units))
-    ratios = (made.y[1:] - made.y[0]) / made.steps[1]
+    handed_table = handed.table
+    head = remarks(
+        *handed.header, stands(float(handed_table.y[0]), handed.units[1]), counts(handed_table.steps, handed.units)
+    )
+    ratios = (handed_table.y[1:] - handed_table.y[0]) / handed_table.steps[1]
     return f"{head}{len(ratios)}\r\n" + as_lines([ratios], number=DINT)
 
 

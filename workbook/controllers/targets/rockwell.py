@@ -45,19 +45,19 @@ def read(text: str) -> Table:
     packed = [[field.strip() for field in row.split(",")] for row in ROW.findall(data)[: MOST_POINTS + 1]]
     if cam.get("DataType") == "CAM_PROFILE":
         return profile_table(packed)
-    rows = [[member.get("Value", "") for member in one.iter("DataValueMember")] for one in cam.iter("Element")]
+    rows = [[member.get("Value", "") for member in element.iter("DataValueMember")] for element in cam.iter("Element")]
     given = [numbers(k, row) for k, row in enumerate(rows or packed)]
     if rows and packed and given != [numbers(k, row) for k, row in enumerate(packed)]:
         raise TargetError("the two forms of the tag's data, L5K and Decorated, differ; expected the same points")
     require_dimensions(cam, len(given))
     x, y, kinds = np.array(given).reshape(-1, 3).T
-    held = {tag.get("Name"): next((one.get("Value", "") for one in tag.iter("DataValue")), "") for tag in tags}
+    held = {tag.get("Name"): next((member.get("Value", "") for member in tag.iter("DataValue")), "") for tag in tags}
     slopes, names = None, [f"{cam.get('Name')}_{which}" for which in SLOPES]  # in tags of their own, if at all
-    if all(one in held for one in names):
-        for one in names:
-            if not NUMBER.fullmatch(held[one]):
-                raise TargetError(f"{one} is {held[one][:40]!r}; expected a number")
-        first, last = REAL.rounded(np.array([float(held[one]) for one in names])).tolist()
+    if all(name in held for name in names):
+        for name in names:
+            if not NUMBER.fullmatch(held[name]):
+                raise TargetError(f"{name} is {held[name][:40]!r}; expected a number")
+        first, last = REAL.rounded(np.array([float(held[name]) for name in names])).tolist()
         slopes = first, last
     return Table(REAL.rounded(x), REAL.rounded(y), slopes=slopes, straight=kinds[:-1] == 0.0)
 
@@ -72,18 +72,18 @@ def only_tag(text: str, *kinds: str) -> tuple[list[Element], Element]:
         tags = list(fromstring(text).iter("Tag"))
     except (ParseError, ValueError) as error:
         raise TargetError(f"it is not well-formed XML ({error})") from None
-    found = [tag for tag in tags if tag.get("DataType") in kinds]
-    if len(found) != 1:
-        said = ", ".join(str(tag.get("Name"))[:40] for tag in found[:5]) or "none"
-        raise TargetError(f"{len(found)} tags of type {' or '.join(kinds)} ({said}); expected one in a file")
-    return tags, found[0]
+    matching = [tag for tag in tags if tag.get("DataType") in kinds]
+    if len(matching) != 1:
+        names = ", ".join(str(tag.get("Name"))[:40] for tag in matching[:5]) or "none"
+        raise TargetError(f"{len(matching)} tags of type {' or '.join(kinds)} ({names}); expected one in a file")
+    return tags, matching[0]
 
 
 def require_dimensions(cam: Element, count: int) -> None:
     """Raise TargetError where a tag tells of another number of elements."""
-    told = cam.get("Dimensions", "")
-    if told.isascii() and told.isdecimal() and int(told[:9]) != count:
-        raise TargetError(f"Dimensions is {told[:9]}, {count} elements follow; expected as many")
+    dimensions = cam.get("Dimensions", "")
+    if dimensions.isascii() and dimensions.isdecimal() and int(dimensions[:9]) != count:
+        raise TargetError(f"Dimensions is {dimensions[:9]}, {count} elements follow; expected as many")
 
 
 def numbers(k: int, row: list[str]) -> list[float]:
@@ -120,8 +120,8 @@ def read_switches(text: str) -> list[Track]:
     """Return the tracks of the one tag of type OUTPUT_CAM."""
     _, cam = only_tag(text, "OUTPUT_CAM")
     rows = []
-    for k, one in enumerate(cam.iter("Element")):
-        held = {member.get("Name", ""): member.get("Value", "") for member in one.iter("DataValueMember")}
+    for k, element in enumerate(cam.iter("Element")):
+        held = {member.get("Name", ""): member.get("Value", "") for member in element.iter("DataValueMember")}
         if (held.get("LatchType"), held.get("UnlatchType")) != (POSITION, POSITION):
             expected = f"expected LatchType and UnlatchType {POSITION}"
             raise TargetError(f"element {k}: it does not switch by position; {expected}")
@@ -137,7 +137,7 @@ def read_switches(text: str) -> list[Track]:
 
 
 CAM = by_template(
-    "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda one: re.sub("-(?=-)", "- ", one)
+    "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda text: re.sub("-(?=-)", "- ", text)
 )
 TAPPETS = Tappets("rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X",
                   by_template("rockwell-switches.xml", elements=parted, real=real), read_switches,

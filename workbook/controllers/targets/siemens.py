@@ -17,14 +17,14 @@ JOINT = 1e-4  # a gap that the controller pulls together
 
 def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return a motion between places as segments, of polynomials and a sine from each place."""
-    made = segmented(of, x)
-    return Table(x, made.at(x).y, profile=made)
+    profile = segmented(of, x)
+    return Table(x, profile.at(x).y, profile=profile)
 
 
 def segments(table: Table) -> list[tuple[float, ...]]:
     """Return the numbers of each segment; the angular frequency by x stands for ``sinePeriod``."""
-    made = required_part(table.profile, "segments")
-    rows = zip(made.edges, made.edges[1:], made.c, made.sines, strict=False)
+    profile = required_part(table.profile, "segments")
+    rows = zip(profile.edges, profile.edges[1:], profile.c, profile.sines, strict=False)
     return [(low, high, *c, *sines[0]) for low, high, c, sines in rows]
 
 
@@ -38,8 +38,8 @@ def read_segments(text: str) -> Table:
     x = np.append(low, high[-1])
     Table(x, np.append(c[0], c[0][-1]))  # says which x does not rise
     powers, sine = np.column_stack(c), np.column_stack([amplitude, omega, phase])
-    made = CamProfile(x, low, powers, sine[:, None, :])
-    return Table(x, made.at(x).y, profile=made)
+    profile = CamProfile(x, low, powers, sine[:, None, :])
+    return Table(x, profile.at(x).y, profile=profile)
 
 
 TARGETS = (

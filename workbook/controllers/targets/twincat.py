@@ -19,12 +19,12 @@ def read_switches(text: str) -> list[Track]:
     arrays: dict[int, list[tuple[int, str, str]]] = {}
     for number, index, field, value in OF_TRACK.findall(plain):
         arrays.setdefault(int(number), []).append((int(index), field, value))
-    told = {int(number): int(count) for number, count in COUNTED.findall(plain)}
+    counts_told = {int(number): int(count) for number, count in COUNTED.findall(plain)}
     times = []
-    for number, found in arrays.items():
-        begins, ends = columns(found, SWITCHED)
-        if told.get(number, len(begins)) != len(begins):
-            raise TargetError(f"track {number}: {told[number]} switches are told, {len(begins)} follow")
+    for number, body in arrays.items():
+        begins, ends = columns(body, SWITCHED)
+        if counts_told.get(number, len(begins)) != len(begins):
+            raise TargetError(f"track {number}: {counts_told[number]} switches are told, {len(begins)} follow")
         times += [(number, *both) for both in zip(begins.tolist(), ends.tolist(), strict=True)]
     return tracks_of_rows(text, times)
 

@@ -78,9 +78,9 @@ def text_misleads(expected: str, held: str, others: Container[str]) -> bool:
     return bool(more) or held in others or (all(units) and not is_same_unit(*units))
 
 
-def is_same_unit(one: str, other: str) -> bool:
+def is_same_unit(unit: str, other: str) -> bool:
     """Whether two units are one, however they are spelled."""
-    return one.split() == other.split() or (unit_size(one) is not None and unit_size(one) == unit_size(other))
+    return unit.split() == other.split() or (unit_size(unit) is not None and unit_size(unit) == unit_size(other))
 
 
 def is_unit(text: str) -> bool:

@@ -114,8 +114,8 @@ def _compiled(shape: str) -> Compiled:
         if node.value.upper() == "IF(" and len(node.children) == 3:
             node.func_if = partial(lazy_if, node)  # by which pycel asks a node for its Python
     code, names = formula.compiled_python
-    made: list[Callable[[], Any]] = []
-    _space["lambdas"] = made
+    functions: list[Callable[[], Any]] = []
+    _space["lambdas"] = functions
     new = set(names) - _space.keys()
     missing = load_functions(names, _space, MODULES)
     if missing:
@@ -124,7 +124,7 @@ def _compiled(shape: str) -> Compiled:
         _space[name] = shortcuts.with_shortcut(name, _space[name])
     exec(code, _space)  # noqa: S102 - what pycel made of a shape: check() let no word of the file's own pass
     dummies = tuple(match[0] for match in DUMMY.finditer(shape))
-    return Compiled(made[0], dummies, frozenset(ADDRESS_ASKED.findall(formula.python_code)))
+    return Compiled(functions[0], dummies, frozenset(ADDRESS_ASKED.findall(formula.python_code)))
 
 
 class FormulaStep(NamedTuple):
@@ -204,7 +204,7 @@ def evaluation_order(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[i
         from scipy.sparse import coo_array  # slow to import, and most books have no cycle
         from scipy.sparse.csgraph import connected_components
 
-        ends = np.array([(key, need) for key, found in needs.items() for need in found])
+        ends = np.array([(key, need) for key, reads in needs.items() for need in reads])
         size = 1 + ends.max()
         parts = connected_components(coo_array((ends[:, 0] + 1, ends.T), (size, size)), connection="strong")[1]
         cyclic = dict(ends[parts[ends[:, 0]] == parts[ends[:, 1]]].tolist())

@@ -67,8 +67,8 @@ def to_15_digits(compare: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any
 
     def compared(left: Any, right: Any) -> Any:
         numbers = left != right and type(left) in NUMBERS and type(right) in NUMBERS
-        one = numbers and math.isclose(left, right, rel_tol=NEAR) and f"{left:.15g}" == f"{right:.15g}"
-        return compare(left, left if one else right)
+        equal = numbers and math.isclose(left, right, rel_tol=NEAR) and f"{left:.15g}" == f"{right:.15g}"
+        return compare(left, left if equal else right)
 
     return compared
 

@@ -153,9 +153,9 @@ class PycelModel:
         if isinstance(argument, Moving):
             area, top, _ = argument
             if area.single and top is not None and not address:
-                found = self._numbers.column(area.sheet, area.left).get(row + top)
-                if found:
-                    return found
+                value = self._numbers.column(area.sheet, area.left).get(row + top)
+                if value:
+                    return value
             argument = argument.at(row)
         if isinstance(argument, str):
             if address:

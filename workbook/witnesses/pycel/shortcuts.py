@@ -77,12 +77,12 @@ def operators() -> Callable[[Any, str, Any], Any]:
             if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
                 return raised(left, right)
         elif kind in RANGES or other in RANGES:
-            one, two = (
+            first, two = (
                 x if k in NUMBERS else array_of(x) if k in RANGES else None for x, k in ((left, kind), (right, other))
             )
-            made = None if one is None or two is None else array_operation(one, operator, two)
-            if made is not None:
-                return Array(made)
+            cells = None if first is None or two is None else array_operation(first, operator, two)
+            if cells is not None:
+                return Array(cells)
             left, right = plain(left), plain(right)
             sizes = {(len(x), len(x[0])) for x in (left, right) if isinstance(x, tuple)}
             if len(sizes) == 1 and all(isinstance(x, tuple) or type(x) in NUMBERS for x in (left, right)):
@@ -96,15 +96,15 @@ def operators() -> Callable[[Any, str, Any], Any]:
 
 def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
     """Return what an operator makes of arrays of one size, or of one and a number; None where that is not plain."""
-    kinds = [one.dtype for one in (a, b) if isinstance(one, np.ndarray)]
+    kinds = [array.dtype for array in (a, b) if isinstance(array, np.ndarray)]
     if len(kinds) == 2 and a.shape != b.shape:
         return None
     truths = bool in kinds
-    made: NDArray[Any] | None = None
+    cells: NDArray[Any] | None = None
     if operator in SUMS:
         if truths:
             a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
-        made = SUMS[operator](a, b)
+        cells = SUMS[operator](a, b)
     elif truths:
         return None
     elif operator in COMPARED:
@@ -112,10 +112,10 @@ def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
         doubtful = (apart > 0) & (apart <= 2.0 * NEAR * np.abs(b))  # the same to 15 digits, perhaps
         return None if doubtful.any() else COMPARED[operator](a, b)
     elif operator == "Div" and np.all(b):
-        made = a / b
+        cells = a / b
     elif operator == "Pow" and ((type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)):
-        made = a**b
-    return made if made is not None and np.isfinite(made).all() else None
+        cells = a**b
+    return cells if cells is not None and np.isfinite(cells).all() else None
 
 
 def index(array: Any, row: Any, column: Any = None) -> Any:
@@ -137,8 +137,8 @@ def of_number(body: Callable[[float], float], over: Callable[[Any], Any], *argum
         with suppress(ValueError, OverflowError):
             return body(value)
     elif type(value) is Array and value.cells.dtype != bool:
-        made = over(value.cells)
-        return Array(made) if np.isfinite(made).all() else None
+        cells = over(value.cells)
+        return Array(cells) if np.isfinite(cells).all() else None
     return None
 
 
@@ -153,10 +153,10 @@ def of_numbers(body: Callable[[Sequence[float]], float], *arguments: Any) -> Any
 def product_sum(*arrays: Any) -> Any:
     """Return SUMPRODUCT of ranges of numbers of one size."""
     if arrays and RANGES.issuperset(map(type, arrays)):
-        found: list[Any] = list(map(array_of, arrays))
-        numbers = all(cells is not None and cells.dtype != bool for cells in found)
-        if numbers and len({cells.shape for cells in found}) == 1:
-            return functools.reduce(np.multiply, found).sum().item()
+        operands: list[Any] = list(map(array_of, arrays))
+        numbers = all(cells is not None and cells.dtype != bool for cells in operands)
+        if numbers and len({cells.shape for cells in operands}) == 1:
+            return functools.reduce(np.multiply, operands).sum().item()
     return None
 
 
@@ -185,9 +185,9 @@ def with_shortcut(name: str, function: Function) -> Function:
     way, count = SHORTCUTS.get(name), COUNTED.get(name)
 
     def call(*arguments: Any) -> Any:
-        found = way(*arguments) if way is not None else None
-        if found is not None:
-            return found
+        value = way(*arguments) if way is not None else None
+        if value is not None:
+            return value
         if Array in map(type, arguments):
             arguments = tuple(map(plain, arguments))
         if count is not None:

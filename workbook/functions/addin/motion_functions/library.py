@@ -110,7 +110,7 @@ LAWS: dict[str, LawForm] = {
     "SGS": LawForm((0.5, 0.5), lambda share, curved:
                     shared(share, (0.0, 0.0, curved), (0.0, 0.0, curved), 1.0 - curved)),
 }  # fmt: skip
-PARAMETERS = {code: len(one.delivered) for code, one in LAWS.items()}
+PARAMETERS = {code: len(family.delivered) for code, family in LAWS.items()}
 
 
 @lru_cache(maxsize=512)
@@ -162,7 +162,7 @@ def seven_stages(d: Sequence[float], lift: float, begin: End, end: End, straight
     first, slid = s_a / m, s_d / n
     top = (lift - v0 * (sum(d[:3]) - first) - v1 * slid) / (first + d[3] + sum(d[4:]) - slid)
     up, down = (top - v0) / m, (v1 - top) / n
-    return Law([*(one.scaled(up) for one in rise), Piece(d[3]), *(one.scaled(down) for one in fall)], v0)
+    return Law([*(piece.scaled(up) for piece in rise), Piece(d[3]), *(piece.scaled(down) for piece in fall)], v0)
 
 
 def pulse(d: Sequence[float], straight: bool) -> list[Piece]:
