@@ -22,7 +22,7 @@ class Alternative(NamedTuple, Generic[M]):
     """Another form of a description: its model, and the function that brings a machine into this form."""
 
     model: type[M]
-    told: Callable[[M], M]
+    convert: Callable[[M], M]
 
 
 @dataclass(frozen=True)

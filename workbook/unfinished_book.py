@@ -129,12 +129,12 @@ class UnfinishedBook:
         faults = list(self._faults(where, rule))
         below = f"{where}."
         if where and not any(f.turn == 0 and f.where != where and f.key.startswith(below) for f in self.design.faults):
-            return next((fault.said for fault in faults if fault.turn == 0), "")  # asked of what was entered
+            return next((fault.message for fault in faults if fault.turn == 0), "")  # asked of what was entered
         last = faults[0].turn if faults else MOST_TURNS
         (at,) = self._column(f"{q.name}.{q.name}")
         if at in self.hanging(frozenset(at for at, turn in turns.items() if turn < last)):
             return None
-        return faults[0].said if faults else ""
+        return faults[0].message if faults else ""
 
     def _verdict(self, check: str, message: str) -> dict[Address, Any]:
         """Return what stands in a check, and in the sentence beside it."""

@@ -25,7 +25,7 @@ THINNED = 1e-4  # share of the range: allowed error of a spline through points t
 class IdentifiedMotion(NamedTuple):
     """The phases of a table over a cycle, in its units."""
 
-    found: list[FoundPhase]
+    phases: list[FoundPhase]
     allowed: float  # deviation from the points at most
     delay: float = 0.0  # x by which the cycle begins later than the table
 

@@ -39,7 +39,7 @@ def test_variations_pass_the_check_and_come_back_as_entries(description):
 @pytest.mark.parametrize("name", OWN)
 def test_what_only_the_engine_can_see_makes_a_design_unfinished(name):
     (fault,) = validated(TEMPLATES[name], backwards(name), str).design.faults
-    assert (fault.key, fault.said) == OWN[name][1]
+    assert (fault.key, fault.message) == OWN[name][1]
 
 
 @pytest.mark.parametrize("name", OWN)

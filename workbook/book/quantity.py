@@ -57,7 +57,7 @@ class Quantity(NamedTuple):
     """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
     limit: float = 0.0  # of figures beside a limit: above it they are shown as beyond it; none by default
     says: str = ""  # of a check: the formula of where it fails, and by how much
-    said: str = ""  # what that formula gives, by the engine, where the check fails
+    sentence: str = ""  # what that formula gives, by the engine, where the check fails
 
     @property
     def beside(self) -> str:
@@ -114,13 +114,13 @@ def check(
     """
     text, more = says if isinstance(says, CheckSentence) else (says, "")
     return Quantity(name, label, "", "", "check", f'=IF({condition},"OK","FAIL")', "OK" if ok else "FAIL",
-                    source=source, rule=rule, says=text, said=more)  # fmt: skip
+                    source=source, rule=rule, says=text, sentence=more)  # fmt: skip
 
 
 def sentence(q: Quantity) -> Quantity:
     """Return the cell beside a check, which says where it fails and by how much; else what the check is about."""
     formula = f'=IF({q.name}="OK",{quoted(q.source)},{q.says or quoted(FAILS)})'
-    value = q.source if q.value == "OK" else Sentence(q.said or FAILS)
+    value = q.source if q.value == "OK" else Sentence(q.sentence or FAILS)
     return Quantity(f"{q.name}{SAYS}", f"{q.label}{WHERE}", "", "", "sentence", formula, value, align="left")
 
 

@@ -50,11 +50,11 @@ class CheckSentence(NamedTuple):
     """The sentence of a check where it fails: the formula of it, and what that gives by the engine."""
 
     says: str
-    said: str
+    text: str
 
     def then(self, other: Self) -> "CheckSentence":
         """Return this sentence with another behind it."""
-        return CheckSentence("&".join(filter(None, [self.says, other.says])), self.said + other.said)
+        return CheckSentence("&".join(filter(None, [self.says, other.says])), self.text + other.text)
 
 
 NOTHING = CheckSentence("", "")

@@ -49,7 +49,7 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     machine = validated(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     say(
         ERR,
-        f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(moves.found)} movements",
+        f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(moves.phases)} movements",
     )
     for line in as_description.movement_lines(moves, units):
         say(ERR, line)
@@ -129,7 +129,7 @@ def compare_tracks(book: Path, lanes: Sequence[CamSwitch], file: Path, target: T
     pairs = list(zip(lanes, differences(lanes, read_tracks(file, target)), strict=True))
     compared = SwitchFile(pairs, "", tappets, file)
     if as_json:
-        say_json(compared.told(target))
+        say_json(compared.as_data(target))
     else:
         compared.show(target)
     for line in compared.beyond:

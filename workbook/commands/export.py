@@ -54,7 +54,7 @@ class SwitchFile(NamedTuple):
         title = shown(f"Switches to {target.name}: {self.tappets.title}")
         show_table(OUT, cams.SWITCHED, self.rows, (1, 2, 3, 4), title)
 
-    def told(self, target: Target) -> dict[str, Any]:
+    def as_data(self, target: Target) -> dict[str, Any]:
         """Return the same as data."""
         switches = [{"switch": switch.name, "unit": switch.x_unit, "edges": differs.edges,
                      "largest": differs.largest if math.isfinite(differs.largest) else None, "at": differs.x,
@@ -103,7 +103,7 @@ class AxisFile(NamedTuple):
 
     axis: CamAxis
     text: str
-    made: CertifiedTable
+    certified: CertifiedTable
     path: Path
 
 
@@ -173,7 +173,7 @@ def export(
         turned = export_switches(heading, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
     if not show_certificates(files, turned, asked, as_json):
         return DISAGREES
-    page.write(report, lambda: cams.page([(file.axis, file.made) for file in files], asked.target, asked.tolerance,
+    page.write(report, lambda: cams.page([(file.axis, file.certified) for file in files], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
     for path, text in [(file.path, file.text) for file in files] + ([(turned.path, turned.text)] if turned else []):
         write_text(path, text, force)
@@ -228,22 +228,22 @@ def show_certificates(files: Sequence[AxisFile], turned: SwitchFile | None, aske
     target = asked.target
     if as_json:
         certificates: list[Any] = [
-            cams.certificate_data(file.axis, file.made, target, str(file.path))
-            | {"position": cams.placing(file.axis, file.made, target)}
+            cams.certificate_data(file.axis, file.certified, target, str(file.path))
+            | {"position": cams.placing(file.axis, file.certified, target)}
             for file in files
         ]
-        say_json([*certificates, *([turned.told(target)] if turned else [])])
+        say_json([*certificates, *([turned.as_data(target)] if turned else [])])
     else:
         for file in files:
-            cams.show(file.axis, file.made, target)
-            if line := cams.placing_line(file.axis, file.made, target):
+            cams.show(file.axis, file.certified, target)
+            if line := cams.placing_line(file.axis, file.certified, target):
                 say(OUT, line)
         if turned:
             turned.show(target)
     for claim in (*(target.untested if files else ()), *(turned.tappets.untested if turned else ())):
         say(ERR, f"Untested: {claim.what} ({claim.source})")
-    missed = [f"{file.axis.name}: {cams.excess(file.made, asked.tolerance)}"
-              for file in files if file.made.excess(asked.tolerance) > 1.0]  # fmt: skip
+    missed = [f"{file.axis.name}: {cams.excess(file.certified, asked.tolerance)}"
+              for file in files if file.certified.excess(asked.tolerance) > 1.0]  # fmt: skip
     if not asked.held:
         for line in missed if asked.points is None else ():
             say(ERR, f"{line}: the best there is", "yellow")

@@ -67,7 +67,7 @@ def open_finished(book: Path) -> tuple[Machine, State]:
     before = file_state(book)
     machine, _ = making.read_inputs(book)
     if machine.design.replaced:
-        say(ERR, f"{book}: the design is unfinished ({machine.design.faults[0].said}); nothing is exported", "red")
+        say(ERR, f"{book}: the design is unfinished ({machine.design.faults[0].message}); nothing is exported", "red")
         raise typer.Exit(DISAGREES)
     return machine, before
 

@@ -35,7 +35,7 @@ def phases_of(
     target: Target, table: Table, units: tuple[str, str] = ("", ""), share: float = THINNED
 ) -> IdentifiedMotion:
     """Return the movements that a table was made of: laws, or splines that are off by at most a share of the reach."""
-    rebuilt = next(iter(rules_of(target, table).values())).made(table)
+    rebuilt = next(iter(rules_of(target, table).values())).rebuild(table)
     known = precision(table.y)
     if table.steps[1] != 1.0:
         known = max(known, 0.5 * table.steps[1])
@@ -62,7 +62,7 @@ def movement_lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
     """Return a line for each movement: its law, from where to where, its lift, and what the table is off by."""
     x, y = units
     lines = []
-    for phase in read.found:
+    for phase in read.phases:
         points = len(phase.law.as_pieces()) + 1
         name = phase.law.name if phase.known else f"no law of the registry, a cubic spline through {points} points"
         misses = "" if phase.fits else "; so many points do not do"
@@ -91,7 +91,7 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
     if x not in MEASURES or y not in ENTERED:
         expected = f"{' or '.join(ENTERED)} over {', '.join(MEASURES)}"
         raise TargetError(f"it is in {y} over {x}; expected an axis in {expected}")
-    movements = read.found
+    movements = read.phases
     for phase in movements:
         if not phase.fits:
             raise TargetError(f"from {phase.begin:.9g} to {phase.end:.9g} it keeps to no law, and splines through some "

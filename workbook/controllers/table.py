@@ -61,7 +61,7 @@ def equidistant(x: Array) -> bool:
 class Rule(NamedTuple):
     """A way between points: what makes it, the degree of its polynomials and 1, and the steps a stretch needs."""
 
-    made: Callable[[Table], CamProfile]
+    rebuild: Callable[[Table], CamProfile]
     order: int
     least: int = 1
 

@@ -65,7 +65,7 @@ def rules_of(target: Target, table: Table) -> dict[str, Rule]:
 def certify_table(target: Target, table: Table, meant: CamProfile) -> CertifiedTable:
     """Return a table with its certificates."""
     rules = rules_of(target, table).items()
-    return CertifiedTable(table, {name: certify(meant, rule.made(table)) for name, rule in rules})
+    return CertifiedTable(table, {name: certify(meant, rule.rebuild(table)) for name, rule in rules})
 
 
 def tabulate(target: Target, axis: CamAxis, n: int) -> Table:
@@ -151,18 +151,18 @@ class Tries:
 
     target: Target
     axis: CamAxis
-    made: dict[int, CertifiedTable] = field(default_factory=dict)
+    tables: dict[int, CertifiedTable] = field(default_factory=dict)
     spent: int = 0
 
     def of(self, n: int) -> CertifiedTable | None:
         """Return the table of n points at most with its certificate; None where the work is done."""
-        if n not in self.made:
+        if n not in self.tables:
             if self.spent > WORK:
                 return None
             certified = certify_table(self.target, tabulate(self.target, self.axis, n), self.axis.profile)
             self.spent += (n + len(self.axis.profile.edges)) * len(certified.certificates)
-            self.made[n] = certified
-        return self.made[n]
+            self.tables[n] = certified
+        return self.tables[n]
 
 
 def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> CertifiedTable:

@@ -35,7 +35,7 @@ class DescriptionWriter:
 
     def __init__(self, known: Sequence[Section]) -> None:
         self.known = known
-        self.told: set[tuple[str, str]] = set()
+        self.written: set[tuple[str, str]] = set()
 
     def tables(self, title: str, path: str, data: Mapping[str, Any], many: bool = False) -> Iterator[str]:
         """Yield a table, and those below it."""
@@ -61,13 +61,13 @@ class DescriptionWriter:
 
     def entry(self, key: Key, kind: str, value: Any) -> Iterator[str]:
         """Yield the lines of an entry."""
-        new = (key.path, kind) not in self.told
-        self.told.add((key.path, kind))
+        new = (key.path, kind) not in self.written
+        self.written.add((key.path, kind))
         if not (key.rows and value):
             yield from line(f"{key.name} = {toml(value)}", about(key) if new else "")
             return
         used = [row for row in key.rows if any(row.name in entry for entry in value)]
-        self.told |= {(row.path, kind) for row in used}
+        self.written |= {(row.path, kind) for row in used}
         if new:
             yield from comments(f"{key.meaning}: {', '.join(with_unit(row) for row in used)}")
         yield f"{key.name} = ["
@@ -82,13 +82,13 @@ class DescriptionWriter:
                 code = part.path.rpartition(".")[2]
                 laws.append(f"# {code} = {toml({'family': code} | {key.name: example_of(key) for key in part.keys})}")
                 continue
-            keys = [key for key in part.keys if (key.path, part.kind) not in self.told]
+            keys = [key for key in part.keys if (key.path, part.kind) not in self.written]
             rows = [
                 row
                 for key in part.keys
                 if key not in keys
                 for row in key.rows
-                if (row.path, part.kind) not in self.told
+                if (row.path, part.kind) not in self.written
             ]
             lines = [text for key in keys for text in unused_key_lines(key)]
             for row in rows:

@@ -97,7 +97,7 @@ def sections(template: AnyTemplate, other: str = "") -> list[Section]:
     """Return the tables of a template's descriptions, the outermost first; of those with the key of another way."""
     machine: Any = read_machine(template.description)
     if other:
-        machine = template.others[other].told(machine)
+        machine = template.others[other].convert(machine)
     cells: dict[str, Quantity] = {}
     for block in template.declare(machine).blocks.values():
         for q in block.quantities:

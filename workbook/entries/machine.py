@@ -32,7 +32,7 @@ class Fault(NamedTuple):
     key: str
     where: str  # the place of the entries that the rule is about; the entry itself for its own limits
     rule: str  # empty for its own limits
-    said: str
+    message: str
     value: Any = None
     fits: Any = None  # what would do
     turn: int = 0  # what had been replaced before it was seen

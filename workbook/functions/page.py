@@ -60,7 +60,7 @@ class ShownPhase(Model):
     p: Annotated[list[Number], Field(max_length=WIDTH)] = Field(default_factory=list)
 
     @property
-    def made(self) -> Phase:
+    def to_engine_phase(self) -> Phase:
         """The engine's phase."""
         return Phase(FAMILY[self.law].law_of(self.p), self.lift, self.duration)
 
@@ -92,7 +92,7 @@ class PageInputs(Model):
     profile: list[Interval]
 
     @cached_property
-    def one(self) -> Law:
+    def chosen_law(self) -> Law:
         """The law that is chosen, of the numbers that it takes."""
         page = FAMILY[self.law]
         return page.law_of(page.numbers(self.laws[self.law]))
@@ -100,7 +100,7 @@ class PageInputs(Model):
     @cached_property
     def motion(self) -> Motion:
         """The phases, joined: they take over velocities from straight lines."""
-        return join_phases([phase.made for phase in self.phases], periodic=False).motion
+        return join_phases([phase.to_engine_phase for phase in self.phases], periodic=False).motion
 
 
 EXAMPLE = PageInputs.model_validate(TEXTS["example"])
@@ -184,8 +184,8 @@ def functions(sheet: Sheet, shown: PageInputs) -> None:
 
 def results(shown: PageInputs) -> list[Any]:
     """Return the engine's value of each function for the entries, #NUM! where there is none."""
-    law, motion, k = shown.one.evaluate(shown.xi), shown.motion.at(shown.x), shown.one.coefficients
-    xi = "#NUM!" if shown.law == "DWL" else inverse(shown.one, shown.s)
+    law, motion, k = shown.chosen_law.evaluate(shown.xi), shown.motion.at(shown.x), shown.chosen_law.coefficients
+    xi = "#NUM!" if shown.law == "DWL" else inverse(shown.chosen_law, shown.s)
     jerk = k.cj if math.isfinite(k.cj) else "#NUM!"
     reduced = math.fsum(Part("", shaft.inertia, speed_ratio=shaft.ratio).reflected for shaft in shown.shafts)
     value, duration = np.array([(place.value, place.duration) for place in shown.profile]).T
@@ -253,7 +253,7 @@ def samples(sheet: Sheet, shown: PageInputs) -> None:
     xi, x = np.arange(LAW_STEPS + 1) / LAW_STEPS, np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
     sheet.table("law", "The law", LAW_STEPS + 1, calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", xi),
         *(result(name, words, name, "", f"=MOTION.{name.upper()}({LAW},[xi],{P})", values)
-          for (name, words), values in zip(DERIVATIVES.items(), shown.one.evaluate(xi), strict=True)),
+          for (name, words), values in zip(DERIVATIVES.items(), shown.chosen_law.evaluate(xi), strict=True)),
         constant("k", "sample", "k", "", list(range(LAW_STEPS + 1)))).quiet = QUIET  # fmt: skip
     sheet.table("motion", "The motion", MOTION_STEPS + 1,
         calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", x),

@@ -119,7 +119,7 @@ def pictures(axis: CamAxis, certified: CertifiedTable, target: Target) -> Iterat
     begin, end = axis.profile.edges[[0, -1]]
     x = np.linspace(begin, end, SAMPLES)
     meant = axis.profile.at(x)
-    rebuilt = {name: rule.made(certified.table).at(x) for name, rule in rules_of(target, certified.table).items()}
+    rebuilt = {name: rule.rebuild(certified.table).at(x) for name, rule in rules_of(target, certified.table).items()}
     drawn = [Line("meant", x, meant.y2), *(Line(name, x, curves.y2) for name, curves in rebuilt.items())]
     yield plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)
     for k, word in ((0, "position"), (2, "acceleration")):

@@ -76,7 +76,7 @@ def entered(name: str, text: str, path: str, do: str, value: str) -> str:
 def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:
     """Return what is wrong with a description by the key of the entry."""
     try:
-        return {fault.key: fault.said for fault in design(name, text).machine.design.faults}
+        return {fault.key: fault.message for fault in design(name, text).machine.design.faults}
     except MotionbookError:
         pass
     try:

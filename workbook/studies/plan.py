@@ -93,10 +93,10 @@ class Plan:
         except EntryError as error:
             return Impossible(f"{error.field}: {error}")
         except RefusedError as error:
-            said = (one.said if isinstance(one, Fault) else str(one["msg"]) for one in error.faults)
+            said = (one.message if isinstance(one, Fault) else str(one["msg"]) for one in error.faults)
             return Impossible("; ".join(line.removeprefix("Value error, ") for line in said))
         if machine is None:  # a rule's sentence, or the entry and its limits
-            said = (one.said if one.rule else f"{counted_from_1(one.key)}: {one.said}" for one in faults)
+            said = (one.message if one.rule else f"{counted_from_1(one.key)}: {one.message}" for one in faults)
             return "; ".join(dict.fromkeys(said))
         return machine
 
@@ -157,7 +157,7 @@ def make_plan(study: Study, base: Path, where: str) -> Plan:
     """Make a study of the machine that a file describes ready; raise InputError, ReadError."""
     machine = read_description(base)
     for fault in machine.design.faults:
-        raise InputError([f"{base}: {fault.key}: {fault.said}; a study expects a finished design"])
+        raise InputError([f"{base}: {fault.key}: {fault.message}; a study expects a finished design"])
     roomy = "motion_pieces" in parse_toml(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
     links = make_links(machine, study.links, where)
     draft = Plan(study, machine, Space((), study.way), roomy, links)

@@ -74,7 +74,7 @@ def read(folder, content):
 def test_what_can_be_meant_in_one_way_is_read(name, tmp_path):
     _, found = read(tmp_path, MEANT[name])
     times = 1000.0 if name == "whole numbers" else 1.0
-    told = [(one.law.code, one.begin, one.end, one.lift / times) for one in found.found]
+    told = [(one.law.code, one.begin, one.end, one.lift / times) for one in found.phases]
     assert told == [("MTP", 60.0, 150.0, 50.0), ("MTP", 220.0, 320.0, -50.0)]
 
 

@@ -70,7 +70,7 @@ def within_its_bound(one, cam, name, draw):
     x = x[np.min(np.abs(x[:, None] - edges[None, :]), axis=1) > APART]
     meant = closed(one, x)
     for rule, certificate in zip(rules_of(to, back.table).values(), back.certificates.values(), strict=True):
-        rebuilt = rule.made(back.table).at(x)
+        rebuilt = rule.rebuild(back.table).at(x)
         for order, values in enumerate(meant):
             bound = certificate.deviations[order]
             allowed = bound.largest * (1 + 1e-9) + 1e-9 * max(bound.peak, np.abs(values).max())

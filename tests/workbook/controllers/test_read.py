@@ -35,7 +35,7 @@ def test_the_cutting_machine_comes_back_from_every_target(axes, machine, name: s
     for axis, given in ((axes[of], machine.axes[of]),):
         made = automatic(one, axis, dict(one.tolerance))
         table = reread(one, one.write(CamExport(made.table, "demo", (), ("°", "mm"))), made.table)
-        found = as_description.phases_of(one, table).found
+        found = as_description.phases_of(one, table).phases
         moving = [phase for phase in given.phases if phase.law != "DWL"]
         assert [phase.law.code for phase in found] == [phase.law for phase in moving]
         near = 1e-9 if name in EXACT else 2e-3
@@ -73,10 +73,10 @@ def test_a_cycle_that_begins_on_the_way_comes_back_with_its_laws(name: str, of) 
     table = reread(one, one.write(CamExport(made.table, "demo", (), units, axis.repeats)), made.table)
     found = as_description.phases_of(one, table, units)
     if name == "br" and axis.x_unit == "s":  # polynomials of degree 5 in REAL, over whole microseconds
-        assert all(phase.known for phase in found.found)
+        assert all(phase.known for phase in found.phases)
         return
-    assert [phase.law.code for phase in found.found] == [code for code, _ in ON_THE_WAY[of]]
-    assert [phase.lift for phase in found.found] == pytest.approx([lift for _, lift in ON_THE_WAY[of]], rel=1e-5)
+    assert [phase.law.code for phase in found.phases] == [code for code, _ in ON_THE_WAY[of]]
+    assert [phase.lift for phase in found.phases] == pytest.approx([lift for _, lift in ON_THE_WAY[of]], rel=1e-5)
     assert as_description.compose(found, table, units, "back")
 
 

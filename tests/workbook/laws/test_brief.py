@@ -53,7 +53,7 @@ def test_none_is_no_brief_stage():
 @pytest.mark.parametrize("least", [1e-8, 1e-5, 0.99 * LEAST_STAGE])
 def test_what_lasts_less_is_told_by_law(least):
     machine = described(entries(least))
-    assert [fault.said for fault in machine.design.faults] == [SAID] * len(entries(least))
+    assert [fault.message for fault in machine.design.faults] == [SAID] * len(entries(least))
     value = computed(MACHINE, machine)
     said = [text for text in value("checks", "says") if text]
     assert len([text for text in said if SAID in text]) == len(entries(least))

@@ -221,4 +221,4 @@ def test_a_name_with_an_apostrophe_stands_in_charts_as_excel_writes_it():
 @pytest.mark.parametrize("share", [0.0, 1e-9, 0.009, 0.995, 1.0])
 def test_a_share_that_leaves_next_to_nothing_is_beyond_its_limits(share):
     (fault,) = machine({"Steep": {"family": "CIC", "share": share}}).design.faults
-    assert fault.said == "expected a number from 0.01 to 0.99"
+    assert fault.message == "expected a number from 0.01 to 0.99"

@@ -128,7 +128,7 @@ def test_a_rod_that_is_too_short_fails_by_name_and_is_carried():
     machine = validated(TEMPLATE, data, str)
     (fault,) = machine.design.faults
     assert fault.key == "axes.0.mechanism"
-    assert fault.said == "the rod is not longer than crank and offset: the crank cannot turn round"
+    assert fault.message == "the rod is not longer than crank and offset: the crank cannot turn round"
     assert computed(TEMPLATE, machine)("drive1_ok_linked") == "FAIL"
     back, lost = entered(TEMPLATE, machine)
     assert (back.design.replaced, lost) == (machine.design.replaced, [])

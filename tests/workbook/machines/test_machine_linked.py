@@ -117,8 +117,8 @@ def test_a_rocker_out_of_reach_fails_by_row_and_amount():
     data["axes"][0]["phases"][0]["lift"] = 120.0
     machine = validated(TEMPLATE, data, str)
     (fault,) = machine.design.faults
-    assert fault.said.startswith("A1 row 1 reaches 120 mm, ")
-    assert fault.said.endswith("mm beyond the dead centre of lever and link")
+    assert fault.message.startswith("A1 row 1 reaches 120 mm, ")
+    assert fault.message.endswith("mm beyond the dead centre of lever and link")
     assert computed(TEMPLATE, machine)("drive1_ok_reach") == "FAIL"
 
 
@@ -136,7 +136,7 @@ def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, sai
     data = small(linked(mechanism=CRANK)).model_dump()
     data["axes"][0]["mechanism"] |= changed
     machine = validated(TEMPLATE, data, str)
-    assert machine.design.faults[0].said.startswith(said)
+    assert machine.design.faults[0].message.startswith(said)
     value = computed(TEMPLATE, machine)
     assert value(f"drive1_ok_{check}") == "FAIL"
     if check != "sized":  # where too little is entered, cells have nothing to compute from

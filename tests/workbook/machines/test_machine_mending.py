@@ -18,7 +18,7 @@ def at_rate(rate):
 
 def failing(rate):
     book = TEMPLATE.declare(at_rate(rate))
-    return {q.label: q.said for _, q in book.checks if q.value == "FAIL" and "Drive" in q.label}
+    return {q.label: q.sentence for _, q in book.checks if q.value == "FAIL" and "Drive" in q.label}
 
 
 @pytest.mark.parametrize(("rate", "bound"), [(240.0, 2e-3), (600.0, 1e-2)])

@@ -152,7 +152,7 @@ def test_an_axis_that_is_renamed_while_selection_names_it_fails_by_the_name(axes
     given, lost = read_inputs(tmp_path / "other.xlsx")
     assert lost == []
     assert as_entered(given)["selection"]["axis"] == name
-    assert [fault.said for fault in given.design.faults] == [said]
+    assert [fault.message for fault in given.design.faults] == [said]
 
 
 @pytest.mark.parametrize(("selection", "said"), [

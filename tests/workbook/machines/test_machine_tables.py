@@ -100,7 +100,7 @@ def test_what_is_no_table_is_built_and_fails_by_point_or_row_and_amount(points, 
     data = driven(BENT).model_dump()
     data["axes"][0]["mechanism"]["points"] = table(*points)["points"]
     machine = validated(TEMPLATE, data, str)
-    assert machine.design.faults[0].said.startswith(said)
+    assert machine.design.faults[0].message.startswith(said)
     value = computed(TEMPLATE, machine)
     assert value(f"drive1_ok_{check}") == "FAIL"
     assert value(f"drive1_ok_{check}_says").startswith("point 3 does not rise" if check == "linked" else said[:60])

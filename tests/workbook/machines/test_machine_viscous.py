@@ -184,7 +184,7 @@ def test_a_negative_one_fails_by_name_and_is_carried():
     data["axes"][0]["load"]["viscous"] = -5.0
     machine = validated(TEMPLATE, data, str)
     (fault,) = machine.design.faults
-    assert (fault.key, fault.said) == ("axes.0.load.viscous", "expected a number of at least 0")
+    assert (fault.key, fault.message) == ("axes.0.load.viscous", "expected a number of at least 0")
     value = computed(TEMPLATE, machine)
     assert value("drive1_own_rate_entries") == "FAIL"
     assert value("drive1_own_rate_entries_says") == "Viscous friction: -5; expected a number of at least 0"

@@ -84,7 +84,7 @@ def test_what_a_field_does_not_take_is_told_at_it():
 
 def test_phases_that_overlap_are_told_at_their_table():
     text = entered("a.toml", TEXT, '["axes", "1", "phases", "0", "stop"]', "Set", "310")
-    said = design("a.toml", text).machine.design.faults[0].said
+    said = design("a.toml", text).machine.design.faults[0].message
     shown = read(form("a.toml", text, '["axes", "1"]'))
     assert said in [one.text for one in shown.iter() if one.get("class") == "disagrees"]
 

@@ -182,5 +182,5 @@ def clearance_check(gap: ClearanceView) -> Quantity:
         "clear{n}_kept",
         gap.is_left,
         n=n,
-        says=CheckSentence(says, f"{gap.given.name}{place.said}{said}"),
+        says=CheckSentence(says, f"{gap.given.name}{place.text}{said}"),
     )

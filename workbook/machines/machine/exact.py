@@ -70,7 +70,7 @@ def held_exactly(view: DriveView, rate: float) -> bool:
 
 def in_words(found: Rates) -> str:
     """Return a range of rates in words."""
-    return range_in_words(found, "").said
+    return range_in_words(found, "").text
 
 
 def agree(told: Rates, exact: Rates) -> bool:

@@ -73,7 +73,7 @@ def rate_check(found: Rates, rate: float) -> Quantity:
         WITHIN,
         hold_at(rate, found),
         says=amount("about_rate", rate, "runs at ", "; the drives ").then(
-            CheckSentence(f'about_range&" ("&{shows}&")"', f"{words.said} ({limit})")
+            CheckSentence(f'about_range&" ("&{shows}&")"', f"{words.text} ({limit})")
         ),
     )
 
@@ -106,7 +106,7 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
     apart = f'IF(COUNT({most})=0,"{NONE_BINDS}",IF(MAX({least})<MIN({most}),MIN({most}),{NO_RATE}))'
     words = range_in_words(found.rates, "about_", "hold")
     return [
-        cell("about_range", Sentence(words.said), words=words),
+        cell("about_range", Sentence(words.text), words=words),
         cell("about_highest", high, unmet=unmet, no_rate=NO_RATE, apart=apart),
         *(
             [

@@ -233,7 +233,7 @@ def range_results(view: DriveView) -> Sequence[Quantity]:
         cell("@binds", found.high_limit, rates=rates, none_binds=NONE_BINDS),
         cell("@lowest", found.low, none=none, format=RATE_LOOK),
         cell("@binds_low", found.low_limit, none=none, none_binds=NONE_BINDS),
-        cell("@mends", Sentence(range_in_words(found, "@").said), part=range_in_words(found, "@").says),
+        cell("@mends", Sentence(range_in_words(found, "@").text), part=range_in_words(found, "@").says),
     ]
 
 

@@ -240,7 +240,7 @@ def checks(view: DriveView) -> list[Quantity]:
     cell = CELLS["checks"]
     driven, (torque, mean, speed) = view.driven, view.reducer_checks
     called, reducer = driven.called, driven.reducer
-    mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').said}")
+    mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').text}")
     is_level, level_says = not driven.catalogued_falling.fall, CheckSentence(f'"{LEVEL}"', LEVEL)
     level = cell("@ok_curve", is_level, called=called, says=level_says)
     return [

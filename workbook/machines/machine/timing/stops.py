@@ -109,7 +109,7 @@ def stop_check(stop: HardStop) -> Quantity:
     says = amount(reached, stop.reached, "it goes to ", f" {unit}, ")
     says = says.then(amount(beyond, abs(stop.reached - stop.position), "", f" {unit} beyond its {called} stop"))
     feeds_on = f'AND([axes.closes.{i}]="feed",{onwards}>check_zero*{lift})'
-    says = CheckSentence(f'IF({feeds_on},"{FEEDS_ON}",{says.says})', FEEDS_ON if stop.feeds_on else says.said)
+    says = CheckSentence(f'IF({feeds_on},"{FEEDS_ON}",{says.says})', FEEDS_ON if stop.feeds_on else says.text)
     stays = f'OR([axes.closes.{i}]<>"feed",{onwards}<=check_zero*{lift})'
     check_formula = f'OR({entered}="",AND({stays},{beyond}<=check_zero*({lift}+ABS({entered}))))'
     label = f"Axis {i}: it stays within its {called} stop"
