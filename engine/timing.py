@@ -93,7 +93,7 @@ class SwitchDifference(NamedTuple):
 
 
 def compare_switches(meant: Switch, actual: Switch) -> SwitchDifference:
-    """Return the difference of a switch from the one meant. Raises ValueError for different cycles."""
+    """Return the difference of a switch from that meant. Raises ValueError for different cycles."""
     if not math.isclose(meant.cycle, actual.cycle):
         raise ValueError(f"the cycles are {meant.cycle:g} and {actual.cycle:g}; expected the same")
     cycle = meant.cycle

@@ -35,7 +35,7 @@ class ClusterError(MotionbookError):
 
 @contextmanager
 def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
-    """Give a pool: this process for one job, processes for more, a cluster by its scheduler; raise ClusterError."""
+    """Give a pool: this process for a job, processes for more, a cluster by its scheduler; raise ClusterError."""
     wanted = min(jobs or cores(), MOST_JOBS)
     if scheduler is None and wanted <= 1:
         yield THIS_PROCESS

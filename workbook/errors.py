@@ -12,7 +12,7 @@ UNFIT = ("Cc", "Cf", "Cs", "Cn", "Zl", "Zp")
 
 
 def visible(text: str, safe: str = "") -> str:
-    r"""Return a text in one line, unprintable characters but those ``safe`` as escapes such as ``\x1b``."""
+    r"""Return a text in a line, unprintable characters but those ``safe`` as escapes such as ``\x1b``."""
     if text.isprintable():
         return text
     return "".join(c.encode("unicode_escape", "surrogatepass").decode() if category(c) in UNFIT and c not in safe else c
@@ -20,7 +20,7 @@ def visible(text: str, safe: str = "") -> str:
 
 
 def quoted(value: Any) -> str:
-    """Return what was found as an engineer wrote it, in short and in one line."""
+    """Return what was found as an engineer wrote it, in short and in a line."""
     if isinstance(value, bool):
         return str(value).upper()
     if isinstance(value, int) and abs(value) >= 10**LONGEST:
@@ -35,7 +35,7 @@ def quoted(value: Any) -> str:
 
 
 class MotionbookError(Exception):
-    """An error that is the file's or the engineer's to mend; its text, in one line, is all that is shown."""
+    """An error that is the file's or the engineer's to mend; its text, in a line, is all that is shown."""
 
     def __init__(self, line: str) -> None:
         super().__init__(visible(line))

@@ -1,1 +1,1 @@
-"""Cam tables: the motion that a controller rebuilds from a table, and its deviation from the one meant."""
+"""Cam tables: the motion that a controller rebuilds from a table, and its deviation from that meant."""

@@ -27,7 +27,7 @@ SEAM = 1e-2  # share of the largest velocity by which begin and end of a continu
 
 
 class CamPoints(NamedTuple):
-    """Points of a cam table, which may begin or end at speed; arrays of one length, in any units."""
+    """Points of a cam table, which may begin or end at speed; arrays of equal length, in any units."""
 
     x: Array
     y: Array
@@ -40,7 +40,7 @@ class CamPoints(NamedTuple):
     seam: tuple[float, float] | None = None  # y' and y'' at both ends of a continuous cycle
 
     def part(self, begin: int, end: int) -> "CamPoints":
-        """Return the points from one number to another, both included, from 0."""
+        """Return the points from a number to another, both included, from 0."""
         inside = slice(begin, end + 1)
         v, a = (None if rates is None else rates[inside] for rates in (self.v, self.a))
         begins, ends = self.begins and begin == 0, self.ends and end == len(self.x) - 1
@@ -157,7 +157,7 @@ class FoundPhase:
 
 
 def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
-    """Return consecutive splines through few points, one after the other, that keep to the others.
+    """Return consecutive splines through few points, in succession, that keep to the others.
 
     A movement that returns is divided farthest from its begin, one that needs more than a hundred points in its middle.
 

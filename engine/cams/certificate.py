@@ -1,4 +1,4 @@
-"""The deviation of a rebuilt motion from the one meant, bounded without samples; the placing of a table's points."""
+"""The deviation of a rebuilt motion from that meant, bounded without samples; the placing of a table's points."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -33,7 +33,7 @@ class Largest(NamedTuple):
 
 
 def product(rows: Array, by: Array) -> Array:
-    """Return the product of many rows and a small matrix, in one thread: starting those of BLAS takes longer."""
+    """Return the product of many rows and a small matrix, in a single thread: starting those of BLAS takes longer."""
     return np.asarray(np.einsum("nk,ki->ni", rows, by))
 
 
@@ -71,11 +71,11 @@ def largest(rows: Array) -> Largest:
 
 
 ORDERS = 4  # position, velocity, acceleration, jerk
-WIDEST = 1.0  # angle of a sine within one interval, at most (rad)
+WIDEST = 1.0  # angle of a sine within an interval, at most (rad)
 
 
 class Deviation(NamedTuple):
-    """The largest deviation of one derivative of y over the cycle, in the units of the motion."""
+    """The largest deviation of a derivative of y over the cycle, in the units of the motion."""
 
     largest: float
     x: float  # where it is
@@ -89,7 +89,7 @@ class Deviation(NamedTuple):
 
 @dataclass(frozen=True)
 class Certificate:
-    """Bounds of the deviation of a rebuilt motion from the one meant, over the cycle."""
+    """Bounds of the deviation of a rebuilt motion from that meant, over the cycle."""
 
     deviations: tuple[Deviation, ...]  # of y, y', y'' and y'''
     jumps: tuple[float, ...]  # largest jumps of y, y', y'' at breaks that rebuilding adds
@@ -97,7 +97,7 @@ class Certificate:
 
 
 def certify(meant: CamProfile, rebuilt: CamProfile) -> Certificate:
-    """Compare a rebuilt motion with the one meant, over the cycle of the latter.
+    """Compare a rebuilt motion with that meant, over the cycle of the latter.
 
     Between two neighbouring breaks of either, both are polynomials and sines. The Bernstein coefficients of the Taylor
     polynomial of their difference bound the deviation; intervals are halved until the bound is close.

@@ -14,9 +14,9 @@ from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 
-MOST_WAYS = 24  # strokes between reversals of one movement; with more of them no law is tried
+MOST_WAYS = 24  # strokes between reversals of a movement; with more of them no law is tried
 FEWEST = 6  # points of positions alone, from which four figures of a phase can be fitted
-KEPT = 3.0  # times the allowed error of a fit: so far phases, each fitted by itself, are off one behind the other
+KEPT = 3.0  # times the allowed error of a fit: so far phases, each fitted by itself, are off in succession
 RESTS = 4.0  # length over the neighbours' from which equal points among such that creep are a dwell
 DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # decimals to which a begin or an end is rounded, if it still fits
 THINNED = 1e-4  # share of the range: allowed error of a spline through points that follow no law
@@ -71,7 +71,7 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
 
 
 def motion_at(phases: Sequence[FoundPhase], x: Array, rest: float) -> Array:
-    """Return the position at places by phases one behind the other; without phases it is ``rest`` everywhere."""
+    """Return the position at places by phases in succession; without phases it is ``rest`` everywhere."""
     y = np.full(len(x), phases[0].y if phases else rest)
     for phase in phases:
         xi = np.clip((x - phase.begin) / (phase.end - phase.begin), 0.0, 1.0)
@@ -80,7 +80,7 @@ def motion_at(phases: Sequence[FoundPhase], x: Array, rest: float) -> Array:
 
 
 def _keeps_to(of: CamPoints, phases: Sequence[FoundPhase]) -> bool:
-    """Return whether phases, one behind the other, go through every point of a table."""
+    """Return whether phases, in succession, go through every point of a table."""
     off = np.abs(motion_at(phases, of.x, float(of.y[0])) - of.y).max()
     return bool(off <= _allowed(of))
 

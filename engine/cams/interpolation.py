@@ -187,7 +187,7 @@ FIRST, NARROWEST = 4, 1e-7  # intervals of a piece at first; share of the cycle 
 
 
 class FunctionValues(NamedTuple):
-    """A function f of the position y, arrays of one shape."""
+    """A function f of the position y, arrays of equal shape."""
 
     value: Array  # f
     first: Array  # df/dy

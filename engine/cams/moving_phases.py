@@ -19,11 +19,11 @@ TURNS = 12  # iterations of Gauss and Newton
 SETTLED, SLOW = 3, 0.5  # in so many iterations the residual must fall to this share, else the law is another
 STEP = 1e-4  # share of the interval between points, for derivatives of the deviations by the place of a break
 CORNER = 2e-5  # share of the cycle: a curve between lines that is shorter, in a table with y', is their corner
-MOST = 8  # quintics in place of one law
+MOST = 8  # quintics in place of a law
 
 
 class EndLine(NamedTuple):
-    """The line that a curved phase meets at one end, in the units of the table."""
+    """The line that a curved phase meets at an end, in the units of the table."""
 
     x: float
     y: float  # at x
@@ -82,7 +82,7 @@ def _edge_places(
 
 
 def _line(of: CamPoints, run: tuple[int, int], places: tuple[float, float]) -> FoundPhase:
-    """Return the straight line through the first and the last point of a run, from one x to another."""
+    """Return the straight line through the first and the last point of a run, from an x to another."""
     (begin, end), (first, last) = run, places
     slope = float((of.y[end] - of.y[begin]) / (of.x[end] - of.x[begin]))
     y = float(of.y[begin]) + slope * (first - float(of.x[begin]))

@@ -5,7 +5,7 @@ chain           stages and parts on shafts; losses by the direction of power; ma
 motor           limits of a motor, its peak torque against speed, derating
 train           a motor, with its brake and gears, a mechanism of any ratio, and the forces of the process
 search          extremes, zeros and integrals of curves (powers and sines) and of any functions
-cycle           a drivetrain over a motion, cut into intervals in which each quantity has one formula
+cycle           a drivetrain over a motion, cut into intervals in which each quantity has a single formula
 results         peaks, RMS torque, energy and mean power of a cycle, exact
 limits          reserves against the limits of motor and reducer; the highest rate at which all are met, exact
 quadrature      the load at points of a cycle, as the sheets have it

@@ -1,4 +1,4 @@
-"""The cycle of a drive: its motion in time, cut into intervals in which the torque has one formula. SI units."""
+"""The cycle of a drive: its motion in time, cut into intervals in which the torque has a single formula. SI units."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ NODES = 32  # parts, of an interval and of each half turn of its sines, in which
 
 @dataclass(frozen=True)
 class TorqueInterval:
-    """A part of a piece with one direction of motion, one process force, and one direction of power in each stage."""
+    """A part of a piece with a constant direction of motion, process force, and direction of power in each stage."""
 
     train: Drivetrain
     piece: MotionPiece
@@ -119,7 +119,7 @@ class TorqueInterval:
 
 
 class Span(NamedTuple):
-    """A part of a piece with one direction of motion and one process force."""
+    """A part of a piece with a constant direction of motion and process force."""
 
     piece: MotionPiece
     low: float  # u of its begin, in units of the abscissa
@@ -131,7 +131,7 @@ class Span(NamedTuple):
 
 @dataclass(frozen=True)
 class MotionPieces:
-    """A motion over one cycle as a table of pieces."""
+    """A motion over a cycle as a table of pieces."""
 
     pieces: tuple[MotionPiece, ...]
     begin: float  # abscissa of the begin of the cycle

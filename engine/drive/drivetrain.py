@@ -106,7 +106,7 @@ class Window:
 
 
 class LoadMotion(NamedTuple):
-    """Motion of a load, arrays of one shape."""
+    """Motion of a load, arrays of equal shape."""
 
     y: Array  # m, or rad
     v: Array  # m/s, or rad/s
@@ -114,7 +114,7 @@ class LoadMotion(NamedTuple):
 
 
 class ShaftMotion(NamedTuple):
-    """Motion of the mechanism's own shaft, arrays of one shape."""
+    """Motion of the mechanism's own shaft, arrays of equal shape."""
 
     first: Array  # φ' (rad/m, or 1)
     speed: Array  # rad/s

@@ -1,6 +1,6 @@
 """The rates at which a drive holds all its limits, by the points of its cycle: once estimated, once tried.
 
-With T_s the torque at standstill and I = T − T_s, a rate of √x times the present one takes T_s + x I: so a first range
+With T_s the torque at standstill and I = T − T_s, a rate of √x times the present rate takes T_s + x I: so a first range
 is estimated. Near its upper end the points are worked out anew, and between them and the present ones each limit's use
 is a straight line over x. Torques are convex in x where losses change sides, so that the line is on the safe side.
 """
@@ -47,7 +47,7 @@ class RateSearch:
     speed: float  # largest of the motor (rad/s)
     motor: Motor
     reducer: ReducerLimits
-    rate: float  # the present one (1/s)
+    rate: float  # the present rate (1/s)
     sought: tuple[float, float] | None = None  # peak torques at the present rate, before and behind the reducer (Nm)
 
     @cached_property
@@ -102,7 +102,7 @@ class RateSearch:
         return max(self.uses_tried.values()) <= 1.0
 
     def at(self, factor: float) -> "RateSearch":
-        """Return the drive at another rate, ``factor`` times the present one."""
+        """Return the drive at another rate, ``factor`` times the present rate."""
         points = DrivePoints(self.points.load.at_rate(factor))
         return replace(self, points=points, speed=self.speed * factor, rate=self.rate * factor, sought=None)
 
@@ -130,7 +130,7 @@ class RateSearch:
 
     @cached_property
     def factor(self) -> float:
-        """The tried rate over the present one."""
+        """The tried rate over the present rate."""
         return self.tried / self.rate
 
     @cached_property
@@ -183,7 +183,7 @@ class RateSearch:
 
     @cached_property
     def begin(self) -> int:
-        """The rate to interpolate from: 0 the present one if it holds, else 1 the tried one, else 2 standstill."""
+        """The rate to interpolate from: 0 the present rate if it holds, else 1 the tried, else 2 standstill."""
         return 0 if self.holds else 1 if self.tried_holds else 2
 
     @cached_property
@@ -202,7 +202,7 @@ class RateSearch:
 
     @cached_property
     def between(self) -> dict[str, tuple[Shares, ...]]:
-        """The shares of each limit: from the present rate to the tried one, back, and from standstill.
+        """The shares of each limit: from the present rate to the tried, back, and from standstill.
 
         From a rate that does not hold nothing is interpolated: its shares are 0.
         """
@@ -248,7 +248,7 @@ class RateSearch:
 
     @property
     def cycles_use(self) -> tuple[float, float, float]:
-        """The use of the reducer's torque at its cycles: at the present rate, at the tried one, at standstill."""
+        """The use of the reducer's torque at its cycles: at the present rate, at the tried, at standstill."""
         stands, more = self.estimates[CYCLES], self.reducer.cycle_factor
         return self.uses[REDUCER_TORQUE] * more, self.uses_tried[REDUCER_TORQUE] * more, stands.standing / stands.limit
 

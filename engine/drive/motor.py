@@ -95,7 +95,7 @@ class LimitCorners(NamedTuple):
 
 
 class LimitCheck(NamedTuple):
-    """A quantity of a cycle against its limit, both in one unit."""
+    """A quantity of a cycle against its limit, both in the same unit."""
 
     name: str
     value: float

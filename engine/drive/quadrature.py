@@ -26,7 +26,7 @@ STANDSTILL = 1e-9  # share of the largest speed: a slower load is at rest
 
 
 class Interval(NamedTuple):
-    """A part of a cycle on one piece, with constant process forces."""
+    """A part of a cycle on a piece, with constant process forces."""
 
     begin: float  # abscissa of the unshifted motion
     end: float
@@ -56,7 +56,7 @@ class LoadPoints:
     dwell: Array  # duration of the dwell that the point belongs to (s); 0 if it moves
 
     def at_rate(self, factor: float) -> "LoadPoints":
-        """Return the points at another rate, ``factor`` times the present one."""
+        """Return the points at another rate, ``factor`` times the present rate."""
         velocity, acceleration = self.velocity * factor, self.acceleration * factor**2
         return replace(self, velocity=velocity, acceleration=acceleration, dwell=self.dwell / factor)
 

@@ -92,14 +92,14 @@ class ContinuousTorqueLine(NamedTuple):
 
     stall: float  # M, at speed 0 (Nm)
     fall: float  # D, from there to the present mean speed (Nm)
-    near: float  # e, rate over the present one at which the bound of √x is exact
+    near: float  # e, rate over the present rate at which the bound of √x is exact
     half: float  # half of x's coefficient (N²m²)
     left: float  # what S leaves (N²m²)
     root: float  # square of the root in the quadratic's solution (N⁴m⁴)
 
 
 def continuous_line(points: DrivePoints, motor: Motor) -> ContinuousTorqueLine:
-    """Return the line of a motor's continuous torque, constant if the mean speed is beyond the rated one."""
+    """Return the line of a motor's continuous torque, constant if the mean speed is beyond the rated."""
     own, mixed, growing = mean_squares(points)
     now = float(motor.continuous(points.mean_speed))
     stall = motor.stall_torque if now > motor.rated_torque else motor.rated_torque

@@ -22,7 +22,7 @@ NEAR = 1e-9  # share of a cycle within which cuts count as one
 def rate_range(checks: LimitChecks) -> RateRange:
     """Return the speeds of the abscissa (units per s) between which every check holds.
 
-    Of several ranges it is the one of the cycle's speed if that holds, else the highest. At both ends all checks hold;
+    Of several ranges it is that of the cycle's speed if that holds, else the highest. At both ends all checks hold;
     beyond, at 1 ± 2e-10 times them, the named one does not.
     """
     factors, holds = located(checks)

@@ -11,13 +11,13 @@ import numpy as np
 from engine.laws.base import Array
 from engine.laws.extremes import Curve, narrowed, zeros
 
-PARTS = 16  # of a bracket, in one round
+PARTS = 16  # of a bracket, in a round
 ROUNDS = 9  # of narrowing a bracket, to an eighth each
 FLAT = 1e-13  # share of the largest value by which equal values may differ
 TOPS = 4  # local extremes that are narrowed, at most
 NOISE = 1e-9  # share of the largest value: a smaller value has no sign
 LAST_ROUNDS = 6  # of narrowing a change of sign, to the last digit
-ORDERS = (16, 32, 64, 128)  # of the rule of integration, one after the other
+ORDERS = (16, 32, 64, 128)  # of the rule of integration, in succession
 TOLERANCE = 1e-13  # of the integral of the absolute value
 LEAST = 0.1  # share of the scale: the tolerance is no smaller than that of an integral of so much over the width
 HALVINGS = 12  # of the range of an integral, at most

@@ -88,7 +88,7 @@ def _require(holds: bool, name: str, value: float, expected: str) -> None:
 
 
 class ToolMotion(NamedTuple):
-    """Motion of the tool along its path, arrays of one shape."""
+    """Motion of the tool along its path, arrays of equal shape."""
 
     position: Array  # m
     speed: Array  # m/s

@@ -21,7 +21,7 @@ Real = TypeVar("Real", float, Array)
 
 
 class Kinematics(NamedTuple, Generic[Real]):
-    """Dimensionless position s, velocity v, acceleration a and jerk j: floats, or arrays of one shape."""
+    """Dimensionless position s, velocity v, acceleration a and jerk j: floats, or arrays of equal shape."""
 
     s: Real
     v: Real

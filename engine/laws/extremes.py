@@ -103,7 +103,7 @@ def _of_sine(sine: Sine, d: float) -> list[float]:
     return sorted(min(max(u, 0.0), d) for u in places)
 
 
-PARTS = 256  # of a bracket, in one round
+PARTS = 256  # of a bracket, in a round
 
 
 def narrowed(positive: Callable[[Array], NDArray[np.bool_]], low: Array, high: Array, rounds: int) -> Array:

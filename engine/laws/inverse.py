@@ -203,7 +203,7 @@ class LawJoint(NamedTuple):
 
 
 def law_joints(law: Law, pieces: Sequence[Piece]) -> tuple[LawJoint, ...]:
-    """Return the joints at which each of a law's pieces begins, and the rest after the last one, of duration 1."""
+    """Return the joints at which each of a law's pieces begins, and the rest after the last, of duration 1."""
     joints: list[LawJoint] = []
     scales = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca
     before, ended = 0, (0.0, 0.0, 0.0)
@@ -230,5 +230,5 @@ def continuity(joints: Sequence[LawJoint]) -> tuple[int, int]:
 
 
 def joint_code(number: int, joint: LawJoint) -> int:
-    """Return one number for law, end and order of a joint: 8 · number of the law + 4 at an end + order."""
+    """Return a number for law, end and order of a joint: 8 · number of the law + 4 at an end + order."""
     return 8 * number + 4 * joint.outer + joint.order

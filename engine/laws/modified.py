@@ -174,7 +174,7 @@ REST_SIDE = edged(0.25, 0.0, 0.75)
 
 @dataclass(frozen=True)
 class HarmonicCombination(PulseLaw):
-    """A modified sine at one end, and at the other, where it turns round, a quarter of a sine.
+    """A modified sine at an end, and at the other, where it turns round, a quarter of a sine.
 
     Source: LCamHdl, ProfileTypes, D_R_, R_D_, C_R_ and R_C_HARMONIC_COMBI; camdoku of i-halbritter.
     """

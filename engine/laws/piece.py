@@ -176,7 +176,7 @@ def placed_pieces(pieces: Sequence[Piece], v: float = 0.0) -> list[PlacedPiece]:
 
 
 class Located(NamedTuple):
-    """Places of abscissae among the pieces of a law, arrays of one shape."""
+    """Places of abscissae among the pieces of a law, arrays of equal shape."""
 
     piece: NDArray[np.intp]  # number of the piece, from 0
     u: Array  # ξ since its begin

@@ -74,7 +74,7 @@ class Points:
         return np.asarray((self.share > 0.0) & (np.roll(slope, 1) * slope < 0.0) & (self.part > 0.0))
 
     def local_extremes(self, what: str) -> Array:
-        """Return the extreme between each point and the one before it, else the value there; 0 without duration.
+        """Return the extreme between each point and that before it, else the value there; 0 without duration.
 
         With values f and slopes g at both points it is (g₀ f₁ − g₁ f₀ − g₀ g₁ (u₁ − u₀)/2)/(g₀ − g₁).
         """

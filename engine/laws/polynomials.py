@@ -32,7 +32,7 @@ class BoundaryPolynomial(BoundaryLaw):
         return self.start.a, self.end.a
 
     def as_pieces(self) -> tuple[Piece, ...]:
-        """Return one piece."""
+        """Return a piece."""
         return (Piece(1.0, self.polynomial),)
 
 

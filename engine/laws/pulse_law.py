@@ -64,7 +64,7 @@ def polynomial_pulse(*c: float) -> Pulse:
 
 
 _HALF_SINE = (Piece(1.0, amplitude=1.0, omega=math.pi),)
-HALF_SINE = Pulse(_HALF_SINE, _HALF_SINE)  # sin πx in one piece. Source: S3, 'CIC'
+HALF_SINE = Pulse(_HALF_SINE, _HALF_SINE)  # sin πx in a piece. Source: S3, 'CIC'
 FALLING_SINE = edged(0.0, 0.0, 1.0)
 CONSTANT = polynomial_pulse(1.0)
 LINE_DOWN = polynomial_pulse(1.0, -1.0)  # the half of a cubic

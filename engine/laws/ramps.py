@@ -19,7 +19,7 @@ from engine.laws.pulse_law import (
 
 @dataclass(frozen=True)
 class RampedLaw(PulseLaw):
-    """A law of one pulse at either end. Raises ValueError unless 0 < rise_end ≤ fall_start < 1."""
+    """A law of a pulse at either end. Raises ValueError unless 0 < rise_end ≤ fall_start < 1."""
 
     HALF: ClassVar[Pulse]
 

@@ -1,4 +1,4 @@
-"""Laws without pulses (DWL, LIN), of one pulse and its mirror image (ACS, CIC, SHM), and of two sines (DHM)."""
+"""Laws without pulses (DWL, LIN), of a pulse and its mirror image (ACS, CIC, SHM), and of two sines (DHM)."""
 
 import math
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ class Dwell(Law):
     source = "S3, function motionlaw, 'Dwell'"
 
     def as_pieces(self) -> tuple[Piece, ...]:
-        """Return one piece without acceleration."""
+        """Return a piece without acceleration."""
         return (Piece(1.0),)
 
 
@@ -35,7 +35,7 @@ class StraightLine(Law):
     vendors = Vendors(siemens="CONST_VELO (3)", twincat="POLYNOM1 (1)", codesys="Line", sew="LINEAR")
 
     def as_pieces(self) -> tuple[Piece, ...]:
-        """Return one piece without acceleration."""
+        """Return a piece without acceleration."""
         return (Piece(1.0),)
 
     @property
@@ -127,7 +127,7 @@ class DoubleHarmonic(Law):
             raise ValueError(f"reversal is {self.reversal!r}; expected 'start' or 'end'")
 
     def as_pieces(self) -> tuple[Piece, ...]:
-        """Return one piece of two sines."""
+        """Return a piece of two sines."""
         return (FROM_REST,) if self.reversal == "end" else reversed_pieces((FROM_REST,))
 
     def monotone_pieces(self) -> tuple[Piece, ...]:

@@ -103,7 +103,7 @@ class Spline(BoundaryLaw):
         return float(self.table[2, 0])
 
     def as_pieces(self) -> tuple[Piece, ...]:
-        """Return one cubic for each interval."""
+        """Return a cubic for each interval."""
         d = np.diff(self.knots[0])
         return tuple(
             Piece(float(t), (float(a), float(j), 0.0, 0.0)) for t, a, j in zip(d, *self.table[3:], strict=True)

@@ -16,7 +16,7 @@ from engine.motion.pieces import MotionPiece, motion_pieces
 
 
 class Rates(NamedTuple):
-    """Derivatives by the abscissa at one place of a motion, in its units."""
+    """Derivatives by the abscissa at a place of a motion, in its units."""
 
     v: float = 0.0  # y'
     a: float = 0.0  # y''
@@ -49,7 +49,7 @@ class Fault(NamedTuple):
 
 
 class EndCondition(NamedTuple):
-    """The condition at one end of a phase."""
+    """The condition at an end of a phase."""
 
     required: Rates
     settled: bool  # whether a neighbour or an entry determines the rates

@@ -17,7 +17,7 @@ ZERO_TOLERANCE = 1e-9  # of the largest lift: a smaller jump is none
 
 
 class Motion:
-    """Phases one after the other: y = y_k + h s(ξ), y' = h v(ξ)/δ, y'' = h a(ξ)/δ², ξ = (x − x_k)/δ.
+    """Phases in succession: y = y_k + h s(ξ), y' = h v(ξ)/δ, y'' = h a(ξ)/δ², ξ = (x − x_k)/δ.
 
     Each phase begins at the sum of the lifts before it. (S3's listing lacks this sum, so a dwell after a rise would be
     at 0.) The motion is right-continuous at the edges; at the last edge it has the left limit.

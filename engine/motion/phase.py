@@ -9,7 +9,7 @@ from engine.laws.base import Kinematics, Real, require_finite
 
 
 class MotionValues(NamedTuple, Generic[Real]):
-    """Position and its derivatives by the abscissa, in the units of the motion; floats, or arrays of one shape."""
+    """Position and its derivatives by the abscissa, in the units of the motion; floats, or arrays of equal shape."""
 
     y: Real  # position
     y1: Real  # geometric velocity y'
@@ -18,7 +18,7 @@ class MotionValues(NamedTuple, Generic[Real]):
 
 
 class TimeValues(NamedTuple, Generic[Real]):
-    """Position and its derivatives by time, in the motion's unit of y and s; floats, or arrays of one shape."""
+    """Position and its derivatives by time, in the motion's unit of y and s; floats, or arrays of equal shape."""
 
     y: Real  # position
     v: Real  # velocity ẏ

@@ -105,7 +105,7 @@ def motion_pieces(motion: Motion, whole: bool = False) -> list[MotionPiece]:
 
 
 class Located(NamedTuple):
-    """Places of samples in a table of pieces, arrays of one shape."""
+    """Places of samples in a table of pieces, arrays of equal shape."""
 
     piece: NDArray[np.intp]  # number of the piece, from 0
     u: Array  # abscissa from its origin

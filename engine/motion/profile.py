@@ -1,4 +1,4 @@
-"""A motion as a cam profile: its pieces in one array."""
+"""A motion as a cam profile: its pieces in an array."""
 
 import math
 from collections.abc import Sequence

@@ -41,13 +41,13 @@ class Shifted:
         return self._at(self._unshifted(np.asarray(x, dtype=np.float64)))
 
     def unshifted(self, x: Array) -> Unshifted:
-        """Return the places in the unshifted motion at x of one cycle; its end has the left limit."""
+        """Return the places in the unshifted motion at x of a cycle; its end has the left limit."""
         begin, end = self.motion.edges[[0, -1]]
         cycles, _ = self._unshifted(np.minimum(x, end - 2.0 * self.motion.tolerance))
         return Unshifted(cycles, np.clip(x - self.shift - cycles * self.motion.total, begin, end))
 
     def over_cycle(self, x: Array) -> MotionValues[Array]:
-        """Return y, y', y'', y''' at x of one cycle; its end has the left limit."""
+        """Return y, y', y'', y''' at x of a cycle; its end has the left limit."""
         return self._at(self.unshifted(x))
 
     def _at(self, at: Unshifted) -> MotionValues[Array]:
@@ -90,7 +90,7 @@ class Gap(NamedTuple):
 def least_gap(axes: Sequence[tuple[float, Shifted]], offset: float) -> Gap:
     """Return the least of ``offset`` + Σ factor · y over a cycle; it is exact, at a break or where the slope is 0.
 
-    ``axes`` are factors and motions over one cycle. Raises ValueError for no axes, or for different cycles.
+    ``axes`` are factors and motions over a cycle. Raises ValueError for no axes, or for different cycles.
     """
     if not axes:
         raise ValueError("no axes are given; expected at least one")
@@ -109,7 +109,7 @@ class GapLine(NamedTuple):
 
 
 def least_gap_by_lines(first: Shifted, second: tuple[float, Shifted], lines: Sequence[GapLine]) -> float:
-    """Return the least gap of two axes over a cycle that depends on the first one by straight lines; it is exact.
+    """Return the least gap of two axes over a cycle that depends on the first by straight lines; it is exact.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ def least_gap_by_lines(first: Shifted, second: tuple[float, Shifted], lines: Seq
     second : (float, Shifted)
         The factor and the motion of the second axis, over the same cycle.
     lines : sequence of GapLine
-        In rising order; the first and the last one go on beyond their ends.
+        In rising order; the first and the last go on beyond their ends.
 
     Returns
     -------
@@ -165,7 +165,7 @@ def place_in_cycle(angle: float, cycle: float, near: float) -> float:
     Parameters
     ----------
     angle, cycle : float
-        In one unit.
+        In the same unit.
     near : float
         So near the end of the cycle it counts as 0.
 

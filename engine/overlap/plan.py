@@ -1,4 +1,4 @@
-"""Schedules of transfer and tool: one after the other, and overlapping as far as the passage allows."""
+"""Schedules of transfer and tool: in succession, and overlapping as far as the passage allows."""
 
 import math
 from dataclasses import dataclass, replace
@@ -25,7 +25,7 @@ class FreeAngles(NamedTuple):
 
 
 class MarginSweep(NamedTuple):
-    """The overlapping schedule against the margin, arrays of one shape."""
+    """The overlapping schedule against the margin, arrays of equal shape."""
 
     margin: Array  # m
     angle_in: Array  # rad
@@ -41,8 +41,8 @@ COLLISION_TOLERANCE = HEIGHT
 class CriticalAngles(NamedTuple):
     """Angles of the least free travel: transfer into and out of the way, tool off, arrived, leaving and back."""
 
-    raw: Array  # rad, not reduced to one turn
-    angle: Array  # rad, within one turn
+    raw: Array  # rad, not reduced to a turn
+    angle: Array  # rad, within a turn
     inside: NDArray[np.bool_]  # whether the transfer is in the way
     free: Array  # free travel (m); the clearance if the transfer is not in the way
 

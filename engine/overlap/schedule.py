@@ -1,4 +1,4 @@
-"""A transfer that brings the work, a tool, and the motions of both over one turn of the master shaft."""
+"""A transfer that brings the work, a tool, and the motions of both over a turn of the master shaft."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -102,7 +102,7 @@ class Passage:
 
 @dataclass(eq=False)
 class Schedule:
-    """Both motions over one turn of the master shaft (rad)."""
+    """Both motions over a turn of the master shaft (rad)."""
 
     transfer: Transfer
     tool: Tool
@@ -114,7 +114,7 @@ class Schedule:
     def __post_init__(self) -> None:
         h, dwell, out, into = self.tool.stroke, self.tool.dwell, self.angle_out, self.angle_in
         leaves = self.arrival + dwell
-        # angles at which the tool sets off, arrives, leaves and is back; not reduced to one turn
+        # angles at which the tool sets off, arrives, leaves and is back; not reduced to a turn
         self.edges = self.arrival - into, self.arrival, leaves, leaves + out
         stays, rests = (angle if angle > ANGLE_TOLERANCE else 0.0 for angle in (dwell, FULL_TURN - dwell - into - out))
         # from the tool's arrival (m, rad); a dwell or rest shorter than the tolerance counts as 0
@@ -127,11 +127,11 @@ class Schedule:
 
     @cached_property
     def motion(self) -> Motion:
-        """The tool over one turn from its arrival, so that no movement runs over the end of the cycle."""
+        """The tool over a turn from its arrival, so that no movement runs over the end of the cycle."""
         return whole_turn(self.parts, self.tool.stroke)
 
     def since(self, angle: ArrayLike) -> Array:
-        """Return the angles (rad) since the tool's arrival, within one turn, at angles of the master shaft (rad)."""
+        """Return the angles (rad) since the tool's arrival, within a turn, at angles of the master shaft (rad)."""
         return within_turn(np.asarray(angle, dtype=np.float64) - self.arrival)
 
     def travel(self, angle: ArrayLike) -> Array:
@@ -179,7 +179,7 @@ def size_of_parts(parts: Sequence[ScaledLaw]) -> Callable[[int], float]:
 
 
 def within_turn(angle: Array) -> Array:
-    """Return angles (rad) reduced to one turn; one just below a full turn counts as 0."""
+    """Return angles (rad) reduced to a turn; one just below a full turn counts as 0."""
     return angle - FULL_TURN * np.floor(angle / FULL_TURN + BREAK_TOLERANCE)
 
 

@@ -81,7 +81,7 @@ class Reducers:
 def _columns(
     catalogue: Motors | Reducers, positive: tuple[str, ...], other: tuple[str, ...], known: tuple[str, ...]
 ) -> None:
-    """Turn columns into arrays of one value for each name; raise ValueError for wrong values. ``known`` may be NaN."""
+    """Turn columns into arrays of a value for each name; raise ValueError for wrong values. ``known`` may be NaN."""
     catalogue.names = tuple(catalogue.names)
     count = len(catalogue.names)
     for column in (*positive, *other, *known):

@@ -20,7 +20,7 @@ from engine.drive.quadrature import LoadPoints
 from engine.drive.results import Energy
 from engine.laws.base import Array
 
-AT_ONCE = 1 << 18  # values of one array, at most
+AT_ONCE = 1 << 18  # values of an array, at most
 
 
 class PairArrays(NamedTuple):
@@ -39,7 +39,7 @@ class PairArrays(NamedTuple):
 
 
 class ShaftPoints(NamedTuple):
-    """The reducer's output at the points of a cycle, arrays of one length."""
+    """The reducer's output at the points of a cycle, arrays of equal length."""
 
     acceleration: Array  # α (rad/s²)
     driving: Array  # S (Nm) where the motor drives, else 0
@@ -153,7 +153,7 @@ class Extremes(NamedTuple):
 
 @dataclass(frozen=True)
 class DriveBatch:
-    """Many motors with their reducers on one load."""
+    """Many motors with their reducers on the same load."""
 
     load: PointLoad
     gears: PairArrays

@@ -153,7 +153,7 @@ class Ranges(NamedTuple):
 
 
 class RatioCurves(NamedTuple):
-    """The range of τ of one motor against the load factor, figure 12 of S5: arrays over the points of the curves."""
+    """The range of τ of a motor against the load factor, figure 12 of S5: arrays over the points of the curves."""
 
     share: Array  # β/(η α), rising to 1
     load_factor: Array  # β (Nm rad/s²)

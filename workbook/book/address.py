@@ -58,7 +58,7 @@ class Place(NamedTuple):
         return [Address(self.sheet, self.row + offset, column) for offset in offsets]
 
     def part(self, j: int) -> Self:
-        """Return the place of one column; column 0 if it is gone."""
+        """Return the place of a column; column 0 if it is gone."""
         return self._replace(column=self.cell(0, j).column, columns=1, columns_at=())
 
     @property

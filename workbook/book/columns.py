@@ -56,7 +56,7 @@ class Moved(NamedTuple):
 
 
 class Formulas:
-    """Takes formulas of one sheet apart; ``area`` resolves a name, or a sheet's title.
+    """Takes formulas of a sheet apart; ``area`` resolves a name, or a sheet's title.
 
     A formula met before differs in its rows only where every number left open is the whole row of a reference.
     """
@@ -98,7 +98,7 @@ def pattern_of(open_text: str, formula: Formula, row: int) -> Pattern | None:
             top, bottom = offsets if match and match[2] else (offsets[0], offsets[0])
             rows = [int(digits) for digits in re.findall(r"[A-Za-z]\$?([0-9]+)(?=:|$)", word)]
             if match and match[2] and rows != [argument.top, argument.bottom]:
-                return None  # written from the lower corner to the upper one
+                return None  # written from the lower corner to the upper
             arguments.append(Moving(argument, top, bottom))
         else:
             arguments.append(argument)

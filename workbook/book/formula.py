@@ -18,7 +18,7 @@ from workbook.book.address import Address, Place
 LONGEST = 8_192  # characters of a formula; Excel's limit
 WHOLE = 1e15  # numbers below are exact, and written without a point where they are whole
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
-MOST_CELLS = 200_000  # of one range: what is larger is refused
+MOST_CELLS = 200_000  # of a range: what is larger is refused
 
 _SHEET = r"(?:'(?:[^']|'')++'|[\w.]++)!"
 _CELL = r"\$?[A-Za-z]{1,3}\$?[0-9]{1,7}"

@@ -21,7 +21,7 @@ def spread(values: Iterable[Any], places: Iterable[int], rows: int, spare: Any =
 
 
 def as_rows(value: Any, size: int, where: str) -> list[Any]:
-    """Return one value for each row, in Python's own types: a sequence as it is, a single value repeated."""
+    """Return a value for each row, in Python's own types: a sequence as it is, a single value repeated."""
     value = value.tolist() if hasattr(value, "tolist") else value
     if isinstance(value, str) or not hasattr(value, "__len__"):
         return filled([], size, value)

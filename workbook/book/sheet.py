@@ -37,7 +37,7 @@ FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
 
 @dataclass
 class Sheet:
-    """A sheet as it is laid out: each call places the next thing below the last one."""
+    """A sheet as it is laid out: each call places the next thing below the last."""
 
     book: Book
     title: str
@@ -94,7 +94,7 @@ class Sheet:
         self.row += 1
 
     def rows(self, *quantities: Quantity) -> None:
-        """Place quantities one below the other; beside inputs with limits what is expected, below all a check."""
+        """Place quantities in a column; beside inputs with limits what is expected, below all a check."""
         own = self._own(quantities)
         watched = self._limited(own)
         messages = {q.name: limits.message_beside(q, limit) for q, limit in watched}
@@ -209,7 +209,7 @@ class Sheet:
         block.workings = block.workings or workings
 
     def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
-        """Place a table of one column beside one without equations: as many as a size says, each with its name."""
+        """Place a table of a single column beside one without equations: as many as a size says, each with its name."""
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
         self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
         self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))

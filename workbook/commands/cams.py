@@ -115,7 +115,7 @@ def compare(
 
 
 def read_tracks(file: Path, target: Target) -> list[Track]:
-    """Return the switches of a controller's file; raise ReadError, in one line, where it is none."""
+    """Return the switches of a controller's file; raise ReadError, in a line, where it is none."""
     tappets = switch_format(target)
     try:
         return tappets.read(text_of(file, target))

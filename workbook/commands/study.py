@@ -95,7 +95,7 @@ def run_study(
     text = json.dumps({"digest": plan.digest} | asdict(summary), ensure_ascii=False, indent=1)
     write_text(others[0], f"{text}\n", over)
     judged = None
-    if summary.best and not unverified:  # the best one's book, where nobody looks
+    if summary.best and not unverified:  # the best's book, where nobody looks
         with TemporaryDirectory() as folder, ERR.status("Verifying the best …"):
             judged = build_design(plan, summary.best[0], Path(folder) / "best.xlsx", False)
     write_text(others[1], page.page(plan, summary, named, judged, datetime.now().astimezone()), over)

@@ -25,7 +25,7 @@ COARSE = 100
 DRAWN = 12
 IDLE = 3  # tries that were not: no more are made
 MOST_TRIED, MOST_EQUAL = 4000, 2000
-WORK = 80_000  # points times rules that are certified for one axis: a second or so
+WORK = 80_000  # points times rules that are certified for an axis: a second or so
 ORDERS = ("y", "v", "a", "j")  # position, velocity, acceleration and jerk, as tolerances name them
 DIGITS = 13  # of the cycle: so many digits of x are kept, which the breaks of a motion have
 ROUNDED = 1e-14  # of the largest of a column: what is smaller is none
@@ -45,7 +45,7 @@ class CertifiedTable(NamedTuple):
         return len(self.table.x)
 
     def share(self, order: str) -> float:
-        """Return the largest deviation of one order by any of the rules, as a share of the motion's peak."""
+        """Return the largest deviation of an order by any of the rules, as a share of the motion's peak."""
         k = ORDERS.index(order)
         return max(certificate.deviations[k].share for certificate in self.certificates.values())
 
@@ -205,7 +205,7 @@ def search_table(tries: Tries, tolerance: Mapping[str, float]) -> CertifiedTable
     best: CertifiedTable | None = None
     before, idle = 0, 0
     for certified in candidates(tries, tolerance):
-        if certified.excess(tolerance) <= 1.0:  # between it and the one before, to a hundredth of the points
+        if certified.excess(tolerance) <= 1.0:  # between it and that before, to a hundredth of the points
             low, high = max(before, fewest_points(target, tries.axis.profile) - 1), certified.points
             while high - low > max(1, high // COARSE) and not target.counts and (middle := tries.of((low + high) // 2)):
                 if middle.excess(tolerance) <= 1.0:

@@ -206,7 +206,7 @@ def differences(given: Sequence[CamSwitch], listed: Sequence[Track]) -> list[Swi
 
 
 def read_table(path: Path, target: Target) -> Table:
-    """Return the table of a target's file; raise ReadError, in one line, where it is none."""
+    """Return the table of a target's file; raise ReadError, in a line, where it is none."""
     try:
         return parse_table(text_of(path, target), target)
     except TargetError as error:

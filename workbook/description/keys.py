@@ -214,7 +214,7 @@ def doc_line(model: type[BaseModel] | None) -> str:
 
 
 def toml(value: Any) -> str:
-    """Return a value as a description has it, a row of a table in one line."""
+    """Return a value as a description has it, a row of a table in a line."""
     if isinstance(value, BaseModel):
         value = value.model_dump(exclude_none=True)
     if isinstance(value, dict):

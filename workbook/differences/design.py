@@ -175,7 +175,7 @@ class Differences:
 
 
 def compare(old: Design, new: Design) -> Differences:
-    """Return what differs between two designs of one template."""
+    """Return what differs between two designs of the same template."""
     return Differences(
         changes(old.entries(), new.entries()), changes(old.results(), new.results()),
         changes(old.checks(), new.checks()), one_sided(old.edited, new.edited), one_sided(old.own, new.own),
@@ -188,7 +188,7 @@ def one_sided(old: list[str], new: list[str]) -> dict[str, list[str]]:
 
 
 def changes(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[Change]:
-    """Return the figures that differ, in the order of the new book; what only the old one has comes last."""
+    """Return the figures that differ, in the order of the new book; what only the old has comes last."""
     listed = []
     for key in [*after, *(key for key in before if key not in after)]:
         was, now = before.get(key), after.get(key)

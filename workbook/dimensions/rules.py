@@ -88,7 +88,7 @@ class FormulaChecker:
         return Term(NONE)
 
     def like(self, what: str, parts: Iterable[Term]) -> Term:
-        """Return the term of what has one dimension in all its parts."""
+        """Return the term of what has the same dimension in all its parts."""
         every = list(parts)
         each = (part.several if part.dimension is None else (part.dimension,) for part in every)
         known = dict.fromkeys(chain.from_iterable(each))

@@ -58,7 +58,7 @@ def is_either(unit: str) -> bool:
 
 @cache
 def parse_word(word: str) -> Any:
-    """Return one unit as pint's quantity in base units; None where pint knows none of that name."""
+    """Return a unit as pint's quantity in base units; None where pint knows none of that name."""
     for name in (word, word.lower()) if len(word) > 2 else (word,):
         try:
             return registry().Quantity(WORDS.get(name, f"1 {name}")).to_base_units()

@@ -38,7 +38,7 @@ class RotatingParts(Model):
     teeth_driven: Positive | None = None
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield a part of no known inertia, or of two; a bore as large as the cylinder; teeth of one gear alone."""
+        """Yield a part of no known inertia, or of two; a bore as large as the cylinder; teeth of a gear alone."""
         size = {"diameter": self.diameter, "length": self.length, "density": self.density}
         missing = [name for name, value in size.items() if value is None]
         if self.inertia is None and missing:

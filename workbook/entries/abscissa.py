@@ -1,4 +1,4 @@
-"""What a cycle is over (a shaft's degrees, time, an angle, a travel), and how that becomes degrees of one turn."""
+"""What a cycle is over (a shaft's degrees, time, an angle, a travel), and how that becomes degrees of a turn."""
 
 from dataclasses import dataclass, replace
 from math import tau
@@ -73,7 +73,7 @@ class Abscissa:
         return f":{name}{row}" if self.measured else f"{table}.{row - 1}:{name}"
 
     def degrees(self, x: Real) -> Real:
-        """Return a place of the cycle, as entered, in degrees of one turn."""
+        """Return a place of the cycle, as entered, in degrees of a turn."""
         return x / self.length * TURN if self.measured else x
 
     def shown(self, x: Real) -> Real:

@@ -92,7 +92,7 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
 
 
 def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
-    """Return one line for a fault of a rule or of pydantic's: where, what was found, what is expected."""
+    """Return a line for a fault of a rule or of pydantic's: where, what was found, what is expected."""
     if isinstance(fault, Fault):
         return f"{where(fault.key)}: {fault.message}"
     key, rule = keys_of(model, fault["loc"])

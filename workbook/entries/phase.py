@@ -1,4 +1,4 @@
-"""Phases as they are entered wherever they follow one another; those of an axis over one turn of the master shaft."""
+"""Phases as they are entered wherever they follow one another; those of an axis over a turn of the master shaft."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise

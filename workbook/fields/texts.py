@@ -1,4 +1,4 @@
-"""Texts as entered: in one line that every program shows, names that every program finds again by MATCH, titles."""
+"""Texts as entered: in a line that every program shows, names that every program finds again by MATCH, titles."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -65,7 +65,7 @@ def nearest_names(name: str, names: Sequence[str]) -> list[str]:
 
 
 def lookup_key(name: str) -> str:
-    """Return one text for all names that some program could take for one: by case, dots of an i, width, ß and ss."""
+    """Return a text for all names that some program could take for one: by case, dots of an i, width, ß and ss."""
     return normalize("NFKC", normalize("NFKC", name).upper().casefold()).replace("\u0307", "")
 
 

@@ -25,7 +25,7 @@ from workbook.laws.registry import FAMILY
 
 LAW_STEPS, MOTION_STEPS = 100, 120
 EMPTY_PIECES, EMPTY_PHASES = 2, 2
-WIDTH = 8  # parameters of a phase's law, at most: an own law of one piece
+WIDTH = 8  # parameters of a phase's law, at most: an own law of a piece
 VIA = "VIA"
 if TYPE_CHECKING:
     LawCode = str
@@ -199,7 +199,7 @@ MOTION_CURVES = [(f"{word.capitalize()} of the motion", "x", name, "x", symbol) 
 
 
 def curve(title: str, x: str, y: str, x_axis: str, y_axis: str, table: str) -> Chart:
-    """Return the chart of one column of a sampled table."""
+    """Return the chart of a column of a sampled table."""
     line = Series(title, f"[{table}.{x}]", f"[{table}.{y}]")
     span = (0.0, 1.0, 0.2) if table == "law" else None
     return Chart(title, x_axis, y_axis, (line,), f"{title} over {x_axis}, sampled in the table below", span)

@@ -46,7 +46,7 @@ def write_book(path: Path, shown: PageInputs = EXAMPLE) -> None:
 
 
 def write_text(path: Path) -> None:
-    """Write the definitions to paste elsewhere: a name, what it is for, and its formula in one line."""
+    """Write the definitions to paste elsewhere: a name, what it is for, and its formula in a line."""
     entries = (f"{term.name}\n{term.note}\n={' '.join(term.formula.split())}\n" for term in definitions())
     path.write_bytes("\n".join([HEAD, *entries]).encode())  # the same line ends on every system
 

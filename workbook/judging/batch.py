@@ -36,7 +36,7 @@ class Target(NamedTuple):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of one workbook: a report, or the reason why there is none."""
+    """What became of a workbook: a report, or the reason why there is none."""
 
     path: Path
     verdict: Verdict
@@ -63,7 +63,7 @@ def foreign(path: Path) -> bool:
 
 
 def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
-    """Verify one workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
+    """Verify a workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
     try:
         kind = "" if target.named else irregular_kind(path) or (foreign(path) and "holds no machine of motionbook")

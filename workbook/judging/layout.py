@@ -24,7 +24,7 @@ SPARE = "no row between the table's own: delete it, and enter what it should hol
 def match_layout(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[Match, Machine]:
     """Match the file with its declaration; return also the machine by whose sizes most tables are as declared.
 
-    Where a row is gone from one of several tables of one size, the others tell what that was.
+    Where a row is gone from one of several tables of the same size, the others tell what that was.
     """
     best, given = Match(file, template.declare(machine)), machine
     for size, more in product(template.sizes, NEAR):

@@ -1,4 +1,4 @@
-"""What ``verify`` found in one workbook: findings, notices, counts, and the book's own verdict."""
+"""What ``verify`` found in a workbook: findings, notices, counts, and the book's own verdict."""
 
 import math
 from dataclasses import dataclass, field, replace
@@ -80,14 +80,14 @@ class Check:
 
     @property
     def line(self) -> str:
-        """The check in one line."""
+        """The check in a line."""
         message = f": {self.says}" if self.says else ""
         return f"{self.sheet}!{self.cell} ({self.what}): {self.found}{message}"
 
 
 @dataclass
 class Report:
-    """What ``verify`` found in one workbook; ``declared`` counts the formula cells that it should have."""
+    """What ``verify`` found in a workbook; ``declared`` counts the formula cells that it should have."""
 
     path: Path
     template: str

@@ -33,7 +33,7 @@ from workbook.witnesses.witness import CellWitness, Witness, evaluation_copy, na
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
-    """Verify one workbook by the witnesses of these names, or by ``all`` that are on this machine.
+    """Verify a workbook by the witnesses of these names, or by ``all`` that are on this machine.
 
     Raises ReadError or InputError for a book that cannot be read or a witness that is unknown, WitnessError for one
     that is asked by name and is not on this machine.

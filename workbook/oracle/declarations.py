@@ -134,7 +134,7 @@ SMALLEST = 1e-12  # by which two numbers that are the same may deviate
 
 
 def close(value: Any, expected: Any, allowed: float) -> bool:
-    """Whether a value deviates from the expected one by no more than is allowed; a text must be the same."""
+    """Whether a value deviates from the expected by no more than is allowed; a text must be the same."""
     if is_number(value) and is_number(expected):
         return math.isfinite(value) and abs(value - expected) <= allowed + SMALLEST
     return type(value) is type(expected) and bool(value == expected)

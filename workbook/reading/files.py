@@ -1,4 +1,4 @@
-"""Workbook files as people leave them: opened, or refused in one line; blocks found by their defined names."""
+"""Workbook files as people leave them: opened, or refused in a line; blocks found by their defined names."""
 
 import io
 import warnings
@@ -27,7 +27,7 @@ from workbook.reading.rows import LAST_COLUMN, LAST_ROW, SAVE_AS
 from workbook.text_files import require_file
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
-MOST_CELLS = 200_000  # of the place of one name
+MOST_CELLS = 200_000  # of the place of a name
 BUILT = datetime(2020, 1, 1)
 
 
@@ -92,7 +92,7 @@ class BookFile:
 
 
 def open_book(path: Path) -> BookFile:
-    """Open a workbook, or raise ReadError in one line."""
+    """Open a workbook, or raise ReadError in a line."""
     require_file(path, "a workbook")
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
@@ -126,7 +126,7 @@ def load_workbook(path: Path, inspected: Inspected) -> Workbook:
 
 
 def innermost_cause(error: BaseException) -> str:
-    """Return the innermost cause of an error in one short line."""
+    """Return the innermost cause of an error in a short line."""
     while error.__cause__ is not None:
         error = error.__cause__
     message = " ".join(str(error).split())
@@ -168,7 +168,7 @@ MOST_COLUMNS = 50_000_000  # columns that all formulas of a file read together, 
 
 
 def require_narrow(file: BookFile) -> None:
-    """Raise ReadError, in one line, where it would be much work to tell what the formulas of a file depend on."""
+    """Raise ReadError, in a line, where it would be much work to tell what the formulas of a file depend on."""
     read = sum(len(area.columns) * times for area, times in areas_read(file.contents.patterns))
     if read > MOST_COLUMNS:
         raise ReadError(f"{file.path}: its formulas read {read:,} columns together; at most {MOST_COLUMNS:,} are "

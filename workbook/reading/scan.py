@@ -22,12 +22,12 @@ from workbook.reading.rows import (
     text_of,
 )
 
-MOST_IN_TAG = 100_000  # characters of all attributes of one element
+MOST_IN_TAG = 100_000  # characters of all attributes of an element
 MOST_DEPTH = 100
 CHUNK = 65_536  # bytes that are parsed before what they make is looked at
 DATA, ROW, CELL = f"{MAIN}sheetData", f"{MAIN}row", f"{MAIN}c"
 PLACES = {DATA: [f"{MAIN}worksheet"], ROW: [f"{MAIN}worksheet", DATA], CELL: [f"{MAIN}worksheet", DATA, ROW]}
-"""the elements of a worksheet that stand in one place only, and what they stand in"""
+"""the elements of a worksheet that stand in a single place only, and what they stand in"""
 FILLED = frozenset({"mergeCell", "hyperlink", "comment"})  # openpyxl visits every cell of their ranges
 # openpyxl parses a part anew for each reference to it, and pivot caches anew for each sheet
 REFERRING = frozenset({"sheet", "chart", "tablePart"})
@@ -58,7 +58,7 @@ def refuse_doctype(data: bytes, part: str) -> None:
 
 
 class Scan:
-    """One pass over one part: its ``root``, and the ``rows`` of a worksheet, whose root is without them."""
+    """One pass over a part: its ``root``, and the ``rows`` of a worksheet, whose root is without them."""
 
     def __init__(self, name: str, count: Totals) -> None:
         self.part, self.name, self.count = name, short(name), count

@@ -24,8 +24,8 @@ def data(differences: Differences) -> dict[str, Any]:
 
 
 def row(change: Change) -> list[str]:
-    """Return the cells of a table for one difference."""
-    apart = "" if change.difference is None else f"{change.difference:+.6g}"  # of numbers of which the old one is 0
+    """Return the cells of a table for a difference."""
+    apart = "" if change.difference is None else f"{change.difference:+.6g}"  # of numbers of which the old is 0
     apart = apart if change.per_cent is None else f"{change.per_cent:+.2f} %"
     note = change.says or ("worse" if change.worse else "")
     return [change.place, change.label, figure(change.old), figure(change.new), change.unit, apart, note]

@@ -167,7 +167,7 @@ def cases(outcome: Outcome) -> list[Case]:
 
 
 def line(finding: Finding) -> str:
-    """Return a finding in one line."""
+    """Return a finding in a line."""
     what = f" ({finding.what})" if finding.what else ""
     by = f" [{finding.witness}]" if finding.witness else ""
     value, expected = found_words(finding), figure(finding.expected, 15)

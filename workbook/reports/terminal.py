@@ -21,7 +21,7 @@ ERR = Console(stderr=True)
 
 
 def shown(text: str, style: str = "") -> Text:
-    """Return a text as rich takes it: in one line, in no markup, no emoji, no colours of its own."""
+    """Return a text as rich takes it: in a line, in no markup, no emoji, no colours of its own."""
     return Text(visible(text), style)
 
 

@@ -140,7 +140,7 @@ def same_value(value: Any, other: Any, zero: float = ZERO) -> bool:
 
 
 def needs_intersection(formula: str) -> bool:
-    """Whether a range stands for one cell of it (support.microsoft.com, "Implicit intersection operator: @")."""
+    """Whether a range stands for a single cell of it (support.microsoft.com, "Implicit intersection operator: @")."""
     parts = list(words(formula.removeprefix("=")))
     begun: list[str] = []
     for k, (kind, word) in enumerate(parts):

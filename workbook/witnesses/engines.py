@@ -56,7 +56,7 @@ class Formualizer(Witness):
         return cached_values(filled, file)
 
     def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
-        """Yield each set of values with what the formula cells compute at it, in one book that stays open."""
+        """Yield each set of values with what the formula cells compute at it, in a book that stays open."""
         import formualizer
 
         with evaluation_copy(file, bare=True) as copy:

@@ -166,7 +166,7 @@ class Strings:
 
 
 class Cells:
-    """The cells of one sheet, put in any order; a formula that holds ``dynamic`` is marked as a dynamic array."""
+    """The cells of a sheet, put in any order; a formula that holds ``dynamic`` is marked as a dynamic array."""
 
     def __init__(self, strings: Strings, dynamic: str = "") -> None:
         self._strings, self._dynamic = strings, dynamic

@@ -73,7 +73,7 @@ def str_ref(name: str, book: Book) -> StrRef:
 
 
 def line(series: Series, book: Book, ink: str) -> XYSeries:
-    """Return one line between the points, never a spline, which would bend a step backwards."""
+    """Return a line between the points, never a spline, which would bend a step backwards."""
     x, y = (NumRef(f=book.range(column)) for column in (series.x, series.y))
     stroke = LineProperties(solidFill=ink, w=WIDTH, prstDash="dash" if series.dashed else None)
     marker = Marker("none")

@@ -1,6 +1,6 @@
 """How wide columns are, how high wrapped texts, and after which rows a printed page ends.
 
-A text runs over empty cells beside it, as spreadsheet programs show it; where it meets the next one its column grows.
+A text runs over empty cells beside it, as spreadsheet programs show it; where it meets the next its column grows.
 A page ends between tables, charts and sections, not within them.
 """
 

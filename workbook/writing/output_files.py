@@ -29,7 +29,7 @@ def refuse_existing(path: Path, overwrite: bool) -> None:
 
 
 def refuse_same_file(*paths: Path | None) -> None:
-    """Raise WriteError where two files would be written to one place: the second would take the first's."""
+    """Raise WriteError where two files would be written to the same place: the second would take the first's."""
     seen: set[str] = set()
     for path in filter(None, paths):
         place = os.path.realpath(path)
@@ -89,7 +89,7 @@ def write_text(path: Path, text: str, overwrite: bool = False) -> None:
 
 
 def claim_name(draft: Path, target: Path) -> None:
-    """Give a draft its name unless that is taken, in one step; raise FileExistsError where it is."""
+    """Give a draft its name unless that is taken, in a single step; raise FileExistsError where it is."""
     try:
         os.link(draft, target)
     except FileExistsError:

@@ -1,4 +1,4 @@
-"""How cells look: cell styles of our own, by name, so that a reader can restyle each kind in one place.
+"""How cells look: cell styles of our own, by name, so that a reader can restyle each kind in a single place.
 
 Colour says one thing: a fill and blue figures are an entry's alone, a verdict is a word on a pale field, else is ink.
 """
@@ -84,7 +84,7 @@ class Aligned(NamedTuple):
 
 
 class Styles:
-    """Cell styles of one workbook, each made once on a scratch cell, by their numbers in the file."""
+    """Cell styles of a workbook, each made once on a scratch cell, by their numbers in the file."""
 
     def __init__(self, workbook: Workbook) -> None:
         self._workbook, self._scratch = workbook, workbook.create_sheet("scratch")

@@ -84,7 +84,7 @@ def parts(book: Book, model: type[BaseModel], names: Iterable[DefinedName] | Non
 
 
 def write_additions(own: Additions, workbook: Workbook, cells: dict[str, Cells], strings: Strings) -> None:
-    """Add to a new workbook, whose cells are ``cells`` by sheet, what an engineer had in the old one."""
+    """Add to a new workbook, whose cells are ``cells`` by sheet, what an engineer had in the old."""
     for sheet in own.sheets:
         cells[sheet.title], new = Cells(strings), workbook.create_sheet(sheet.title)
         for letter, column in sheet.column_dimensions.items():
@@ -158,7 +158,7 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
 def write_block(
     block: Block, page: Worksheet, cells: Cells, styles: style.Styles, model: type[BaseModel], wide: dict[int, float]
 ) -> None:
-    """Write the cells of one block, each column in one style and with its rule, and set the height of wrapped texts."""
+    """Write the cells of a block, each column in its style and with its rule, and set the height of wrapped texts."""
     for q, column in zip(block.quantities, block.columns.values(), strict=True):
         value = sample(q)
         aligned = style.aligned(q, value, block.is_table, column == FIRST)

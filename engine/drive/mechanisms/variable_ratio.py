@@ -18,7 +18,7 @@ NEAR_END = 1e-9
 
 
 class ShaftAngles(NamedTuple):
-    """Angle of the shaft and its derivatives by the load's position y (m or rad), arrays of one shape."""
+    """Angle of the shaft and its derivatives by the load's position y (m or rad), arrays of equal shape."""
 
     angle: Array  # φ (rad)
     first: Array  # φ' (rad/m or 1)

@@ -63,7 +63,7 @@ def read(text: str) -> Table:
 
 
 def only_tag(text: str, *kinds: str) -> tuple[list[Element], Element]:
-    """Return the tags of an XML text, and the one of these types; raise TargetError for none, several, and entities."""
+    """Return the tags of an XML text, and that of these types; raise TargetError for none, several, and entities."""
     if "<!DOCTYPE" in text:
         raise TargetError("it declares a document type or entities, which no engineering tool writes")
     if text.count("<") > MOST:

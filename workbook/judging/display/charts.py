@@ -105,7 +105,7 @@ def compare_charts(match: Match, views: Mapping[str, SheetView], differences: Di
 
 
 def pair_charts(match: Match, sheet: Sheet, held: list[ChartData]) -> Iterator[tuple[Any, ChartData, ChartData | None]]:
-    """Yield each declared chart of a sheet, as a fresh build has it, with the one of the file that is most like it."""
+    """Yield each declared chart of a sheet, as a fresh build has it, with that of the file that is most like it."""
     drawings: list[Any] = [draw(chart, match.declared, *chart_size(*place)) for chart, _, *place in sheet.charts]
     at = Address(sheet.title, 1, 1)
     fresh = [read_chart(drawing._write(), at, match.declared_area) for drawing in drawings]

@@ -1,4 +1,4 @@
-"""Differences between a file and a fresh build of the same inputs, those alike told in one line, and which mislead."""
+"""Differences between a file and a fresh build of the same inputs, those alike told in a line, and which mislead."""
 
 import re
 from collections.abc import Container, Mapping

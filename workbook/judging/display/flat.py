@@ -114,5 +114,5 @@ def is_same(key: str, ours: Any, theirs: Any) -> bool:
 
 
 def in_words(flat: Flat) -> str:
-    """Return attributes in one line."""
+    """Return attributes in a line."""
     return ", ".join(f"{name} {value}" for name, value in sorted(flat.items()) if value)

@@ -119,7 +119,7 @@ class SheetView:
 
 
 def size(given: float | None, usual: float) -> float:
-    """Return a width or height that a file gives, the usual one unless it is from 0 to :data:`MOST`."""
+    """Return a width or height that a file gives, the usual unless it is from 0 to :data:`MOST`."""
     return given if given is not None and 0 <= given <= MOST else usual
 
 

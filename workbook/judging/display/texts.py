@@ -42,7 +42,7 @@ def compare_texts(match: Match, report: Report, differences: Differences) -> lis
         placed = list(place_texts(match, sheet))
         for label in placed:
             first = match.file.places[label.block.name].cell(0, 0)
-            if not first.column or (first.sheet, first.a1) not in misled:  # column 0: the first one is gone
+            if not first.column or (first.sheet, first.a1) not in misled:  # column 0: the first is gone
                 compare_text(match, label, placed, differences)
         compare_unlabelled(match, sheet, differences)
         labels += placed

@@ -19,7 +19,7 @@ LARGEST_ROOT = 1e9
 MOST_WILDCARDS = 3  # in a criterion
 NUMBERS = frozenset((float, int))  # not bool, whose kind counts in comparisons
 NEAR = 1e-14  # relative: numbers farther apart differ in 15 digits
-MOST_CROSSED = 1_000_000  # cells of all arrays that cross a row with a column, in one evaluation
+MOST_CROSSED = 1_000_000  # cells of all arrays that cross a row with a column, in an evaluation
 
 
 class ArrayCells:

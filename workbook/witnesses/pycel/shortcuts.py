@@ -131,7 +131,7 @@ def index(array: Any, row: Any, column: Any = None) -> Any:
 
 
 def of_number(body: Callable[[float], float], over: Callable[[Any], Any], *arguments: Any) -> Any:
-    """Return a function of one number in its domain, or of an array of these."""
+    """Return a function of a number in its domain, or of an array of these."""
     value: Any = arguments[0] if len(arguments) == 1 else None
     if type(value) in NUMBERS:
         with suppress(ValueError, OverflowError):
@@ -143,7 +143,7 @@ def of_number(body: Callable[[float], float], over: Callable[[Any], Any], *argum
 
 
 def of_numbers(body: Callable[[Sequence[float]], float], *arguments: Any) -> Any:
-    """Return a function of any numbers, and of one range that holds nothing else."""
+    """Return a function of any numbers, and of a range that holds nothing else."""
     one_range = len(arguments) == 1 and type(arguments[0]) in RANGES
     rows: Iterable[Any] = plain(arguments[0]) if one_range else (arguments,)
     values = [value for row in rows for value in row]
@@ -151,7 +151,7 @@ def of_numbers(body: Callable[[Sequence[float]], float], *arguments: Any) -> Any
 
 
 def product_sum(*arrays: Any) -> Any:
-    """Return SUMPRODUCT of ranges of numbers of one size."""
+    """Return SUMPRODUCT of ranges of numbers of the same size."""
     if arrays and RANGES.issuperset(map(type, arrays)):
         operands: list[Any] = list(map(array_of, arrays))
         numbers = all(cells is not None and cells.dtype != bool for cells in operands)
