@@ -19,9 +19,11 @@ def blended(code: str, dice: Any) -> dict[str, Any]:
 
 
 def between(one: Any, other: Any, share: float) -> Any:
-    """Return a number between two, or a list of such; of two words one."""
+    """Return a number between two, or a list or a table of such; of two words one."""
     if isinstance(one, str):
         return one if share < 0.5 else other
     if isinstance(one, list):
         return [between(a, b, share) for a, b in zip(one, other, strict=True)]
+    if isinstance(one, dict):
+        return {name: between(one[name], other[name], share) for name in one}
     return (1.0 - share) * one + share * other

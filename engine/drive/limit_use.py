@@ -188,8 +188,17 @@ class RateSearch:
 
     @cached_property
     def way(self) -> tuple[float, float]:
-        """The factors of the rate between which is interpolated."""
-        return ((1.0, self.factor), (self.factor, 1.0), (0.0, self.factor))[self.begin]
+        """The powers of the rate's factor between which is interpolated, of the order of :attr:`order`."""
+        tried = self.factor**self.order
+        return ((1.0, tried), (tried, 1.0), (0.0, tried))[self.begin]
+
+    @property
+    def order(self) -> float:
+        """The power of the rate over which torques and uses are straight lines between two rates.
+
+        Viscous friction grows with the rate itself: over the square a straight line would lie below the torque.
+        """
+        return 1.0 if self.points.load.train.viscous > 0.0 else 2.0
 
     @cached_property
     def caps(self) -> dict[str, float]:
@@ -232,8 +241,8 @@ class RateSearch:
     def met(self, name: str) -> float:
         """Return the rate (1/s) at which a limit is reached by the line between both rates, or infinite."""
         (begin, end), share = self.way, max(self.between[name][self.begin])
-        square = begin**2 + (end**2 - begin**2) / share if share > LEAST_USE else math.inf
-        met = self.rate * math.sqrt(max(0.0, square))
+        power = begin + (end - begin) / share if share > LEAST_USE else math.inf
+        met = self.rate * max(0.0, power) ** (1.0 / self.order)
         return self._beyond_full(met, self.cycles_use[self.begin]) if name == CYCLES else met
 
     def _ends(self, name: str) -> Ends:
@@ -241,7 +250,7 @@ class RateSearch:
         if end < begin:
             return Ends(met if math.isfinite(met) else 0.0, self.tried)
         if name in SPEEDS:
-            met = estimated.high * (1.0 - HAIR)
+            met = estimated.high * (1.0 - HAIR if self.has_constant_ratio else self.target)
         if name == BELOW and self.has_constant_ratio:  # speed grows with the root of x: a line over x lies below it
             met = min(met, self.target * estimated.high)
         return Ends(estimated.low, met)

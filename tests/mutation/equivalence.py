@@ -86,7 +86,7 @@ class Equivalence:
             return False
         tokens = tokens_of(mutant.original)
         before, after = (self._area(t[mutant.at].value, mutant) for t in (tokens, tokens_of(mutant.mutated)))
-        if not set(before) < set(after):
+        if not set(before) < set(after) or mutant.address in after:
             return False
         function, argument, alone = enclosing(tokens, mutant.at)
         if function == "INDEX" and argument == 0:

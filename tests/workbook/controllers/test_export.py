@@ -226,6 +226,9 @@ def test_all_axes_of_every_template_go_to_every_target_and_can_be_read(template,
     build(read_machine(FOLDER / f"{template}.toml"), tmp_path / "book.xlsx")
     for name in TARGETS:
         code, _, err = run("export", "book.xlsx", "--all", "--to", name, "-o", name, "--unverified")
+        if "no y is above 0" in err:  # an axis that only moves below its begin, which this target cannot have
+            assert (code, name) == (2, "kollmorgen")
+            continue
         assert code == 0, (name, err)
         files = [path for path in (tmp_path / name).iterdir() if "switches" not in path.name]
         assert files

@@ -61,7 +61,7 @@ def test_cells_agree_at_every_variation(turn):
 def test_random_stages(number):
     drawn = random.Random(seed(f"stages {number}") if number else "stages")
     kind, stages = drawn.choice(list(AXES)), drawn.choice(([BELT], [BELT, WORM]))
-    made = drawn_machine(small(AXES[kind] | {"stages": stages}), drawn)
+    made = drawn_machine(small_with_lines(AXES[kind] | {"stages": stages}), drawn)
     assert disagreeing(TEMPLATE, made)[0] == []
 
 

@@ -104,8 +104,9 @@ def tried(view: DriveView) -> list[Quantity]:
         cell(
             "@cycles_use", search.cycles_use[search.begin], cycles_use=CYCLES_USE.format(list(LIMITS).index(CYCLES) + 1)
         ),
-        cell("@from", search.way[0] ** 2),
-        cell("@to", search.way[1] ** 2),
+        order(view),
+        cell("@from", search.way[0]),
+        cell("@to", search.way[1]),
         target(view),
         *([cell("@released", met(search.released), released=RELEASED, not_reached=NOT_REACHED)] if view.brakes else []),
     ]
@@ -117,6 +118,12 @@ def target(view: DriveView) -> Quantity:
     if view.varies or view.driven.by_angle or view.driven.entered.load.viscous is None:
         return CELLS["target"]("@target", value)
     return CELLS["target of a viscous load"]("@target", value, between=TARGET_BETWEEN, at_an_end=TARGET)
+
+
+def order(view: DriveView) -> Quantity:
+    """Return the row of the power of the rate over which is interpolated."""
+    is_viscous = view.driven.entered.load.viscous is not None
+    return CELLS["order of a viscous load" if is_viscous else "order"]("@order", view.search.order)
 
 
 CYCLES_USE = "IF(@holds=1,@smax,IF(@holds_tried=1,@SN_max,[@held.stands.{}]))*@reducer_fs/@reducer_peak"
@@ -177,7 +184,7 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
     )
 
 
-AT = "SQRT(MAX(0,@from+(@to-@from)/([share]+tiny)))"
+AT = "MAX(0,@from+(@to-@from)/([share]+tiny))^(1/@order)"
 LIMIT_MEETS = f'=IF([share]<=@least_use,"{NOT_REACHED}",@rate*{AT})'
 CYCLES_MEET = (
     f'=IF(AND([share]<=@least_use,@cycles_use<1),"{NOT_REACHED}",MAX(@full/60,IF(@cycles_use<1,@rate,0)*{AT}))'
@@ -197,7 +204,8 @@ def high(row: int, name: str, search: RateSearch) -> str:
     """Return the formula of the rate up to which a limit is held."""
     rate = f"[@held.rate.{row}]"
     if name in SPEEDS:
-        held = f'IF(ISNUMBER({rate}),{rate}*(1-1E-6),"{NOT_REACHED}")'
+        least = "(1-1E-6)" if search.has_constant_ratio else "@target"
+        held = f'IF(ISNUMBER({rate}),{rate}*{least},"{NOT_REACHED}")'
     elif name == BELOW and search.has_constant_ratio:
         held = f"IF(ISNUMBER({rate}),MIN([met],@target*{rate}),[met])"
     else:
