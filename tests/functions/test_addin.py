@@ -281,7 +281,7 @@ def test_the_add_in_refuses_the_parameters_that_the_law_refuses(code, value):
             continue
         field, _, index = parameter.key.partition(".")
         changed = {field: [*row] if index else value}
-        by_law = refuses(lambda changed=changed: page.made(entered.model_copy(update=changed)), ValueError)
+        by_law = refuses(lambda changed=changed: page.make_law(entered.model_copy(update=changed)), ValueError)
         by_add_in = refuses(lambda row=row: library.law(code, parameters(code, (tuple(row),))), Refused)
         assert by_add_in == by_law, f"{code}, {parameter.key} of {value}: see domains in library.py"
 

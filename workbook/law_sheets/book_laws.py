@@ -40,21 +40,21 @@ class BookLaws:
     def __init__(self, given: Laws, sizes: Sizes, hands_over: bool = False) -> None:
         self.given, self.sizes, self.hands_over = given, sizes, hands_over
         self.named = named_laws(given)
-        self.laws = {one.name: one.law for one in self.named}
+        self.laws = {named.name: named.law for named in self.named}
         self.rows = stacked(self.named, sizes)
-        found = groupby(self.rows, key=lambda row: row.number)
+        groups = groupby(self.rows, key=lambda row: row.number)
         self.stack = Pieces(
-            {number: [row.piece for row in group] for number, group in found},
-            {id(one.law): one.number for one in self.named},
-            second_sine=any("P2" in one.page.columns for one in self.named),
+            {number: [row.piece for row in group] for number, group in groups},
+            {id(named.law): named.number for named in self.named},
+            second_sine=any("P2" in named.page.columns for named in self.named),
         )
 
     def sheets(self, book: Book, printed: Container[str] | None = None) -> None:
         """Declare a page for each law, and the Laws sheet; of the pages print all, or those of some laws."""
-        for one in self.named:
-            if one.page.has_sheet:
-                sheet = law_sheet(book, one, self.sizes, self.stack)
-                sheet.unprinted = printed is not None and one.name.casefold() not in printed
+        for named in self.named:
+            if named.page.has_sheet:
+                sheet = law_sheet(book, named, self.sizes, self.stack)
+                sheet.unprinted = printed is not None and named.name.casefold() not in printed
         laws_sheet(book, self)
 
 
@@ -70,12 +70,12 @@ class Row(NamedTuple):
 
 
 def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
-    """Return the rows of the stack: by their keys the pieces of all laws stand in one rising order."""
+    """Return the rows of the stack: by their keys the pieces of all laws stand in rising order."""
     rows = []
-    for one in laws:
-        found = one.page.stacked(one.law, sizes)
-        places = placed_pieces([piece for piece, _ in found], one.law.entry_velocity)
-        for k, ((piece, entered), place) in enumerate(zip(found, places, strict=True), 1):
+    for law in laws:
+        pieces = law.page.stacked(law.law, sizes)
+        places = placed_pieces([piece for piece, _ in pieces], law.law.entry_velocity)
+        for k, ((piece, entered), place) in enumerate(zip(pieces, places, strict=True), 1):
             ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
             values = entries_of(place.piece) | {
                 "xi": place.begin,
@@ -91,10 +91,10 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
                 "pj2": pj2,
                 "s0": s0,
                 "s1": s1,
-                "key": 2.0 * one.number + place.begin,
+                "key": 2.0 * law.number + place.begin,
             }
-            formulas = {name: one.own(text) for name, text in entered.items()}
-            rows.append(Row(one.name, one.number, k, piece, formulas, values))
+            formulas = {name: law.own(text) for name, text in entered.items()}
+            rows.append(Row(law.name, law.number, k, piece, formulas, values))
     return rows
 
 
@@ -139,21 +139,21 @@ ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
 def summary(sheet: Sheet, of: BookLaws) -> None:
     """Declare the table of laws: name, coefficients, values at both ends; more where phases hand over at speed."""
     laws = of.named
-    reaches = [reach(one.law) for one in laws]
+    reaches = [reach(law.law) for law in laws]
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
-        formulas = [one.own(f"=@{name}" if one.page.has_sheet else one.page.coefficients[name][0]) for one in laws]
-        values = [finite(getattr(one.law.coefficients, name)) for one in laws]
+        formulas = [law.own(f"=@{name}" if law.page.has_sheet else law.page.coefficients[name][0]) for law in laws]
+        values = [finite(getattr(law.law.coefficients, name)) for law in laws]
         return result(name, label, symbol, "", formulas, values, format="0.0000")
 
     def stated(name: str, label: str, symbol: str, field: str, values: Sequence[float], **more: Any) -> Quantity:
-        return calc(name, label, symbol, "", [one.own(getattr(one.page, field)) for one in laws], values, **more)
+        return calc(name, label, symbol, "", [law.own(getattr(law.page, field)) for law in laws], values, **more)
 
     def end(d: str, label: str, at: str) -> Quantity:
         cell = CELLS["end"]
         xi = 0 if at == "first" else 1
-        formulas = [one.own(f"=[@samples.{d}.{at}]" if one.page.has_sheet else "=0") for one in laws]
-        values = [getattr(one.law.start if at == "first" else one.law.end, d) for one in laws]
+        formulas = [law.own(f"=[@samples.{d}.{at}]" if law.page.has_sheet else "=0") for law in laws]
+        values = [getattr(law.law.start if at == "first" else law.law.end, d) for law in laws]
         return cell("{d}{xi}", values, d=d, xi=xi, label=label, formula=formulas, scale=RISE)
 
     ways = stated(
@@ -161,34 +161,34 @@ def summary(sheet: Sheet, of: BookLaws) -> None:
         "meets its neighbours' velocity",
         "",
         "end_mode",
-        [end_mode(one.law) for one in laws],
+        [end_mode(law.law) for law in laws],
         source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial",
         format="0",
     )
-    early = CELLS["summary"]("early", [one.page.early for one in laws])
+    early = CELLS["summary"]("early", [law.page.early for law in laws])
     ends = [ways, early] if of.hands_over else []
     sheet.table(
         "laws",
         "The laws by number; a phase takes its law by this name",
         len(laws),
         CELLS["laws"](
-            "name", [one.words for one in laws], formula=[one.own(one.page.named or f'="{one.words}"') for one in laws]
+            "name", [law.words for law in laws], formula=[law.own(law.page.named or f'="{law.words}"') for law in laws]
         ),
-        CELLS["laws"]("no", [one.number for one in laws]),
+        CELLS["laws"]("no", [law.number for law in laws]),
         CELLS["laws"](
             "code",
-            [one.name for one in laws],
-            formula=[f'="{one.name}"' if one.basic else one.own("=@called") for one in laws],
+            [law.name for law in laws],
+            formula=[f'="{law.name}"' if law.basic else law.own("=@called") for law in laws],
         ),
         *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
-        stated("start", "velocity it begins with", "", "start", [one.law.start.v for one in laws]),
-        stated("v_low", "lowest velocity", "", "lowest", [slowest(one.law) for one in laws], scale=1.0),
+        stated("start", "velocity it begins with", "", "start", [law.law.start.v for law in laws]),
+        stated("v_low", "lowest velocity", "", "lowest", [slowest(law.law) for law in laws], scale=1.0),
         stated(
             "wrong",
             "step of v the wrong way",
             "",
             "wrong_step",
-            [one.page.step_back(one.law, of.sizes) for one in laws],
+            [law.page.step_back(law.law, of.sizes) for law in laws],
         ),
         *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
         stated("low", "lowest position", "s_min", "low", [low for low, _ in reaches], scale=1.0),
@@ -219,7 +219,7 @@ FIRST_POWERS = {"piece_y": "s0", "piece_dy": "s1", "piece_ddy": "c0", "piece_ddd
 
 
 def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
-    """Declare the stacked pieces, entries taken from the laws' pages, with a second sine where any law has one."""
+    """Declare the stacked pieces, entries taken from the laws' pages, with a second sine where any law has it."""
     cell = CELLS["pieces"]
     second, last = stacked.second_sine, POWERS[stacked.room - 1]
 
@@ -245,7 +245,7 @@ def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
         column("s1", "slope of position", "S1", "=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])", source="v_k + P/ω cos φ"),
         *map(entry, (*POWERS, *SINE, *(SECOND if second else ()))),
         column("xi", "begins at", "ξ_k", "=IF([k]=1,0,[xi-1]+[d-1])"),
-        *(column(*one) for one in AMPLITUDES[: 6 if second else 3]),
+        *(column(*amplitude) for amplitude in AMPLITUDES[: 6 if second else 3]),
         column(
             "v",
             "velocity carried",
@@ -258,7 +258,10 @@ def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
         column("ds", "gain of position", "Δs", TRAVELLED, SWUNG2, scale=RISE, source="∫v over the piece"),
         column("key", "key", "", "=2*[number]+MIN(1,MAX(0,[xi]))", source="2 · number + ξ_k, within its law"),
     )
-    one, two = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
+    first_names, second_names = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
     sheet.book.name(
-        "pieces", **one, **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()}, **(two if second else {})
+        "pieces",
+        **first_names,
+        **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()},
+        **(second_names if second else {}),
     )

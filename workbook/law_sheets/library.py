@@ -31,7 +31,7 @@ class NamedLaw:
     @cached_property
     def law(self) -> Law:
         """The engine's law."""
-        return self.page.made(self.entered)
+        return self.page.make_law(self.entered)
 
     @property
     def words(self) -> str:
@@ -40,12 +40,12 @@ class NamedLaw:
 
     @property
     def basic(self) -> bool:
-        """Whether it is one of the laws that every book has."""
+        """Return whether every book has the law."""
         return self.name in CODES
 
     @property
     def slug(self) -> str:
-        """What the names of its cells begin with: valid whatever the law is called."""
+        """Return the begin of the names of its cells: valid whatever the law is called."""
         return self.page.law.code if self.basic else f"{self.page.law.code}{self.number}"
 
     @property
@@ -68,21 +68,21 @@ def named_laws(given: Laws) -> list[NamedLaw]:
 
 def laws(given: Laws) -> dict[str, Law]:
     """Return the engine's laws by name, in the order of their numbers."""
-    return {one.name: one.law for one in named_laws(given)}
+    return {named_law.name: named_law.law for named_law in named_laws(given)}
 
 
 def numbered_laws(names: Iterable[str]) -> dict[str, str]:
     """Return the family of each law that has a name of its own, by its key such as ``MTP8``, in their order."""
-    found = [match for match in map(CALLED.fullmatch, names) if match and match[1] in ENTRIES]
-    return {f"{match[1]}{match[2]}": match[1] for match in sorted(found, key=lambda match: int(match[2]))}
+    matches = [match for match in map(CALLED.fullmatch, names) if match and match[1] in ENTRIES]
+    return {f"{match[1]}{match[2]}": match[1] for match in sorted(matches, key=lambda match: int(match[2]))}
 
 
 def with_laws(machine: Machine, laws: dict[str, str]) -> Machine:
     """Return a machine whose book has cells for these laws, and for no other besides the basic ones."""
     copy = machine.model_copy(deep=True, update={"laws": Laws({key: {"family": code} for key, code in laws.items()})})
-    for one in references(copy):
-        if one.name not in CODES:
-            object.__setattr__(one.entries, one.field, CODES[1])  # one that moves
+    for reference in references(copy):
+        if reference.name not in CODES:
+            object.__setattr__(reference.entries, reference.field, CODES[1])  # a law that moves
     return copy
 
 
@@ -92,7 +92,7 @@ MOST = 300  # turns after which a law that has not come never will
 
 
 def law_for(turn: int, names: Iterable[str]) -> str:
-    """Return the law whose turn it is: one after the other, round and round."""
+    """Return the law whose turn it is: by their order, round and round."""
     known = list(names)
     return known[turn % len(known)]
 
@@ -101,18 +101,18 @@ def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[st
                suited: Callable[[dict[str, Any]], Iterable[str]] = list) -> list[dict[str, Any]]:  # fmt: skip
     """Return six variations of a machine's description, and of further turns those by which a law has its first turn.
 
-    ``varied`` makes that of a turn, from 0; ``suited`` tells which laws can come; LookupError has those that never do.
+    ``varied`` makes that of a turn, from 0; ``suited`` returns the laws that can come; LookupError names the rest.
     """
-    made: list[dict[str, Any]] = []
+    descriptions: list[dict[str, Any]] = []
     names = set(suited(machine.laws.model_dump()))
     missing = set(names)
     for turn in range(MOST):
         description = varied(machine.model_dump(), turn)
         if turn < SIX or missing & laws_in(description, names):
-            made.append(description)
+            descriptions.append(description)
             missing -= laws_in(description, names)
         if turn + 1 >= SIX and not missing:
-            return made
+            return descriptions
     raise LookupError(f"no variation of {machine.template} ever has the law {', '.join(sorted(missing))}")
 
 

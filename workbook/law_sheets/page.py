@@ -1,4 +1,4 @@
-"""The sheet of one law, laid out the same for every law."""
+"""The sheet of a law, laid out the same for every law."""
 
 import math
 from collections.abc import Sequence
@@ -38,7 +38,7 @@ def finite(value: float) -> float | str:
 
 
 def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> Sheet:
-    """Declare the sheet of one law, and return it."""
+    """Declare the sheet of a law, and return it."""
     cell = CELLS["pieces"]
     page, law, entered = named.page, named.law, named.entered
     title = sheet_title(named.called, [sheet.title for sheet in book.sheets])

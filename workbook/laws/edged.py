@@ -17,7 +17,7 @@ from workbook.laws.family import Page, PieceRow
 CELLS = cell_tables(__file__)
 
 RISE, CRUISE, FALL = (1, 2, 3), 4, (7, 6, 5)
-"""stages of the first pulse, of uniform velocity, and of the second pulse told from its end"""
+"""stages of the first pulse, of uniform velocity, and of the second pulse counted from its end"""
 
 
 class Form(NamedTuple):
@@ -46,7 +46,7 @@ LINE_IN = Form("straight inside", "1/2", "1/3", "1/3", "1", DOWN, UP)
 HALF_SINE = Form("half sine", "@k", "@k/2", "1/2", "PI()", WAVE, WAVE)
 """cut at its peak into two quarters: its second is :data:`CREST`"""
 SEARCHED = {SINE_IN.word: CELLS["quarter sine inside"], LINE_IN.word: CELLS["straight inside"]}
-"""by the edge next to the greatest velocity: how the greatest v·a is found on it"""
+"""by the edge next to the greatest velocity: the cells of the greatest v·a on it"""
 CREST = {"P": "H", "omega": "PI()/D", "phi": "PI()/2", "equation": "a = H cos(πu / D)"}
 
 
@@ -70,15 +70,15 @@ class Stages:
 
     def forms(self, side: Sequence[int]) -> list[tuple[int, Form]]:
         """Return the stages of a side that the family has, with their forms."""
-        found = ((k, self.stages[k].form) for k in side if k in self.stages)
-        return [(k, form) for k, form in found if form is not None]
+        forms = ((k, self.stages[k].form) for k in side if k in self.stages)
+        return [(k, form) for k, form in forms if form is not None]
 
     def total(self, side: Sequence[int], factor: str) -> str:
         """Return the sum of durations, each with a factor of its stage's form."""
         return added([times(getattr(form, factor), f"@d{k}") for k, form in self.forms(side)])
 
     def travel(self, side: Sequence[int]) -> str:
-        """Return the travel from rest over the stages of a side, told from its outer end, for unit height."""
+        """Return the travel from rest over the stages of a side, counted from its outer end, for unit height."""
         terms, before = [], list[str]()
         for k, form in self.forms(side):
             terms += [f"{form.travel}*@d{k}^2", *([f"({added(before)})*@d{k}"] if before else [])]
@@ -86,7 +86,7 @@ class Stages:
         return added(terms)
 
     def pieces(self, k: int, form: Form | None) -> list[PieceRow]:
-        """Return the pieces of a stage: two of a half sine, else one."""
+        """Return the pieces of a stage: two of a half sine, else a single piece."""
         if form is None:
             return [PieceRow(f"{k} · uniform velocity", "a = 0", f"=@d{k}")]
         if form is HALF_SINE:
@@ -175,12 +175,12 @@ def times(factor: str, of: str) -> str:
 
 
 def edged(forms: Mapping[int, Stage], **stated: Any) -> Page:
-    """Return the page of a family by its stages; ``stated`` is what else a page states."""
+    """Return the page of a family by its stages; ``stated`` are its other fields."""
     stages = Stages(forms)
     rise = [k for k, _ in stages.forms(RISE)]
     rows = {k: stages.pieces(k, forms[k].form) for k in sorted(forms)}
     return Page(
-        pieces=tuple(row for found in rows.values() for row in found),
+        pieces=tuple(row for stage_rows in rows.values() for row in stage_rows),
         workings=stages.workings,
         coefficients=stages.coefficients(),
         fastest=f"={added([f'@d{k}' for k in rise])}",

@@ -1,4 +1,4 @@
-"""What a description says of the laws: named entries, each of a family, and the names by which phases take them."""
+"""The laws of a description: named entries, each of a family, and the names by which phases take them."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -20,7 +20,7 @@ NUMBERED = re.compile(r"([A-Z][A-Z0-9]{2})(\d*)")
 
 @dataclass(frozen=True)
 class TakesLaw:
-    """Marks an entry that names one of the book's laws; with ``moves``, any but the dwell."""
+    """Marks an entry that names a law of the book; with ``moves``, any but the dwell."""
 
     moves: bool = False
 
@@ -109,7 +109,7 @@ class Laws(RootModel[dict[str, Entered]]):
         return self._titles.get(name, name)
 
     def built_as(self, titles: Mapping[str, str]) -> None:
-        """Keep what laws were called when the book was built in which they are found."""
+        """Keep the titles that the laws had when their book was built."""
         self._titles = dict(titles)
 
     def number(self, name: str) -> int:
@@ -140,7 +140,7 @@ def require_names(names: list[Any]) -> None:
 
 
 def in_family(name: str, entry: Any) -> Any:
-    """Return the entries of a law with their family; raise EntryError where they do not say which, or one unknown."""
+    """Return the entries of a law with their family; raise EntryError where the family is missing or unknown."""
     if isinstance(entry, Model):
         return entry
     if not isinstance(entry, Mapping):
@@ -151,13 +151,13 @@ def in_family(name: str, entry: Any) -> Any:
         return {**entry, "family": name}
     given = entry.get("family", code_named(name))
     if (family := listed(given, [*ENTRIES])) is None:
-        said = "empty" if given is None else f"no family is named {quoted(given)}"
-        raise EntryError(f"{key_of(name)}.family", f"{said}; expected {nearest(given, [*ENTRIES])}")
+        problem = "empty" if given is None else f"no family is named {quoted(given)}"
+        raise EntryError(f"{key_of(name)}.family", f"{problem}; expected {nearest(given, [*ENTRIES])}")
     return {**entry, "family": family}
 
 
 def nearest(given: Any, names: Sequence[str]) -> str:
-    """Return in words what was meant: the names that are like the one given, else all of them."""
+    """Return in words the names that are like the given name, else all of them."""
     alike = get_close_matches(str(given).upper(), [name.upper() for name in names], n=3, cutoff=0.6)
     chosen = [name for name in names if name.upper() in alike] if given is not None else []
     return chosen[0] if len(chosen) == 1 else f"one of {', '.join(chosen or names)}"
@@ -180,8 +180,8 @@ class Reference(NamedTuple):
 def references(entries: Any, key: str = "") -> Iterator[Reference]:
     """Yield every entry below these that names a law."""
     if isinstance(entries, list):
-        for i, one in enumerate(entries):
-            yield from references(one, f"{key}.{i}")
+        for i, entry in enumerate(entries):
+            yield from references(entry, f"{key}.{i}")
     elif isinstance(entries, Model):
         for field, info in type(entries).model_fields.items():
             below = f"{key}.{field}".strip(".")
@@ -193,15 +193,15 @@ def references(entries: Any, key: str = "") -> Iterator[Reference]:
 
 
 def resolve(entries: Model, laws: Laws) -> None:
-    """Write the names of laws as they are listed; raise EntryError for one that no law of the book has."""
-    for one in references(entries):
-        name = listed(one.name, laws.names)
-        if name is None or (one.moves and name == "DWL"):
-            known = [known for known in laws.names if not one.moves or known != "DWL"]
+    """Write the names of laws as they are listed; raise EntryError for a name that no law of the book has."""
+    for reference in references(entries):
+        name = listed(reference.name, laws.names)
+        if name is None or (reference.moves and name == "DWL"):
+            known = [known for known in laws.names if not reference.moves or known != "DWL"]
             if name:
-                raise EntryError(one.key, f"a dwell does not move; expected {nearest(one.name, known)}")
-            code = code_named(one.name)
+                raise EntryError(reference.key, f"a dwell does not move; expected {nearest(reference.name, known)}")
+            code = code_named(reference.name)
             takes = f"add [laws.{code}], or take" if code else "expected"
-            alike = ", ".join(near for near in nearest_laws(one.name, laws.names) if near != code)
-            raise EntryError(one.key, f"no law is named {quoted(one.name)}; {takes} one of {alike}")
-        object.__setattr__(one.entries, one.field, name)  # entries are frozen once they are whole
+            alike = ", ".join(near for near in nearest_laws(reference.name, laws.names) if near != code)
+            raise EntryError(reference.key, f"no law is named {quoted(reference.name)}; {takes} one of {alike}")
+        object.__setattr__(reference.entries, reference.field, name)  # entries are frozen once they are whole

@@ -114,23 +114,23 @@ class Page:
     early: int = 0  # pieces of its first pulse, of a law of two pulses
     has_sheet: bool = True  # whether its formulas stand in cells of its own, which other sheets refer to
     functions: bool = True  # whether the functions MOTION.* take it
-    named: str = ""  # the formula of its name in words, where one is entered
+    named: str = ""  # the formula of its name in words, where it is entered
     low: str = "=MIN(0,[s1])"
     high: str = "=MAX(0,[s1])"  # the formulas of its lowest and its highest s: a law that turns has others
     of_pieces: Sequence[str] = ()  # the entries that its pieces may have, where it has no table of them
 
     @property
     def title(self) -> str:
-        """What its sheet is headed by."""
+        """Return the title of its sheet."""
         return self.titled or self.law.name
 
-    def made(self, entered: Any) -> Law:
+    def make_law(self, entered: Any) -> Law:
         """Return the engine's law with the parameters that are entered."""
         return self.law(**{name: getattr(entered, name) for name in self.fields})
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the engine's law of its parameters in a row, as the functions MOTION.* take them."""
-        return self.made(self.entered(numbers))
+        return self.make_law(self.entered(numbers))
 
     def entered(self, numbers: Sequence[float]) -> Any:
         """Return the entries with these parameters, in the order of :attr:`parameters`; those by default of none."""
@@ -159,7 +159,7 @@ class Page:
         """Declare tables behind that of the samples; most families have none."""
 
     def verdicts(self, named: Any, sizes: Any) -> list[Quantity]:
-        """Return the checks of one of the book's laws."""
+        """Return the checks of a law of the book."""
         name, end = named.called, named.law.end
         ends = f"{name} ends at s = 1{', at rest' if self.rests else ''}"
         s = amount("[@samples.s.last]", end.s, "s(1) = ", ", ")
@@ -212,10 +212,10 @@ def parameters_of(law: type[Law], base: type[LawSheet] = LawSheet, **kinds: Any)
     given = ((name, getattr(law, name)) for name in kinds)
     usual = {name: [*of] if isinstance(of, tuple) else of for name, of in given}
     fields: Any = {name: (kind, usual[name]) for name, kind in kinds.items()}
-    made = create_model(f"{law.code}Parameters", __base__=base, **fields)
-    if issubclass(made, Staged):
-        made.divided, made.usual = law, usual
-    return made
+    parameters = create_model(f"{law.code}Parameters", __base__=base, **fields)
+    if issubclass(parameters, Staged):
+        parameters.divided, parameters.usual = law, usual
+    return parameters
 
 
 SHARE = Parameter("@share", "Share of the time that accelerates", "λ", "share", "share λ", source="½: symmetric")
@@ -240,8 +240,8 @@ BRIEF = LawCheck(
 def too_brief(durations: Sequence[float], entry: str, fits: Any) -> Iterator[DesignError]:
     """Yield the fault of a stage that is shorter than the least that cells work out exactly, but not left out."""
     if any(BREAK_TOLERANCE < d < LEAST_STAGE for d in durations):
-        said = f"a stage lasts less than {figure(LEAST_STAGE)} of the rise; expected that, or none"
-        yield DesignError(entry, said, "brief", fits)
+        problem = f"a stage lasts less than {figure(LEAST_STAGE)} of the rise; expected that, or none"
+        yield DesignError(entry, problem, "brief", fits)
 
 
 class Staged(LawSheet):

@@ -38,12 +38,12 @@ def with_laws_by_code(data: dict[str, Any]) -> dict[str, Any]:
         return {key: by_code(each) if key in NAMING and isinstance(each, str) else renamed(each)
                 for key, each in entry.items()}  # fmt: skip
 
-    made = renamed({key: entry for key, entry in data.items() if key != "laws"})
-    return {**made, "laws": {**own, **added}} if own or added else made
+    changed = renamed({key: entry for key, entry in data.items() if key != "laws"})
+    return {**changed, "laws": {**own, **added}} if own or added else changed
 
 
 def require_names_of_family(own: Mapping[Any, Any]) -> None:
-    """Raise EntryError for a law of a description whose name hides one of the catalogue that is of another family."""
+    """Raise EntryError for a law of a description whose name hides a law of the catalogue that is of another family."""
     for name, entry in own.items():
         code = code_named(name) if isinstance(name, str) else None
         family = entry.get("family", code) if isinstance(entry, Mapping) else code

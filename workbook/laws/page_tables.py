@@ -1,4 +1,4 @@
-"""What the pages of laws state in Markdown tables beside their modules: parameters, pieces, coefficients and checks."""
+"""The Markdown tables beside the modules of laws' pages: parameters, pieces, coefficients and checks."""
 
 from typing import Any
 

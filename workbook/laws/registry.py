@@ -8,8 +8,8 @@ from workbook.laws.family import Page
 from workbook.laws.pages import modified, pieces, ramps, simple, spline
 
 FILES = (modified, pieces, ramps, simple, spline)
-FOUND = [found for file in FILES for found in vars(file).values()]
-PAGES = [page for found in FOUND for page in (found if isinstance(found, list) else [found]) if isinstance(page, Page)]
+MEMBERS = [member for file in FILES for member in vars(file).values()]
+PAGES = [page for part in MEMBERS for page in (part if isinstance(part, list) else [part]) if isinstance(page, Page)]
 
 
 class IncompleteError(TypeError):
@@ -39,5 +39,5 @@ def code_named(name: str) -> str | None:
 
 
 def nearest_laws(name: str, own: Sequence[str]) -> list[str]:
-    """Return the three names, of a book's own laws and of the catalogue's, that are most like the one given."""
+    """Return the three names, of a book's own laws and of the catalogue's, that are most like the given name."""
     return nearest_names(name, [*own, *NAMES])

@@ -1,6 +1,6 @@
-"""A law in cells: find the piece by one MATCH on the stacked pieces, then coefficients times powers; rows of phases.
+"""A law in cells: find the piece by a MATCH on the stacked pieces, then coefficients times powers; rows of phases.
 
-The pieces stand on the Laws sheet, the coefficients of each side by side; a piece is found by its key, twice the law's
+The pieces stand on the Laws sheet, the coefficients of each side by side; a piece has a key, twice the law's
 number plus the ξ at which it begins. A sample within ``break_eps`` of a break counts as on it, so that rounding never
 decides which side of a jump is shown; ξ = 1 belongs to the last piece.
 """
@@ -33,7 +33,7 @@ SPELLED = {  # of each derivative: the block of its coefficients, and what a sin
 
 
 def polynomial(derivative: str, highest: int, room: int) -> str:
-    """Return the formula of the polynomial of a derivative: up to two terms one by one, else coefficients times powers.
+    """Return the formula of the polynomial of a derivative: up to two terms in a row, else coefficients times powers.
 
     The acceleration has powers of u up to the ``highest``, below 0 where it is a sine alone, empty where the derivative
     has none; the stack has ``room`` coefficients of it.
@@ -64,7 +64,7 @@ class Pieces:
         """coefficients of the acceleration that any piece has"""
 
     def number(self, law: Law) -> int:
-        """Return the number of one of the book's laws."""
+        """Return the number of a law of the book."""
         return self._numbers[id(law)]
 
     def finding(self, law: str, number: int, name: str, xi: Array, entries: Container[str] = ENTRIES) -> list[Quantity]:
@@ -98,7 +98,7 @@ class Pieces:
         highest = max((k for k in range(self.room) if f"c{k}" in entries), default=-1)
 
         def derivative(name: str) -> Quantity:
-            adds = "".join(SPELLED[name][1].format(*one) for one in sines)
+            adds = "".join(SPELLED[name][1].format(*sine) for sine in sines)
             text = f"{polynomial(name, highest, self.room)}{adds}".removeprefix("+")
             return cell(name, values[name], sampled=text or "INDEX(piece_c1,[q])")
 
@@ -124,6 +124,6 @@ def kind(ends: str = "") -> str:
 
 
 def kinds(phases: Sequence[Phase], rows: int) -> list[str]:
-    """Return the kind of each phase, one that moves without a lift a turn; spare rows are spare."""
+    """Return the kind of each phase, a turn where it moves without a lift; spare rows are spare."""
     moving = {-1.0: "return", 0.0: "turn", 1.0: "rise"}
     return filled([moving[np.sign(phase.lift)] if phase.moves else "dwell" for phase in phases], rows, "spare")

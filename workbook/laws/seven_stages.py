@@ -1,4 +1,4 @@
-"""The entries and checks of laws of seven stages, each told by its duration."""
+"""The entries and checks of laws of seven stages, each stage given by its duration."""
 
 import math
 from collections.abc import Iterator

@@ -1,1 +1,1 @@
-"""The machines, one a file: what its description holds beyond the laws, and which sheets make up its book."""
+"""The machines, a file each: the entries of its description beyond the laws, and the sheets of its book."""

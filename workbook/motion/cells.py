@@ -1,4 +1,4 @@
-"""Where a motion stands in a book, and what the engine has for it there."""
+"""The cells of a motion in a book, and the engine's values for them."""
 
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -41,7 +41,7 @@ def sharing(table: CellTable, **shared: Any) -> Callable[..., Quantity]:
 
 @dataclass(frozen=True)
 class Cells:
-    """Where a motion stands in a book; over time, a sample finds its piece by the share of the whole."""
+    """The cells of a motion in a book; over time, a sample finds its piece by the share of the whole."""
 
     phases: str  # the table of its phases: ``k``, ``no``, ``h``, ``span``, ``begin``, ``y0``, in units of the motion
     pieces: str  # the table of its pieces
@@ -52,7 +52,7 @@ class Cells:
     degrees: bool = False  # whether begins and samples are in degrees, and the motion per radian
     near: str = ""  # what says how near to a begin counts as on it, in degrees
     drifts: bool = False  # whether phases have a column ``drift``, a velocity that is added
-    opens: bool = False  # whether they have one of where they begin, if in the middle of a piece
+    opens: bool = False  # whether they have a column of where they begin, if in the middle of a piece
     ends: str = ""  # the table of what phases take from their neighbours, in books that have it
 
     def of_phase(self, column: str) -> str:
@@ -115,14 +115,14 @@ class PieceRows:
 
     @cached_property
     def powers(self) -> int:
-        """How many coefficients the polynomial of a piece may have: two more than the accelerations of laws."""
+        """The greatest number of coefficients of a piece's polynomial: two more than the accelerations of laws."""
         return self.stack.room + 2
 
     @cached_property
     def counts(self) -> list[int]:
-        """How many pieces each row of phases has."""
-        found = Counter(piece.phase for piece in self.pieces)
-        return [found[k] for k in range(len(self.firsts))]
+        """The number of pieces of each row of phases."""
+        counts = Counter(piece.phase for piece in self.pieces)
+        return [counts[k] for k in range(len(self.firsts))]
 
 
 def rows_of_parts(
@@ -134,7 +134,9 @@ def rows_of_parts(
     begun: Sequence[int] = (),
 ) -> PieceRows:
     """Return the pieces of a motion of parts, from 0 to its ``end``; each may begin with any piece of its law."""
-    numbers = [1 if isinstance(part.law, Dwell) else stack.number(part.law) for part in parts]  # there is one dwell
+    numbers = [
+        1 if isinstance(part.law, Dwell) else stack.number(part.law) for part in parts
+    ]  # there is a single dwell
     starts = [stack.first[number] for number in numbers]
     firsts = [start + first for start, first in zip(starts, begun, strict=True)] if begun else starts
     rows = [starts[piece.phase] + piece.number for piece in pieces]

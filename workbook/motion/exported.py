@@ -1,4 +1,4 @@
-"""The sheet Export: one axis at equal steps, live in cells, to copy and paste."""
+"""The sheet Export: an axis at equal steps, live in cells, to copy and paste."""
 
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
@@ -37,7 +37,7 @@ class Exportable(NamedTuple):
     called: str  # the formula of its name
     rows: PieceRows
     units: tuple[str, str, str, str]  # those shown of x, y, y' and y''
-    unit: tuple[float, float]  # what one of the motion's x and y is in them
+    unit: tuple[float, float]  # the motion's units of x and y in them
     y_factor: str  # the formula of that for y
     size: Callable[[int], float]  # how large each derivative grows
     later: ShiftCells | None = None
@@ -46,7 +46,7 @@ class Exportable(NamedTuple):
 
 
 def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> None:
-    """Declare the sheet, where the description asks for one."""
+    """Declare the sheet, where the description asks for it."""
     if given.export is None:
         return
     number, n = given.export.axis, given.sizes.export
@@ -79,9 +79,9 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     """Return x, y, y' and y'', then how each sample finds its piece."""
     cell, rows, later, unit = CELLS["columns"], axis.rows, axis.later, axis.unit[0]
     at = np.linspace(0.0, rows.end, n + 1)
-    told = later.unshifted(at) if later else Unshifted(np.zeros(n + 1), at)
-    found = PieceTable(rows.pieces, rows.end).at(told.x)
-    values = found.y + told.cycles * (later.lifts if later else 0.0), found.y1, found.y2
+    unshifted = later.unshifted(at) if later else Unshifted(np.zeros(n + 1), at)
+    samples = PieceTable(rows.pieces, rows.end).at(unshifted.x)
+    values = samples.y + unshifted.cycles * (later.lifts if later else 0.0), samples.y1, samples.y2
 
     def derivative(name: str, order: int, goes_on: str = "") -> Quantity:
         factor = axis.unit[1] / unit**order
@@ -90,12 +90,12 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
         size, own = axis.size(order) * factor, axis.units[order + 1]
         return cell(name, values[order] * factor, unit=own, sampled=shows, scale=size)
 
-    at_phases: list[Quantity] = []  # where each sample is as phases tell it, if elsewhere
+    at_phases: list[Quantity] = []  # where each sample is by its phases, if elsewhere
     if later:
         here = axis.over.degrees_formula("[at]")
         at_phases = [
-            cell("n", told.cycles, here=here, later=later),
-            cell("p", axis.over.degrees(told.x * unit), here=here, later=later, scale=360.0),
+            cell("n", unshifted.cycles, here=here, later=later),
+            cell("p", axis.over.degrees(unshifted.x * unit), here=here, later=later, scale=360.0),
         ]
     end = axis.over.shown_formula(rows.at.end)
     return [
@@ -105,5 +105,5 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
         derivative("y2", 2),
         cell("k", list(range(n + 1))),
         *at_phases,
-        *finding(rows, "p" if later else "at", told.x),
+        *finding(rows, "p" if later else "at", unshifted.x),
     ]

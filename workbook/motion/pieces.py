@@ -1,4 +1,4 @@
-"""The table of a motion's pieces, what a table of phases adds for it, and samples: one formula each derivative."""
+"""The table of a motion's pieces, columns beside phases for it, and samples: a formula for each derivative."""
 
 from collections.abc import Callable, Sequence
 from itertools import accumulate, chain
@@ -156,16 +156,16 @@ def amplitude(order: int, mark: str) -> str:
     return f"{'d' * order}A{mark}"
 
 
-def sine(at: Cells, mark: str, found: Sequence[Sine], sizes: Sizes) -> list[Quantity]:
-    """Return amplitude, frequency and phase of a sine ``found`` in pieces, and its amplitude in each derivative."""
+def sine(at: Cells, mark: str, sines: Sequence[Sine], sizes: Sizes) -> list[Quantity]:
+    """Return amplitude, frequency and phase of a sine ``sines`` in pieces, and its amplitude in each derivative."""
     cell = sharing(CELLS["sine"], at=at, mark=mark, words=" of the second sine" if mark else "")
-    amplitudes, omegas, phases = ([one[k] for one in found] for k in range(3))
+    amplitudes, omegas, phases = ([sine_values[k] for sine_values in sines] for k in range(3))
 
     def of_a_sine(formula: str) -> str:
         return f"IF({at.of_end('mode')}>1,0,{formula})" if at.ends else formula
 
     def derived(name: str, order: int) -> Quantity:
-        values = [a * omega**order for a, omega, _ in found]
+        values = [a * omega**order for a, omega, _ in sines]
         return cell(name, values, unit=at.unit(order), scale=sizes(order))
 
     return [
@@ -205,7 +205,7 @@ def arguments(rows: PieceRows, suffix: str, q: str, angles: Sequence[Any] | Arra
         return cell("x{mark}{suffix}", values, mark=mark, which=which, omega=omega, phi=phi)
 
     sines = zip(rows.marks, ("", "second "), angles, strict=False)
-    return [argument(*one) for one in sines]
+    return [argument(*sine) for sine in sines]
 
 
 def of_row(rows: PieceRows, name: str, q: str = "") -> str:

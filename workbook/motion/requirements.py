@@ -21,14 +21,14 @@ ABOUT = "what must not jump: velocity; acceleration too; jerk too"
 
 
 def smoothness_for(turn: int) -> str:
-    """Return the smoothness whose turn it is: one after the other."""
+    """Return the smoothness whose turn it is, by their order."""
     words: tuple[str, ...] = get_args(Smoothness)
     return words[turn % len(words)]
 
 
 @dataclass(frozen=True)
 class RequiredSmoothness:
-    """How smooth a motion must be, and how sentences tell of it: pairs are a formula, and the text that it gives."""
+    """The smoothness that a motion must have, and its words in sentences: pairs are a formula and its text."""
 
     smooth: Smoothness
     entry: str  # the formula of what is entered
@@ -39,7 +39,7 @@ class RequiredSmoothness:
     wraps: str = ""  # the condition under which the motion repeats
     periodic: bool = True  # whether it does
     names: tuple[str, ...] = ()  # of its phases, in the column ``what`` of their table, where sentences give them
-    speed: tuple[str, float] | None = None  # of a motion in degrees told over time: the cell of its speed, and rad/s
+    speed: tuple[str, float] | None = None  # of a motion in degrees shown over time: the cell of its speed, and rad/s
     lift: tuple[str, float] = ("", 1.0)  # the end of a formula of a lift in another unit, and what that is in it
     units: tuple[str, ...] = ()  # of the derivatives, where sentences have others than the motion's own
     quickest: str = ""  # the formula of the greatest 1/δ by which jerks are measured: by default that of all phases
@@ -76,7 +76,7 @@ def rate_columns(
 
 FEW = 8  # rows more than are used, where a description does not say how many
 ROOM_RULE = "room{}"  # the rule that the pieces of a motion find room, by its number from 1
-KNOWN = 256  # laws of which is kept how many pieces they have: a study asks for each many times
+KNOWN = 256  # laws whose number of pieces is remembered: a study asks for each many times
 AT_REST = {"law": "DWL", "lift": 0.0}  # the entries of a phase that does not move
 CROWDED = "{} pieces do not fit into {} rows; build it with larger sizes.motion_pieces"
 

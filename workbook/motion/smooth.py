@@ -1,4 +1,4 @@
-"""How smooth a motion must be: what jumps at the begin of each of its pieces, and the check of what is asked for."""
+"""The smoothness of a motion: the jumps at the begin of each of its pieces, and the check of what is asked for."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -28,7 +28,7 @@ NOTHING: dict[str, Any] = {  # the values of the cells on a jump, by name, where
 
 
 def opening(piece: MotionPiece) -> float:
-    """Return u where a piece begins; 0 of one without duration."""
+    """Return u where a piece begins; 0 for a piece without duration."""
     return piece.begin - piece.origin if piece.duration else 0.0
 
 
@@ -41,7 +41,7 @@ class Joints:
 
     rows: PieceRows
     required: RequiredSmoothness
-    found: Sequence[Joint]
+    joints: Sequence[Joint]
     scales: Rates  # the size of each derivative
     phases: Sequence[Phase] = ()
 
@@ -49,8 +49,8 @@ class Joints:
     def of(cls, rows: PieceRows, motion: Motion, required: RequiredSmoothness) -> Self:
         """Return the joints of a motion of phases."""
         scales = scales_of(motion)
-        found = joints(rows.pieces, scales, required.smooth, required.periodic)
-        return cls(rows, required, found, scales, motion.phases)
+        found_joints = joints(rows.pieces, scales, required.smooth, required.periodic)
+        return cls(rows, required, found_joints, scales, motion.phases)
 
     def order(self) -> list[Quantity]:
         """Return the rows that say how many derivatives must be continuous, and which jumps of each are rounding."""
@@ -76,33 +76,33 @@ class Joints:
     def table(self, sheet: Sheet, title: str, room: int) -> None:
         """Declare the table of what jumps at the begin of each piece, and rows on the first jump that is too much."""
         pieces = filled(self.rows.pieces, room, replace(self.rows.pieces[-1], duration=0.0))
-        found = filled(self.found, room, self.found[-1]._replace(before=-1, jump=Rates(), order=0))
+        joints = filled(self.joints, room, self.joints[-1]._replace(before=-1, jump=Rates(), order=0))
         sheet.table(
             self.name,
             title,
             room,
-            *self._lasting(pieces, found),
+            *self._lasting(pieces, joints),
             *self._ends(pieces),
-            *self._rates(pieces, found),
-            *self._jumps(pieces, found),
+            *self._rates(pieces, joints),
+            *self._jumps(pieces, joints),
             blank=f"[r]>{self.rows.at.count}",
         )
         sheet.rows(*self._first())
 
-    def _lasting(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
-        """Return which pieces last, and which phases meet where they begin."""
+    def _lasting(self, pieces: list[MotionPiece], joints: list[Joint]) -> list[Quantity]:
+        """Return the columns of the pieces that last, and of the phases that meet where they begin."""
         cell = sharing(CELLS["lasting"], at=self.rows.at, joints=self.name)
         return [
             cell("r", list(range(1, len(pieces) + 1))),
             cell("d", [piece.duration for piece in pieces], scale=self.rows.end),
             cell("p", [piece.phase + 1 for piece in pieces]),
-            cell("n", [joint.piece_count for joint in found]),
-            cell("of", [joint.phase + 1 for joint in found]),
-            cell("from", [joint.before + 1 for joint in found]),
+            cell("n", [joint.piece_count for joint in joints]),
+            cell("of", [joint.phase + 1 for joint in joints]),
+            cell("from", [joint.before + 1 for joint in joints]),
         ]
 
     def _ends(self, pieces: list[MotionPiece]) -> list[Quantity]:
-        """Return where each piece ends, with the powers of that; of a motion that opens within one, its begin too."""
+        """Return the columns of each piece's end, with its powers; of its begin if a motion opens within."""
         at, room = self.rows.at, len(pieces)
         if not at.opens:
             return place_columns(self.rows, "1", "end", "=[d]", np.array([piece.duration for piece in pieces]), pieces)
@@ -116,7 +116,7 @@ class Joints:
             *place_columns(self.rows, "1", "end", from_origin.format(after), np.array(ends), pieces),
         ]
 
-    def _rates(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
+    def _rates(self, pieces: list[MotionPiece], joints: list[Joint]) -> list[Quantity]:
         """Return y', y'' and y''' at both ends of each piece."""
         cell, rows, at_begins = CELLS["rates"], self.rows, [np.array(opening(piece)) for piece in pieces]
 
@@ -126,7 +126,7 @@ class Joints:
             return cell(name, values, begin=begin, scale=self.scales[n - 1])
 
         def reached(name: str, n: int) -> Quantity:
-            values = [joint.end[n - 1] for joint in found]
+            values = [joint.end[n - 1] for joint in joints]
             return cell(name, values, end=at_place(rows, n, "1"), scale=self.scales[n - 1])
 
         return [
@@ -138,39 +138,39 @@ class Joints:
             reached("j1", 3),
         ]
 
-    def _jumps(self, pieces: list[MotionPiece], found: list[Joint]) -> list[Quantity]:
+    def _jumps(self, pieces: list[MotionPiece], joints: list[Joint]) -> list[Quantity]:
         """Return the columns of the jumps at the begin of each piece."""
         wraps, wrapped = self.required.wraps, len(pieces) * self.required.periodic
         last = f"[{self.name}.r.last]"
         last = f"IF({wraps},{last},0)" if wraps else last
         met = [
             (k if joint.piece_count > 1 else wrapped) * (piece.duration > 0.0)
-            for k, (joint, piece) in enumerate(zip(found, pieces, strict=True))
+            for k, (joint, piece) in enumerate(zip(joints, pieces, strict=True))
         ]
         cell, scales = sharing(CELLS["jumps"], joints=self.name, order=self.required.order), self.scales
         return [
             cell("met", met, last=last),
-            cell("dv", [joint.jump.v for joint in found], scale=scales.v),
-            cell("da", [joint.jump.a for joint in found], scale=scales.a),
-            cell("dj", [joint.jump.j for joint in found], scale=scales.j),
-            cell("order", [joint.order for joint in found]),
-            cell("size", [joint.size for joint in found], scale=max(scales)),
+            cell("dv", [joint.jump.v for joint in joints], scale=scales.v),
+            cell("da", [joint.jump.a for joint in joints], scale=scales.a),
+            cell("dj", [joint.jump.j for joint in joints], scale=scales.j),
+            cell("order", [joint.order for joint in joints]),
+            cell("size", [joint.size for joint in joints], scale=max(scales)),
         ]
 
     @property
     def _worst(self) -> tuple[MotionPiece, Joint] | None:
         """The first joint that is less smooth than asked, and the piece that begins there."""
-        both = zip(self.rows.pieces, self.found, strict=True)
+        both = zip(self.rows.pieces, self.joints, strict=True)
         return next(((piece, joint) for piece, joint in both if joint.order), None)
 
     def _first(self) -> list[Quantity]:
         """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
-        required, order, told = self.required, self.required.order, self._told()
+        required, order, sentence_parts = self.required, self.required.order, self._sentence_parts()
         at, asked, named = self.rows.at, self.rows.at.required, bool(self.required.names)
         cell = sharing(CELLS["first"], order=order, joints=self.name, phases=at.phases, asked=asked)
 
         def row(name: str, **parts: str) -> Quantity:
-            return cell(name, told[name.removeprefix("{order}_")], **parts)
+            return cell(name, sentence_parts[name.removeprefix("{order}_")], **parts)
 
         def of_piece(column: str) -> str:
             return f"INDEX([{column}],{order}_piece)"
@@ -188,7 +188,7 @@ class Joints:
             row("{order}_lines"),
         ]
         return [
-            cell("{order}_piece", self.found.index(self._worst[1]) + 1 if self._worst else 0),
+            cell("{order}_piece", self.joints.index(self._worst[1]) + 1 if self._worst else 0),
             row("{order}_place", place=place),
             row("{order}_what"),
             row("{order}_size", size=size),
@@ -209,11 +209,11 @@ class Joints:
         """Return the check that the motion is as smooth as asked; it names joint, jump and phase."""
         required = self.required
         head = f'{required.of[0]}&" "&' if required.of[0] else ""
-        said = f"{required.of[1]} {self._told()['says']}".lstrip() if self._worst else ""
-        says, ok = CheckSentence(f"{head}{required.order}_says", said), not self._worst
+        sentence = f"{required.of[1]} {self._sentence_parts()['says']}".lstrip() if self._worst else ""
+        says, ok = CheckSentence(f"{head}{required.order}_says", sentence), not self._worst
         return CELLS["check"]("{name}", ok, name=name, label=label, order=required.order, source=ABOUT, says=says)
 
-    def _told(self) -> dict[str, Any]:
+    def _sentence_parts(self) -> dict[str, Any]:
         """Return the values of the cells on the first joint that is less smooth than required, by name."""
         required = self.required
         if not self._worst:
@@ -225,7 +225,7 @@ class Joints:
         degrees = self.rows.at.degrees and required.speed is None
         at, size = jump_values(required, piece.begin, abs(joint.size), joint.order)
         x, jump, slopes = shown(at, DEGREE) if degrees else at, figure(size), self._slopes(piece, joint)
-        lines = f": straight lines of {' and '.join(figure(one) for one in slopes)}" if slopes else ""
+        lines = f": straight lines of {' and '.join(figure(slope) for slope in slopes)}" if slopes else ""
         what, unit = ORDERS[joint.order - 1], self.units[joint.order - 1]
         says = f"{who}at {figure(x)}{required.place}: {what} jumps by {jump} {unit}{lines}"
         return NOTHING | {
@@ -248,7 +248,9 @@ class Joints:
         """Return the slopes of the phases on both sides, where both are straight."""
         if not self.rows.at.ends:
             return ()
-        used = sorted({one.phase for one in self.rows.pieces})
+        used = sorted({piece_row.phase for piece_row in self.rows.pieces})
         slopes = [slope(self.phases[used.index(row)]) for row in (joint.before, piece.phase)]
-        straight = tuple(jump_values(self.required, 0.0, one, 1)[1] for one in slopes if one is not None)
+        straight = tuple(
+            jump_values(self.required, 0.0, phase_slope, 1)[1] for phase_slope in slopes if phase_slope is not None
+        )
         return straight if len(straight) > 1 else ()

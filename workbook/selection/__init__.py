@@ -1,1 +1,1 @@
-"""What machines with a sheet Selection share: its entries, the engine's view of them, its variations."""
+"""The shared parts of machines with a sheet Selection: its entries, the engine's view of them, its variations."""

@@ -1,4 +1,4 @@
-"""The list of the best pairs on the sheet Selection, how it is found, and the chart of what they use."""
+"""The list of the best pairs on the sheet Selection, the search for them, and the chart of what they use."""
 
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series

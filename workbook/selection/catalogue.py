@@ -39,14 +39,14 @@ class MotorRow(Model):
     source: Source | None = None
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield half a curve, or one that falls beyond the largest speed."""
+        """Yield half a curve, or a curve that falls beyond the largest speed."""
         if (self.full_torque_to is None) != (self.end_torque is None):
             missing = "full_torque_to" if self.full_torque_to is None else "end_torque"
-            said = "half of the torque–speed curve is empty; expected both figures, or neither"
-            yield DesignError(missing, said, HALF.rule, 0.0)
+            problem = "half of the torque–speed curve is empty; expected both figures, or neither"
+            yield DesignError(missing, problem, HALF.rule, 0.0)
         if self.full_torque_to is not None and self.full_torque_to >= self.max_speed:
-            said = f"the torque falls from {self.full_torque_to:g} rpm; expected less than the largest speed"
-            yield DesignError("full_torque_to", said, FALLING.rule, 0.0)
+            problem = f"the torque falls from {self.full_torque_to:g} rpm; expected less than the largest speed"
+            yield DesignError("full_torque_to", problem, FALLING.rule, 0.0)
 
 
 HALF = RowRule("half", "COUNT([knee],[end])<>1", "knee", "half of the curve is empty: peak torque up to")

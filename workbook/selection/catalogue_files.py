@@ -1,4 +1,4 @@
-"""Catalogues of motors and reducers as CSV: one product a line, figures in the units that the column heads name."""
+"""Catalogues of motors and reducers as CSV: a product a line, figures in the units that the column heads name."""
 
 import csv
 import re
@@ -55,7 +55,7 @@ REDUCER_COLUMNS = {
 def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]:
     """Read the rows of a CSV file: commas, or semicolons with commas in the numbers.
 
-    A number beyond its bounds, or one that is missing, is an unfinished design's: it is given as it is. Raises
+    A number beyond its bounds, or a missing number, is an unfinished design's: it is given as it is. Raises
     ReadError, or InputError with a line for each fault.
     """
     lines = read_text(path, "a catalogue, a .csv file").splitlines()
@@ -78,7 +78,7 @@ def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]
             filled = zip(head, cells, strict=False)  # cells at the end may be missing
             given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
             rows.append({entry: cell for entry, cell in given.items() if cell is not None})
-            faults += [f"{where}, {said}" for said in useless(model, columns, rows[-1])]
+            faults += [f"{where}, {problem}" for problem in useless(model, columns, rows[-1])]
     except csv.Error as error:
         raise ReadError(f"{path}: line {table.line_num}: {error}; expected a catalogue, a .csv file") from error
     if faults:
@@ -101,9 +101,9 @@ def require_head(path: Path, head: list[str], model: type[Row], columns: dict[st
         raise InputError([f"{path}: line 1: {'; '.join(faults)}; expected one of {', '.join(columns)} in each column"])
 
 
-def others(found: list[str]) -> str:
-    """Return how many more there are than the first."""
-    return f" and {len(found) - 1:,} more" if len(found) > 1 else ""
+def others(names: list[str]) -> str:
+    """Return in words the number of names beyond the first."""
+    return f" and {len(names) - 1:,} more" if len(names) > 1 else ""
 
 
 def value(cell: str, entry: str, separator: str) -> Any:
@@ -115,7 +115,7 @@ def value(cell: str, entry: str, separator: str) -> Any:
 
 
 def useless(model: type[Row], columns: dict[str, str], given: Product) -> Iterator[str]:
-    """Yield a sentence for each unusable entry: its column, the entry found, and what is expected."""
+    """Yield a sentence for each unusable entry: its column, the given entry, and what is expected."""
     names = {entry: column for column, entry in columns.items()}
     try:
         model.model_validate(given)

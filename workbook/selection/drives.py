@@ -1,4 +1,4 @@
-"""The drives on the sheet Selection: a row each, the named one by its cells and points, each behind its reducer."""
+"""The drives on the sheet Selection: a row each, the named drive by its cells and points, each behind its reducer."""
 
 import re
 from collections.abc import Callable
@@ -90,13 +90,13 @@ def points_table(sheet: Sheet, view: PairSelection) -> None:
     sheet.book.name(in_scope("@points", sheet.scope), **names)
 
 
-GROUP = 5  # drives among which one formula chooses
+GROUP = 5  # drives among which a single formula chooses
 
 
 def named_figure(
     view: PairSelection, name: str, values: Array, whole: str = "{}", scale: float = 0.0
 ) -> list[Quantity]:
-    """Return the column of a figure, within ``whole``, of the named drive; of many, one for each group before it."""
+    """Return the column of a figure, within ``whole``, of the named drive; of many, a column for each group before."""
     cell = CELLS["points"]
     names = [f"INDEX({shaft.columns}_{name},[k])" for shaft in view.shafts]
     column = view.shaft.by_point(values)
@@ -143,8 +143,8 @@ def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:
     """Declare what each motor has to do behind the reducer of each drive, and what it fails first."""
     drives, each = view.every_drive, [drive.behind_own for drive in view.every_drive]
     use, torque = (
-        max(1.0, *(float(one.uses.max()) for one in each)),
-        max(1e-3, *(float(one.peak.max()) for one in each)),
+        max(1.0, *(float(behind_own.uses.max()) for behind_own in each)),
+        max(1e-3, *(float(behind_own.peak.max()) for behind_own in each)),
     )
     loads(sheet, view)
     matrix(sheet, view, "share", share, "uses", 0.0, scale=use)

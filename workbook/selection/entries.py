@@ -17,7 +17,7 @@ MOST_PRODUCTS = 100  # rows of a catalogue
 UNCHOSEN = "no axis with a drive is named "
 COMMITTED: dict[str, Callable[[], Sequence[Model]]] = {"motors": committed_motors, "reducers": committed_reducers}
 REFERENCE = "committed"
-"""instead of a catalogue: the one that comes with the templates, whatever lies beside the description"""
+"""instead of a catalogue: that of the templates, whatever lies beside the description"""
 
 
 def referred(data: dict[str, Any]) -> dict[str, Any]:
@@ -36,7 +36,7 @@ def require_known(kind: str, name: str, names: Sequence[str], key: str) -> None:
 
 
 class Products(Model):
-    """The catalogues of motors and reducers: those that come with the templates where none are told, or by the word."""
+    """The catalogues of motors and reducers: those of the templates where none are given, or by the word."""
 
     motors: Annotated[list[MotorRow], Field(min_length=1)] = Field(default_factory=committed_motors)
     reducers: Annotated[list[ReducerRow], Field(min_length=1)] = Field(default_factory=committed_reducers)
@@ -56,7 +56,7 @@ class Products(Model):
 
 
 class Limits(Model):
-    """What every drive keeps to, on its sheet, in Selection and Pairs, in studies: figures over their reserves."""
+    """The limits of every drive, on its sheet, in Selection and Pairs, in studies: figures over their reserves."""
 
     rms_reserve: Positive = noted(1.0, "Least continuous torque of a motor over its RMS torque")
     peak_reserve: Positive = noted(1.0, "Least peak torque of a motor over the largest that is asked of it")
@@ -110,7 +110,7 @@ class Selection(Ranked):
 
 
 class SelectionSizes(Sizes):
-    """How large the tables are built: also the rows of the two catalogues."""
+    """The sizes of the tables: also the rows of the two catalogues."""
 
     motors: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 22
     reducers: Annotated[int, Field(ge=1, le=MOST_PRODUCTS)] = 18

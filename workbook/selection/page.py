@@ -22,7 +22,7 @@ ABOUT = (
 
 
 def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Limits | None = None) -> None:
-    """Declare the sheets of the best pairs and of all; ``axis`` is the entry that names one of several shafts.
+    """Declare the sheets of the best pairs and of all; ``axis`` is the entry that names a shaft of several.
 
     ``limits`` are entered here where no other sheet has them.
     """
@@ -53,7 +53,7 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
 
 
 def entries(sheet: Sheet, view: PairSelection, axis: str, limits: Limits | None) -> None:
-    """Declare the axis, what pairs are ranked by, what a usable one holds, and what the axis asks for."""
+    """Declare the axis, what pairs are ranked by, what a usable pair holds, and what the axis asks for."""
     cell = CELLS["entries"]
     s = view.given
     sheet.heading("Enter", ABOUT)

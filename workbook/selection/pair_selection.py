@@ -71,14 +71,14 @@ Cell = str | tuple[str, float] | tuple[str, float, float]
 
 
 def shaft_figures(scope: str, load: Mapping[str, tuple[float, float]], cells: Mapping[str, Cell]) -> list[Figure]:
-    """Return the figures of a shaft by their cells: a formula of a figure of the load, or one with value and scale."""
+    """Return the figures of a shaft by their cells: a formula of a figure of the load, or that with value and scale."""
     each = {name: (cell, *load[name]) if isinstance(cell, str) else cell for name, cell in cells.items()}
-    found = []
+    figures = []
     for name, row in FIGURES.items():
         formula, *value_and_scale = each[name]
         label, unit = row.texts["label"], row.texts["unit"]
-        found.append(Figure(name, label, unit, in_scope(formula, scope), *value_and_scale))
-    return found
+        figures.append(Figure(name, label, unit, in_scope(formula, scope), *value_and_scale))
+    return figures
 
 
 @dataclass
@@ -102,7 +102,7 @@ class Shaft:
     figures: Sequence[Figure]
 
     def __post_init__(self) -> None:
-        self.values = {one.name: one.value for one in self.figures}  # the engine's, by the names of figures
+        self.values = {figure.name: figure.value for figure in self.figures}  # the engine's, by the names of figures
         self.product = self.turning * self.torque  # the scale of means of ω̇ S (W/s)
 
     def by_point(self, values: Array) -> list[float]:
@@ -165,7 +165,7 @@ def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
 
 
 class PairFigures(NamedTuple):
-    """What a pair does, in the units of the sheet."""
+    """The figures of a pair, in the units of the sheet."""
 
     rms: float
     margin: float
@@ -176,7 +176,7 @@ class PairFigures(NamedTuple):
 
 
 class PairSelection:
-    """The choice for the shaft that is named, or the only one.
+    """The choice for the shaft that is named, or the only shaft.
 
     ``rooms`` are the rows and columns of the grid, ``pairs`` their number, ``rank`` that of what pairs are ranked by.
     """
@@ -244,18 +244,18 @@ class PairSelection:
     @cached_property
     def listed(self) -> list[PairFigures]:
         """The figures of the best pairs."""
-        g, found = self.grid, []
+        g, pairs = self.grid, []
         for m, r in self.ranked[:BEST]:
             margin = float(shares_of(np.array(1.0), g.uses[m, r]))
             peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
             inertias, spare = float(g.inertia_ratio[m, r]), g.reserve(m, r)
-            found.append(PairFigures(float(g.rms[m, r]), margin, peak, speed, inertias, spare))
-        return found
+            pairs.append(PairFigures(float(g.rms[m, r]), margin, peak, speed, inertias, spare))
+        return pairs
 
     @cached_property
     def proposed(self) -> int | None:
         """The place of the first of the best pairs that stays below its motor's curve, from 0; None where none does."""
-        return next((k for k, one in enumerate(self.listed) if one.spare >= 0.0), None)
+        return next((k for k, pair in enumerate(self.listed) if pair.spare >= 0.0), None)
 
     @cached_property
     def own(self) -> PairFigures:

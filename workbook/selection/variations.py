@@ -13,7 +13,7 @@ CHOICES: tuple[dict[str, Any], ...] = (
     {"rank": "inertia match", "efficiency": 0.95},
     {"rank": "smallest motor", "efficiency": 0.93},
 )
-KEPT: tuple[dict[str, Any], ...] = (
+RESERVES: tuple[dict[str, Any], ...] = (
     {"rms_reserve": 1.0, "speed_reserve": 1.05, "torque_factor": 1.0},
     {"peak_reserve": 1.3, "inertia_ratio": 40.0, "torque_factor": 1.7},
     {"rms_reserve": 1.4, "inertia_ratio": 60.0, "torque_factor": 0.6},
@@ -26,16 +26,16 @@ WEAK = 4  # the variation whose motors can do nothing
 
 
 def vary_selection(data: dict[str, Any], k: int, sizes: dict[str, Any]) -> None:
-    """Put other catalogues and choices into a description's selection; ``sizes`` says how many rows there are."""
+    """Put other catalogues and choices into a description's selection; ``sizes`` has the numbers of rows."""
     data |= CHOICES[k]
-    for entry, made, few in (("motor", motor, 4 + k % 5), ("reducer", reducer, 4 + (k + 1) % 5)):
+    for entry, make_product, few in (("motor", motor, 4 + k % 5), ("reducer", reducer, 4 + (k + 1) % 5)):
         room = sizes[f"{entry}s"]
-        rows = [made(i, k) for i in range(room if k == 0 else min(room, few))]
+        rows = [make_product(i, k) for i in range(room if k == 0 else min(room, few))]
         data |= {f"{entry}s": rows, entry: rows[(2 * k + 1) % len(rows)]["name"] if k % 4 == 1 else None}
 
 
 def motor(i: int, k: int) -> dict[str, Any]:
-    """Return a motor: the larger the later, one in three with a curve, some without a mass or a cost."""
+    """Return a motor: the larger the later, every third with a curve, some without a mass or a cost."""
     strength = 1e-6 if k == WEAK else 1.0
     rated = strength * (20.0 + 3 * k) * 1.9**i
     top = 3000.0 + 170 * i + 29 * k
@@ -56,7 +56,7 @@ def motor(i: int, k: int) -> dict[str, Any]:
 
 
 def reducer(i: int, k: int) -> dict[str, Any]:
-    """Return a reducer: one in three without an inertia, some without a limit, a mass or a cost."""
+    """Return a reducer: every third without an inertia, some without a limit, a mass or a cost."""
     return {
         "name": f"reducer {k}-{i + 1}",
         "reduction": (1.5 + 0.2 * k) * 1.45**i,

@@ -33,13 +33,13 @@ ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 
 
 async def write(command: str, suffix: str, page: Page) -> str | None:
-    """Write a file by a command from another one of the folder, under a name that is free."""
+    """Write a file by a command from another file of the folder, under a name that is free."""
     path = page.file()
-    return await page.made(command, path, page.folder.free(f"{path.stem}{suffix}"))
+    return await page.write_by(command, path, page.folder.free(f"{path.stem}{suffix}"))
 
 
 async def work_out(function: Callable[[str, str], str], page: Page, name: str) -> str:
-    """Return what a function of a description's name and text gives of one of the folder."""
+    """Return a function's result for the name and text of a description of the folder."""
     return await page.work.in_worker(function, name, read_text(page.folder.file(name), "a description"))
 
 
@@ -60,11 +60,11 @@ async def download(page: Page, name: str) -> bytes:
 async def new(page: Page) -> str | None:
     """Write a new description, and edit it."""
     path = page.folder.free(f"{page.get_body_argument('name')}.toml")
-    return await page.made("new", page.get_body_argument("template"), path)
+    return await page.write_by("new", page.get_body_argument("template"), path)
 
 
 async def edit(page: Page, name: str) -> str:
-    """Show a description to be edited, or one of the best designs of a study of it, which is not saved."""
+    """Show a description to be edited, or, unsaved, a design among the best of a study of it."""
     path, asked = page.folder.file(name), page.get_query_argument("study", "")
     if not asked:
         return pages.editor(name, read_text(path, "a description"), state(path))
@@ -72,8 +72,8 @@ async def edit(page: Page, name: str) -> str:
     if not number.isdecimal():
         raise InputError([f"{number!r}: expected the place of a design"])
     text = await page.work.in_worker(study.picked, results, int(number))
-    said = f"Design {int(number)} of {asked}, beside the saved {name}. It is not saved yet."
-    return pages.editor(name, text, state(path), said, f"{results.stem}-{int(number)}.toml")
+    note = f"Design {int(number)} of {asked}, beside the saved {name}. It is not saved yet."
+    return pages.editor(name, text, state(path), note, f"{results.stem}-{int(number)}.toml")
 
 
 async def live_panel(page: Page) -> str:
@@ -140,14 +140,14 @@ async def verify(page: Page) -> str:
 
 
 async def upload(page: Page) -> str:
-    """Verify a workbook from elsewhere, which is not kept."""
+    """Verify a workbook from elsewhere, and delete it."""
     with page.upload("book", "upload.xlsx") as path:
         return await page.reported(path)
 
 
 async def compare(page: Page) -> str:
     """Tell what differs between two files of the folder."""
-    done, text = await page.told("diff", page.file("old"), page.file("new"), "--html")
+    done, text = await page.run_with_report("diff", page.file("old"), page.file("new"), "--html")
     return pages.framed(text) if text else pages.printed("Comparison", done.text, "")
 
 
@@ -166,13 +166,13 @@ async def export(page: Page) -> str:
     for order in ORDERS:
         if share := page.get_body_argument(order, ""):
             options += ["--tolerance", f"{order}={share}%"]
-    with tempfile.TemporaryDirectory() as made:
+    with tempfile.TemporaryDirectory() as folder:
         done = await page.work.run(
             "export", book, "--to", page.get_body_argument("target"), "--points", page.get_body_argument("points"),
-            *options, "--report", REPORT, folder=made,
+            *options, "--report", REPORT, folder=folder,
         )  # fmt: skip
         report, links = "", []
-        for file in sorted(Path(made).iterdir()):
+        for file in sorted(Path(folder).iterdir()):
             if file.name == REPORT:
                 report = file.read_text(encoding="utf-8")
                 continue
@@ -184,7 +184,7 @@ async def export(page: Page) -> str:
 
 
 async def read(page: Page) -> str:
-    """Write what a controller's file was made of as a description, under a name that is free, and edit it."""
+    """Write what a controller's file was folder of as a description, under a name that is free, and edit it."""
     with page.upload("table", "table.txt") as table:
         target = page.folder.free(f"{table.stem}.toml")
         done = await page.work.run("read", table, "--from", page.get_body_argument("target"), "-o", target)
@@ -197,7 +197,7 @@ async def read(page: Page) -> str:
 def axes(book: Path, digest: str) -> list[str]:
     """Return the names of the axes of a workbook that a controller can be given; ``digest`` tells its versions."""
     machine, _ = read_inputs(book)
-    return [one.name for one in TEMPLATES[machine.template].axes(machine)]
+    return [axis.name for axis in TEMPLATES[machine.template].axes(machine)]
 
 
 GET: dict[str, Action] = {

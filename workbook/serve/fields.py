@@ -1,4 +1,4 @@
-"""The form beside a description's text: each of its tables as rows of fields, made from what its keys say."""
+"""The form beside a description's text: each of its tables as rows of fields, by the facts of its keys."""
 
 import json
 import re
@@ -16,7 +16,7 @@ from workbook.serve.live import design
 from workbook.serve.tables import Table, changed, part_of, tables_of, written
 
 EITHER = re.compile(r", | or ")
-PHRASES = ("a ", "7 ")  # what the words begin with that expect anything but one of some texts
+PHRASES = ("a ", "7 ")  # begins of the words that expect anything but a choice of texts
 
 
 class Field(NamedTuple):
@@ -46,16 +46,16 @@ def form(name: str, text: str, part: str) -> str:
     except MotionbookError as error:
         return paragraphs(error)
     tables = tables_of(template.name, data)
-    parts = {part_of(one.place): heading(part_of(one.place), data) for one in tables}
-    chosen = next((one for one in parts if written(one) == part), ())
-    said = faults(name, text, data)
-    shown = [(one, *fields(one, said, data)) for one in tables if part_of(one.place) == chosen]
-    return rendered("serve/form.html", parts=parts, chosen=chosen, tables=shown, said=said, spell=spell,
+    parts = {part_of(table.place): heading(part_of(table.place), data) for table in tables}
+    chosen = next((place for place in parts if written(place) == part), ())
+    messages = faults(name, text, data)
+    shown = [(table, *fields(table, messages, data)) for table in tables if part_of(table.place) == chosen]
+    return rendered("serve/form.html", parts=parts, chosen=chosen, tables=shown, messages=messages, spell=spell,
                     written=written, default_of=default_of)  # fmt: skip
 
 
 def heading(part: Place, data: dict[str, Any]) -> str:
-    """Return what a part of a description is called in the list of them, a row with its name."""
+    """Return the label of a part of a description in the list of parts, a row with its name."""
     rows = data.get(part[0]) if part[1:] else None
     return f"{spell(part)} {rows[int(part[1])].get('name', '') if rows else ''}".strip() or "machine"
 
@@ -74,7 +74,7 @@ def entered(name: str, text: str, path: str, do: str, value: str) -> str:
 
 
 def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:
-    """Return what is wrong with a description by the key of the entry."""
+    """Return the faults of a description by the keys of entries."""
     try:
         return {fault.key: fault.message for fault in design(name, text).machine.design.faults}
     except MotionbookError:
@@ -83,39 +83,39 @@ def faults(name: str, text: str, data: dict[str, Any]) -> dict[str, str]:
         template = template_named(data.get("template"), "template")
         described(template, data, lambda key: key)
     except InputError as error:
-        return {key: said for key, _, said in (line.partition(": ") for line in error.lines)}
+        return {key: message for key, _, message in (line.partition(": ") for line in error.lines)}
     return {}
 
 
-def fields(of: Table, said: dict[str, str], data: dict[str, Any]) -> tuple[list[Field], list[Grid]]:
+def fields(of: Table, messages: dict[str, str], data: dict[str, Any]) -> tuple[list[Field], list[Grid]]:
     """Return the fields of a table that is there, and its lists."""
     single, grids = list[Field](), list[Grid]()
     for key in of.section.keys if of.entries is not None else ():
         place, value = (*of.place, key.name), (of.entries or {}).get(key.name)
         if key.rows and isinstance(value, list | None):
-            grids.append(grid(key, place, value or [], said, data))
+            grids.append(grid(key, place, value or [], messages, data))
         else:
-            single.append(field(key, place, value, said, data))
+            single.append(field(key, place, value, messages, data))
     return single, grids
 
 
-def grid(key: Key, place: Place, entries: list[Any], said: dict[str, str], data: dict[str, Any]) -> Grid:
+def grid(key: Key, place: Place, entries: list[Any], messages: dict[str, str], data: dict[str, Any]) -> Grid:
     """Return the rows of a list, a field for each of their entries, last those that a row may be without."""
     columns = sorted(enumerate(key.rows), key=lambda column: column[1].default is None and not column[1].required)
     rows = []
     for k, row in enumerate(entries):
-        found = dict(enumerate(row)) if isinstance(row, list) else row  # a time of being on may be a pair of numbers
-        names = [(one, n if isinstance(row, list) else one.name) for n, one in columns]
+        values = dict(enumerate(row)) if isinstance(row, list) else row  # a time of being on may be a pair of numbers
+        names = [(column, n if isinstance(row, list) else column.name) for n, column in columns]
         way = (*place, str(k))
-        rows.append((way, [field(one, (*way, str(at)), found.get(at), said, data) for one, at in names]))
-    return Grid(key, place, [one for _, one in columns], rows)
+        rows.append((way, [field(column, (*way, str(at)), values.get(at), messages, data) for column, at in names]))
+    return Grid(key, place, [column for _, column in columns], rows)
 
 
-def field(key: Key, place: Place, value: Any, said: dict[str, str], data: dict[str, Any]) -> Field:
-    """Return the field of an entry; where it is one of some texts, these are proposed as one types."""
+def field(key: Key, place: Place, value: Any, messages: dict[str, str], data: dict[str, Any]) -> Field:
+    """Return the field of an entry; where the entry takes some texts only, they are proposed while typing."""
     shown = "" if value is None else value if isinstance(value, str) else toml(value)
     known = [] if isinstance(value, bool) else choices(key, data)
-    return Field(key, place, shown, said.get(join(place), ""), known)
+    return Field(key, place, shown, messages.get(join(place), ""), known)
 
 
 def choices(key: Key, data: dict[str, Any]) -> list[str]:

@@ -1,4 +1,4 @@
-"""What every address has in common: who may ask, and the files of the folder that is served, and nothing outside it."""
+"""The base of every address: who may ask, and the files of the folder that is served, and nothing outside it."""
 
 import base64
 import hashlib
@@ -38,8 +38,8 @@ class Folder:
 
     def files(self) -> list[Path]:
         """Return its descriptions and workbooks, by name."""
-        found = (path for path in self.path.iterdir() if path.suffix.lower() in KINDS)
-        return sorted(path for path in found if path.is_file() and not path.name.startswith((".", "~$")))
+        files = (path for path in self.path.iterdir() if path.suffix.lower() in KINDS)
+        return sorted(path for path in files if path.is_file() and not path.name.startswith((".", "~$")))
 
     def file(self, name: str) -> Path:
         """Return a file of the folder; raise ReadError for a name that is none."""
@@ -49,12 +49,12 @@ class Folder:
         return path
 
     def free(self, name: str) -> Path:
-        """Return where a new file can be written: the name, or that with a number."""
+        """Return the path for a new file: the name, or that with a number."""
         path = self._within(name)
         if path.suffix.lower() not in MADE:
             raise WriteError(f"{name}: expected a name that ends in {', '.join(MADE)}")
         numbered = (path.with_stem(f"{path.stem}-{number}") for number in range(2, 1000))
-        return path if not path.exists() else next(one for one in numbered if not one.exists())
+        return path if not path.exists() else next(free for free in numbered if not free.exists())
 
     def _within(self, name: str) -> Path:
         path = self.path / name
@@ -64,7 +64,7 @@ class Folder:
 
 
 def state(path: Path) -> str:
-    """Return a digest that tells this version of a file from a later one."""
+    """Return a digest that tells this version of a file from later versions."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
@@ -82,7 +82,7 @@ class Page(RequestHandler):
         """Let a browser load nothing from elsewhere, run no script but the server's own and keep no copy."""
         self.set_header("Content-Security-Policy", POLICY)
         self.set_header("X-Content-Type-Options", "nosniff")
-        self.set_header("Referrer-Policy", "same-origin")  # without one, a form's post has no Origin
+        self.set_header("Referrer-Policy", "same-origin")  # without it, a form's post has no Origin
         self.set_header("Cache-Control", "no-store")
 
     def prepare(self) -> Awaitable[None] | None:
@@ -126,7 +126,7 @@ class Page(RequestHandler):
             self.finish(f"{status_code}: {self._reason}\n")
 
     def log_exception(self, typ: Any, value: Any, tb: Any) -> None:
-        """Keep the errors of motionbook from the log: they are told on the page."""
+        """Keep the errors of motionbook from the log: the page shows them."""
         if not isinstance(value, MotionbookError):
             super().log_exception(typ, value, tb)
 
@@ -150,16 +150,16 @@ class Page(RequestHandler):
             path.write_bytes(files[0].body)
             yield path
 
-    async def made(self, command: str, source: Path | str, target: Path) -> str | None:
+    async def write_by(self, command: str, source: Path | str, target: Path) -> str | None:
         """Write a file by a command, under a name that is free; edit it where it is a description, else offer it."""
         done = await self.work.run(command, source, "-o", target)
         if target.suffix == ".toml" and not done.code:
             self.redirect(f"/edit/{target.name}")
             return None
-        files = [one for one in (source, target) if isinstance(one, Path) and one.exists()]
+        files = [path for path in (source, target) if isinstance(path, Path) and path.exists()]
         return pages.printed(Path(source).name, done.text, done.written, *files)
 
-    async def told(self, *command: str | Path) -> tuple[Done, str]:
+    async def run_with_report(self, *command: str | Path) -> tuple[Done, str]:
         """Return how a command ended whose last option writes a report, and that; empty where there is none."""
         with tempfile.TemporaryDirectory() as folder:
             report = Path(folder) / REPORT
@@ -168,7 +168,7 @@ class Page(RequestHandler):
 
     async def reported(self, path: Path, *links: str) -> str:
         """Verify a workbook and return its report, links above it."""
-        done, text = await self.told("verify", path, "--report")
+        done, text = await self.run_with_report("verify", path, "--report")
         verdict = self.verdicts[path.name] = pages.VERDICTS.get(done.code, "cannot be read")
         return pages.framed(text, *links) if text else pages.printed(path.name, done.text, verdict)
 

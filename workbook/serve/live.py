@@ -27,9 +27,9 @@ PHASES = re.compile(rf"(?ms)^\s*(?:\[\[axes\.phases\]\]{BEFORE_NEXT}|phases\s*=\
 ENTRY = re.compile(r"\b(?:start|stop)\s*=\s*(-?\d[\d.]*)")
 SHIFT = re.compile(r"(?m)^\s*shift\s*=\s*(-?\d[\d.]*)")
 NAME = re.compile(r"(?m)^\s*name\s*=.*$")
-STEPS = 360  # steps of a cycle: of one in degrees, a degree
+STEPS = 360  # steps of a cycle: a degree where the cycle is in degrees
 CHARTS = 6  # of a design at most: those that an edit changes, else the first
-KEPT = 4  # designs that are remembered: the saved one, and the latest
+REMEMBERED = 4  # designs that are remembered: the saved one, and the latest
 NEAR = 1e-9  # of a line's range: a smaller change is none
 KNOWN = ("number", "revision", "author", "date")  # what identifies a machine beside its title
 LINES = 6  # checks that fail, in sentences on the page to print; more are counted
@@ -42,7 +42,7 @@ class Edge(NamedTuple):
 
     axis: str
     value: float  # as entered
-    places: list[tuple[int, int]]  # of its numbers in the text, or for one that is not there
+    places: list[tuple[int, int]]  # of its numbers in the text, or the place for an entry that is missing
     lane: bool = False
     before: str = ""  # what is to be written before its number
 
@@ -54,7 +54,7 @@ class Edge(NamedTuple):
 
 def edges(text: str, machine: Any) -> Iterator[Edge]:
     """Yield the lane and the edges of each axis whose entries stand in the text as the machine has them."""
-    heads = [found.span() for found in AXIS.finditer(text)]
+    heads = [match.span() for match in AXIS.finditer(text)]
     axes = getattr(machine, "axes", [])
     if len(heads) != len(axes):
         return
@@ -62,22 +62,22 @@ def edges(text: str, machine: Any) -> Iterator[Edge]:
         shift, name = SHIFT.search(text, *head), NAME.search(text, *head)
         if shift and float(shift[1]) == axis.shift:
             yield Edge(axis.name, axis.shift, [shift.span(1)], lane=True)
-        elif not shift and not axis.shift and name:  # there is room for one
+        elif not shift and not axis.shift and name:  # there is room for it
             yield Edge(axis.name, 0.0, [(name.end(), name.end())], lane=True, before="\nshift = ")
-        lists = (one.span() for one in PHASES.finditer(text, head[0], end))
-        numbers = (one for place in lists for one in ENTRY.finditer(text, *place))
-        found = [(float(one[1]), one.span(1)) for one in numbers
-                 if "#" not in text[text.rfind("\n", 0, one.start()) + 1 : one.start()]]  # fmt: skip
+        lists = (match.span() for match in PHASES.finditer(text, head[0], end))
+        numbers = (match for place in lists for match in ENTRY.finditer(text, *place))
+        entered_numbers = [(float(number[1]), number.span(1)) for number in numbers
+                 if "#" not in text[text.rfind("\n", 0, number.start()) + 1 : number.start()]]  # fmt: skip
         entered = [value for phase in axis.phases for value in (phase.start, phase.stop)]
-        if [value for value, _ in found] == entered:
+        if [value for value, _ in entered_numbers] == entered:
             for value in dict.fromkeys(entered):
-                yield Edge(axis.name, value, [place for one, place in found if one == value])
+                yield Edge(axis.name, value, [place for entry, place in entered_numbers if entry == value])
 
 
-def handles(lines: list[Line], found: Iterable[Edge], shifts: dict[str, float]) -> Iterator[Handle]:
+def handles(lines: list[Line], edges: Iterable[Edge], shifts: dict[str, float]) -> Iterator[Handle]:
     """Yield a handle of the timing diagram for each edge, on the line of its axis; a lane's is the name at its line."""
     drawn = {line.name: line for line in lines}
-    for edge in (one for one in found if one.axis in drawn):
+    for edge in (edge for edge in edges if edge.axis in drawn):
         x = drawn[edge.axis].x
         begin, cycle = float(x[0]), float(np.ptp(x))
         attributes = {
@@ -98,24 +98,24 @@ class ShownDesign(Design):
     @cached_property
     def charts(self) -> list[tuple[tuple[str, str], tuple[Chart, list[Line]]]]:
         """The charts of its book that have lines, each once, by the titles of its sheet and its own."""
-        found, seen = [], set[tuple[Series, ...]]()
+        charts, seen = [], set[tuple[Series, ...]]()
         for sheet in self.book.sheets:
             for chart, *_ in sheet.charts:
-                drawn = [one for series in chart.series if (one := line(self.book, chart, series)).x.size]
+                drawn = [drawn_line for series in chart.series if (drawn_line := line(self.book, chart, series)).x.size]
                 if drawn and chart.series not in seen:
-                    found.append(((sheet.title, chart.title), (chart, drawn)))
+                    charts.append(((sheet.title, chart.title), (chart, drawn)))
                 seen.add(chart.series)
-        return found
+        return charts
 
     @cached_property
     def summary(self) -> dict[Key, Figure]:
         """The results of the sheet Summary, each with its axis, if any, as its place."""
-        parted = ((key, one, one.place.partition(": ")) for key, one in self.results().items())
-        return {key: one._replace(place=axis) for key, one, (sheet, _, axis) in parted if sheet == TITLE}
+        parted = ((key, result, result.place.partition(": ")) for key, result in self.results().items())
+        return {key: figure._replace(place=axis) for key, figure, (sheet, _, axis) in parted if sheet == TITLE}
 
 
 def fragment(name: str, text: str, saved: str) -> str:
-    """Return the HTML beside a description: what it comes to, with the lines of the saved one in grey."""
+    """Return the HTML beside a description: its results, with the lines of the saved description in grey."""
     try:
         new = design(name, text)
     except MotionbookError as error:
@@ -128,9 +128,9 @@ def fragment(name: str, text: str, saved: str) -> str:
                     results=results(new, old), drawn=drawn)  # fmt: skip
 
 
-@lru_cache(KEPT)
+@lru_cache(REMEMBERED)
 def design(name: str, text: str) -> ShownDesign:
-    """Return the design that a text describes. Raises InputError or ReadError for one that describes none."""
+    """Return the design that a text describes. Raises InputError or ReadError for a text that describes none."""
     path = Path(name)
     data = parse_toml(text, path)
     template = template_named(data.get("template"), "template")
@@ -140,31 +140,35 @@ def design(name: str, text: str) -> ShownDesign:
 
 def failing(new: ShownDesign) -> list[list[str]]:
     """Return a row for each check that fails: its sheet, what it is, where and by how much."""
-    return [[one.place, one.label, one.says] for one in new.checks().values() if one.value == "FAIL"]
+    return [[check.place, check.label, check.says] for check in new.checks().values() if check.value == "FAIL"]
 
 
 def results(new: ShownDesign, old: ShownDesign | None) -> list[list[str]]:
     """Return a row for each result of the sheet Summary, with that of the saved design where it differs."""
     known = old.summary if old else {}
     rows = []
-    for key, one in new.summary.items():
-        saved = known.get(key, one).value
-        share = Change(one.place, one.label, one.unit, saved, one.value).per_cent if saved != one.value else None
-        before, by = "" if saved in (None, one.value) else figure(saved), "" if share is None else f"{share:+.3g} %"
-        rows.append([": ".join(filter(None, one[:2])), figure(one.value), before, by, one.unit])
+    for key, result in new.summary.items():
+        saved = known.get(key, result).value
+        share = (
+            Change(result.place, result.label, result.unit, saved, result.value).per_cent
+            if saved != result.value
+            else None
+        )
+        before, by = "" if saved in (None, result.value) else figure(saved), "" if share is None else f"{share:+.3g} %"
+        rows.append([": ".join(filter(None, result[:2])), figure(result.value), before, by, result.unit])
     return rows
 
 
-def pictures(new: ShownDesign, old: ShownDesign | None, found: list[Edge]) -> list[str]:
+def pictures(new: ShownDesign, old: ShownDesign | None, edges: list[Edge]) -> list[str]:
     """Return the timing diagram with handles at edges, the charts that an edit changes, else the first of the book."""
     known = dict(old.charts) if old else {}
     all_ = [(chart, lines, others if (others := known.get(title, (chart, []))[1]) and differ(lines, others) else [])
             for title, (chart, lines) in new.charts]  # fmt: skip
-    shifts = {axis.name: axis.shift for axis in getattr(new.machine, "axes", [])} if found else {}
-    all_.sort(key=lambda one: not (one[0].lanes or one[2]))
+    shifts = {axis.name: axis.shift for axis in getattr(new.machine, "axes", [])} if edges else {}
+    all_.sort(key=lambda drawn_chart: not (drawn_chart[0].lanes or drawn_chart[2]))
     drawn = []
     for chart, lines, before in all_[:CHARTS]:
-        held = [*handles(lines, found, shifts)] if chart.lanes else []
+        held = [*handles(lines, edges, shifts)] if chart.lanes else []
         drawn.append(plot(chart.title, (chart.x, chart.y), lines, (False, chart.log_y), before, held))
     return drawn
 
@@ -172,7 +176,7 @@ def pictures(new: ShownDesign, old: ShownDesign | None, found: list[Edge]) -> li
 def line(book: Book, chart: Chart, series: Series) -> Line:
     """Return a line of a chart: the points of which both figures are numbers, on an axis of powers above 0."""
     columns = [book.values(series.x), book.values(series.y)]
-    x, y = (np.array([one if isinstance(one, int | float | np.number) else np.nan for one in column], dtype=float)
+    x, y = (np.array([value if isinstance(value, int | float | np.number) else np.nan for value in column], dtype=float)
             for column in columns)  # fmt: skip
     shown = np.isfinite(x) & np.isfinite(y) & ((y > 0.0) | (not chart.log_y))
     block = book.blocks.get(series.name.removeprefix("="))
@@ -182,10 +186,10 @@ def line(book: Book, chart: Chart, series: Series) -> Line:
 
 def differ(lines: list[Line], others: list[Line]) -> bool:
     """Return whether two charts show other lines."""
-    return [one.y.size for one in lines] != [one.y.size for one in others] or not all(
-        np.allclose(one.y, other.y, rtol=0.0, atol=max(float(np.ptp(other.y)), 1e-9) * NEAR)
-        and np.allclose(one.x, other.x, rtol=NEAR)
-        for one, other in zip(lines, others, strict=True)
+    return [line.y.size for line in lines] != [other.y.size for other in others] or not all(
+        np.allclose(line.y, other.y, rtol=0.0, atol=max(float(np.ptp(other.y)), 1e-9) * NEAR)
+        and np.allclose(line.x, other.x, rtol=NEAR)
+        for line, other in zip(lines, others, strict=True)
     )
 
 
@@ -195,11 +199,13 @@ def sheet(name: str, text: str) -> str:
     machine: Machine = shown.machine
     whole: list[list[str]] = []
     of: dict[str, dict[str, str]] = {}
-    for one in shown.summary.values():
-        if one.place:
-            of.setdefault(one.place, {})[f"{one.label} [{one.unit}]" if one.unit else one.label] = short(one.value)
+    for result in shown.summary.values():
+        if result.place:
+            of.setdefault(result.place, {})[f"{result.label} [{result.unit}]" if result.unit else result.label] = short(
+                result.value
+            )
         else:
-            whole.append([one.label, short(one.value), one.unit])
+            whole.append([result.label, short(result.value), result.unit])
     names = list(dict.fromkeys(what for row in of.values() for what in row))
     drawn = pictures(shown, None, [])[: 1 + (FEWER if len(shown.axes) > MANY else DRAWN)]
     return document(machine.title, rendered(
@@ -221,7 +227,11 @@ def in_short(name: str, text: str) -> str:
         shown = design(name, text)
     except MotionbookError as error:
         return str(error).partition("\n")[0]
-    whole = [f"{one.label} {short(one.value)} {one.unit}".rstrip() for one in shown.summary.values() if not one.place]
+    whole = [
+        f"{result.label} {short(result.value)} {result.unit}".rstrip()
+        for result in shown.summary.values()
+        if not result.place
+    ]
     fails = len(failing(shown))
     return "; ".join([*whole[:FIRST], f"{fails} checks FAIL" if fails else "all checks OK"])
 

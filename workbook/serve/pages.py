@@ -10,9 +10,9 @@ VERDICTS = {0: "agrees", 1: "disagrees", 2: "cannot be read", 3: "agrees; the de
 
 
 def page(title: str, template: str, *scripts: str, **values: Any) -> str:
-    """Return a page with its scripts, and the one that says when the server is at work."""
+    """Return a page with its scripts, and the script that shows when the server is at work."""
     given = {"title": title, "link": link, "post": post, "choice": choice, "is_study": is_study} | values
-    tags = (f'<script src="/{one}.js" type="module"></script>' for one in ("busy", *scripts))
+    tags = (f'<script src="/{script}.js" type="module"></script>' for script in ("busy", *scripts))
     return document(title, rendered(f"serve/{template}.html", **given) + "".join(tags))
 
 
@@ -21,9 +21,9 @@ def is_study(path: Path) -> bool:
     return any(line.startswith("[[vary]]") for line in path.read_text(encoding="utf-8", errors="replace").splitlines())
 
 
-def editor(name: str, words: str, state: str, said: str = "", target: str = "") -> str:
-    """Return the page on which a description is edited, with what is ``said`` of it and the proposed name to save."""
-    return page(name, "edit", "form", "live", words=words, state=state, said=said, target=target or name)
+def editor(name: str, words: str, state: str, note: str = "", target: str = "") -> str:
+    """Return the page on which a description is edited, with a ``note`` on it and the proposed name to save."""
+    return page(name, "edit", "form", "live", words=words, state=state, note=note, target=target or name)
 
 
 def framed(report: str, *links: str) -> str:
@@ -49,6 +49,6 @@ def post(action: str, name: str, words: str) -> str:
 
 
 def choice(name: str, values: Sequence[str], key: str = "") -> str:
-    """Return a field of one of some texts; ``key`` is its own in the page, the name unless told otherwise."""
-    options = (f'<option value="{shown(one)}">{shown(one)}</option>' for one in values)
+    """Return a field for a choice of texts; ``key`` is its own in the page, the name by default."""
+    options = (f'<option value="{shown(value)}">{shown(value)}</option>' for value in values)
     return f'<select name="{name}" id="{key or name}">{"".join(options)}</select>'

@@ -65,7 +65,7 @@ async def new(page: Page) -> None:
 
 
 async def begin(page: Page, path: Path | None = None) -> None:
-    """Begin a study, that of the form unless told, or go on with it, on all cores but one, and follow it."""
+    """Begin a study, that of the form by default, or go on with it, with a core left free, and follow it."""
     path = path or page.file()
     results = path.with_suffix(".csv")
     done, size = folder.progress(results)
@@ -85,7 +85,7 @@ async def cancel(page: Page) -> None:
 async def show(page: Page, name: str) -> str:
     """Show a study; the script fetches how far it is."""
     path, base = page.folder.file(name), ""
-    with suppress(MotionbookError):  # of one that is no TOML there is nothing to edit
+    with suppress(MotionbookError):  # of a study that is no TOML there is nothing to edit
         base = str(parse_toml(read_text(path, "a study, a .toml file"), path).get("base", ""))
     return pages.page(name, "study", "study", base=base)
 
@@ -101,12 +101,12 @@ async def progress(page: Page, name: str) -> str:
         bar = f'<p><progress value="{done}" max="{max(size, 1)}"></progress> {words}</p>'
         return f'<div data-running="yes">{bar}{pages.post("/cancel", path.name, "Cancel")}</div>'
     if path.with_suffix(".json").exists():
-        found = await page.work.in_worker(front, path)
-        return found + pages.link(f"/file/{results.name}", "Download all designs")
+        front_page = await page.work.in_worker(front, path)
+        return front_page + pages.link(f"/file/{results.name}", "Download all designs")
     done, size = folder.progress(results)
     words = f"{done:,} of {size:,} designs are worked out." if size else "No design is worked out."
-    said = f"<pre>{shown(job.done.text)}</pre>" if job and job.done and job.done.text else ""
-    return f"<p>{words}</p>{pages.post('/begin', path.name, 'Go on' if size else 'Begin')}{said}"
+    output = f"<pre>{shown(job.done.text)}</pre>" if job and job.done and job.done.text else ""
+    return f"<p>{words}</p>{pages.post('/begin', path.name, 'Go on' if size else 'Begin')}{output}"
 
 
 class Field(NamedTuple):
@@ -123,16 +123,16 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
     """Return the entries that can vary by their tables, and the results that may be asked for, fast ones first."""
     machine: Any = read_description(base)
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
-    words = {one.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for one in references(machine)}
+    words = {reference.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for reference in references(machine)}
     tables: dict[str, list[Field]] = {}
-    for part in PRODUCTS:  # one that has no name of the catalogue can be given one
+    for part in PRODUCTS:  # a product without a name of the catalogue can be given a name
         for _, row in spread(data, ("axes", "*", part)):
             if isinstance(row, dict):
                 row.setdefault("name", "")
     for path, value in leaves(data):
         (*above, last), key = path, join(path)
         if last == "name" and above and above[-1] in PRODUCTS:
-            words[key] = [one.name for one in getattr(machine.selection, PRODUCTS[above[-1]])]
+            words[key] = [product.name for product in getattr(machine.selection, PRODUCTS[above[-1]])]
         if isinstance(value, float) or key in words:
             known, over = [ALL, *words[key]] if key in words else [], ALL
             if not known:
@@ -143,7 +143,7 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
             row = Field(spell(path), figure(value), over, known, givers)
             named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
             tables.setdefault(f"{spell(above)} {named}".strip(), []).append(row)
-    return tables, [one for _, names in listed_results(machine) for one in names]
+    return tables, [name for _, names in listed_results(machine) for name in names]
 
 
 def composed(base: str, asked: Mapping[str, list[str]]) -> str:
@@ -167,18 +167,18 @@ def composed(base: str, asked: Mapping[str, list[str]]) -> str:
 
 
 def varied(key: str, text: str) -> dict[str, Any]:
-    """Return what an entry varies over: ``80 to 100 in 5``, values with commas between, or all."""
+    """Return the values or range of an entry: ``80 to 100 in 5``, values with commas between, or all."""
     text = text.strip()
     if text == ALL:
         return {"all": CATALOGUE if key.endswith(".name") else LAWS}
     if span := RANGE.fullmatch(text):
         ends = {"from": value_of(span[1]), "to": value_of(span[2])}
         return ends | ({"steps": int(span[3])} if span[3] else {})
-    return {"values": [value_of(one.strip(), or_text=True) for one in text.split(",") if one.strip()]}
+    return {"values": [value_of(part.strip(), or_text=True) for part in text.split(",") if part.strip()]}
 
 
 def value_of(text: str, or_text: bool = False) -> Any:
-    """Return the number that a text is; of another one, it as it is where that may be, else raise InputError."""
+    """Return the number of a text; the text itself where ``or_text``; else raise InputError."""
     try:
         return float(text)
     except ValueError:
@@ -197,33 +197,36 @@ def require_study(text: str, base: Path) -> None:
 
 
 def front(path: Path) -> str:
-    """Return the HTML of what came of a study; each of the best designs is a link to its description."""
-    plan, found = read_results(path)
+    """Return the HTML of a study's results; each of the best designs is a link to its description."""
+    plan, summary = read_results(path)
     named = require_names(plan, str(path))
-    links = [f"/edit/{plan.study.base}?study={path.name}&pick={n}" for n in range(1, len(found.best) + 1)]
-    return reported.front(plan, found, named, links=links)
+    links = [f"/edit/{plan.study.base}?study={path.name}&pick={n}" for n in range(1, len(summary.best) + 1)]
+    return reported.front(plan, summary, named, links=links)
 
 
 def read_results(path: Path) -> tuple[Plan, Summary]:
-    """Return a study and what is known of it; raise ReadError where these do not go together."""
+    """Return a study's plan and summary; raise ReadError where these do not go together."""
     plan, results = read_study(path), path.with_suffix(".json")
-    found = summary_from(plan, results, own=True)
-    if found is None:
+    summary = summary_from(plan, results, own=True)
+    if summary is None:
         raise ReadError(f"{results.name}: results of this study before it or its machine was changed; delete them")
-    return plan, found
+    return plan, summary
 
 
 def picked(path: Path, number: int) -> str:
-    """Return the description of one of the best designs of a study: the text of its base with other entries."""
-    plan, found = read_results(path)
-    if not 1 <= number <= len(found.best):
-        raise InputError([f"design {number}: expected 1 to {len(found.best)}"])
-    best = found.best[number - 1]
+    """Return the description of a design among the best of a study: the text of its base with other entries."""
+    plan, summary = read_results(path)
+    if not 1 <= number <= len(summary.best):
+        raise InputError([f"design {number}: expected 1 to {len(summary.best)}"])
+    best = summary.best[number - 1]
     machine: Machine = machine_of(plan, best)
     base = path.parent / str(plan.study.base)
     text = read_text(base, "a machine description, a .toml file")
     try:
-        changed = edited(text, plan.changes({one: best.entries[one.label] for one in plan.space.dimensions}).items())
+        changed = edited(
+            text,
+            plan.changes({dimension: best.entries[dimension.label] for dimension in plan.space.dimensions}).items(),
+        )
         template = template_named(plan.base.template, "template")
         if template.model_for(data := parse_toml(changed, base)).model_validate(data) == machine:
             return changed

@@ -30,13 +30,13 @@ class Table(NamedTuple):
 def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
     """Return the tables that a description of a template has, and those that it leaves out."""
     way = next((key for key in TEMPLATES[template].others if has_key(data, key)), "")
-    made = []
+    tables = []
     for section in template_sections(template, way):
         for place, entries in spread(data, split(section.path)):
             kind = entries.get(KIND) if isinstance(entries, dict) else None
             if not section.kind or section.kind == kind:
-                made.append(Table(place, section, entries if isinstance(entries, dict) else None))
-    return made
+                tables.append(Table(place, section, entries if isinstance(entries, dict) else None))
+    return tables
 
 
 @lru_cache
@@ -68,21 +68,23 @@ def changed(text: str, template: str, data: dict[str, Any], place: Place, do: st
     key = key_of(tables, place)
     new = value_of(key, value.strip())
     changes: list[tuple[Place, Any]] = [(place, new)] if new is not None or get(data, place) is not None else []
-    if key.name == KIND and isinstance(new, str):  # the table becomes one of another kind
-        keys = [key for one in sections_at(template, place[:-1]) if one.kind in ("", new) for key in one.keys]
+    if key.name == KIND and isinstance(new, str):  # the table becomes a table of another kind
+        keys = [
+            key for section in sections_at(template, place[:-1]) if section.kind in ("", new) for key in section.keys
+        ]
         gone = above.keys() - {key.name for key in keys}
         changes += [((*place[:-1], name), None) for name in above if name in gone]
-        changes += [((*place[:-1], name), made) for name, made in required(keys).items() if name not in above]
+        changes += [((*place[:-1], name), value) for name, value in required(keys).items() if name not in above]
     return edited(text, changes)
 
 
 def key_of(tables: Sequence[Table], place: Place) -> Key:
     """Return the key of an entry; raise InputError where no table has it."""
-    for one in tables:
-        below = place[len(one.place) :]
-        if place[: len(one.place)] != one.place or not below:
+    for table in tables:
+        below = place[len(table.place) :]
+        if place[: len(table.place)] != table.place or not below:
             continue
-        key = next((key for key in one.section.keys if key.name == below[0]), None)
+        key = next((key for key in table.section.keys if key.name == below[0]), None)
         if key is not None and len(below) == 1:
             return key
         if key is not None and len(below) == 3:  # a row of a list, by the name of its entry or by its number
@@ -93,7 +95,7 @@ def key_of(tables: Sequence[Table], place: Place) -> Key:
 
 
 def value_of(key: Key, text: str) -> Any:
-    """Return what a field says as its key has it; a text where it is of another type, which checking then tells."""
+    """Return a field's value in the type of its key; a text where it has another type, which the check reports."""
     if not text:
         return None
     try:
@@ -110,19 +112,19 @@ def value_of(key: Key, text: str) -> Any:
 
 def example(template: str, tables: Sequence[Table], place: Place) -> dict[str, Any]:
     """Return a table or a row that is added, with what it must have."""
-    if all(one.place != place for one in tables):
+    if all(table.place != place for table in tables):
         return required(key_of(tables, place[:-1]).rows)
-    made: dict[str, Any] = {"family": place[1]} if place[0] == "laws" else {}
-    for one in sections_at(template, place):
-        if one.kind in ("", made.get(KIND)):
-            made |= required(one.keys)
-    return made
+    row: dict[str, Any] = {"family": place[1]} if place[0] == "laws" else {}
+    for section in sections_at(template, place):
+        if section.kind in ("", row.get(KIND)):
+            row |= required(section.keys)
+    return row
 
 
 def sections_at(template: str, place: Place) -> list[Section]:
-    """Return what a template says of the table at a place, of each kind that it may have."""
+    """Return a template's sections for the table at a place, a section for each kind that it may have."""
     path = ".".join("*" if part.isdigit() else part for part in place)
-    return [one for one in template_sections(template) if one.path == path]
+    return [section for section in template_sections(template) if section.path == path]
 
 
 def required(keys: Sequence[Key]) -> dict[str, Any]:
@@ -131,7 +133,7 @@ def required(keys: Sequence[Key]) -> dict[str, Any]:
 
 
 def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
-    """Return the text with other values at paths, None to take one away; raise InputError for no TOML, no such path."""
+    """Return the text with other values at paths, None to remove an entry; raise InputError for a wrong text, path."""
     try:
         document = tomlkit.parse(text)
         for path, value in changes:
@@ -140,8 +142,8 @@ def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
     except (TOMLKitError, LookupError, TypeError, ValueError) as error:
         raise InputError([f"the text cannot be changed there: {error}"]) from None
     if len(before) == len(after):  # each comment keeps its column, where the line leaves room for it
-        for k, (one, other) in enumerate(zip(before, after, strict=True)):
-            then, now = COMMENTED.fullmatch(one), COMMENTED.fullmatch(other)
+        for k, (old_line, new_line) in enumerate(zip(before, after, strict=True)):
+            then, now = COMMENTED.fullmatch(old_line), COMMENTED.fullmatch(new_line)
             if then and now and then[3] == now[3]:
                 after[k] = f"{now[1]:<{then.start(3) - 1}} {now[3]}"
     return "\n".join(after)

@@ -1,4 +1,4 @@
-"""What the pages do: the commands of motionbook, each in a process of its own with a limit of time and memory."""
+"""The work of the pages: commands of motionbook, each in a process of its own with a limit of time and memory."""
 
 import asyncio
 import gc
@@ -24,18 +24,18 @@ T = TypeVar("T")
 
 
 class WorkError(MotionbookError):
-    """Work that took too long, or that another one is in the way of."""
+    """Work that took too long, or that other work is in the way of."""
 
 
 class Done(NamedTuple):
-    """How a command ended: its exit code and what it printed."""
+    """The end of a command: its exit code and its output."""
 
     code: int
     text: str
 
     @property
     def written(self) -> str:
-        """What became of the file that it was to write: nothing is said of one that is fine."""
+        """Return a note on the file that the command was to write, empty where it is fine."""
         return {AGREES: "", FAILS: "written; the design fails its checks"}.get(self.code, NOT_WRITTEN)
 
 
@@ -64,7 +64,7 @@ class Job:
 
 
 class Work:
-    """Commands, so many at once, others wait for their turn; one study; and one process for what is edited."""
+    """Commands, so many at once, others wait for their turn; a single study; and a process for what is edited."""
 
     def __init__(self, most: int | None = None) -> None:
         self._turns = asyncio.Semaphore(most or max(1, (os.cpu_count() or 2) - 1))
@@ -74,12 +74,12 @@ class Work:
         self._editing: ProcessPoolExecutor | None = None
 
     async def in_worker(self, function: Callable[..., T], *arguments: Any) -> T:
-        """Return what a function gives in the process beside the server; raise WorkError where it takes too long."""
+        """Return the result of a function in the process beside the server; raise WorkError where it takes too long."""
         if self._editing is None:
             self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=prepare_worker)
         try:
-            found = asyncio.get_running_loop().run_in_executor(self._editing, function, *arguments)
-            return await asyncio.wait_for(found, PATIENCE)
+            future = asyncio.get_running_loop().run_in_executor(self._editing, function, *arguments)
+            return await asyncio.wait_for(future, PATIENCE)
         except (TimeoutError, BrokenProcessPool):
             self._end_editing()
             raise WorkError(f"Not worked out within {PATIENCE:.0f} s") from None
@@ -93,7 +93,7 @@ class Work:
             self._editing = None
 
     async def run(self, *arguments: str | Path, folder: str | None = None) -> Done:
-        """Run a command of motionbook, in a folder if one is named."""
+        """Run a command of motionbook, in a folder where it is given."""
         self.waiting += 1
         try:
             async with self._turns:
@@ -115,9 +115,9 @@ class Work:
         return Done(process.returncode or 0, printed.decode(errors="replace"))
 
     async def study(self, path: Path, before: int, *options: str | Path) -> None:
-        """Begin a study, ``before`` of whose designs are done; raise WorkError where another one is at work."""
+        """Begin a study, ``before`` of whose designs are done; raise WorkError where another study is at work."""
         busy = next((name for name, job in self.jobs.items() if job.done is None), None)
-        if busy is not None:  # each takes all cores but one
+        if busy is not None:  # each leaves a single core free
             raise WorkError(f"{busy} is at work; cancel it, or wait for its end")
         self.jobs[path.name] = Job(await start_command("study", path, *options, start_new_session=True), before)
 

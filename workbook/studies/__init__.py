@@ -1,1 +1,1 @@
-"""Studies: many designs of one machine, told by what varies, what is asked of them, and what is best."""
+"""Studies: many designs of a machine: the entries that vary, the results to keep, the best designs."""

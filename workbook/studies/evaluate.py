@@ -1,4 +1,4 @@
-"""The results of designs: those that differ only in what scales at once, others one by one; what they are called."""
+"""The results of designs: those that differ only in what scales at once, others each by itself; their labels."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -29,7 +29,7 @@ ROW = re.compile(r"(.+)\.(\d+)")
 
 
 class Label(NamedTuple):
-    """What a result is called, and its unit."""
+    """The label of a result and its unit."""
 
     words: str
     unit: str
@@ -40,7 +40,7 @@ Labels = dict[str, Label]
 
 @dataclass(frozen=True)
 class Table:
-    """Designs by their numbers from ``begin``: entries by dimension, results by name, why one is impossible.
+    """Designs by their numbers from ``begin``: entries by dimension, results by name, the reason where impossible.
 
     A result is NaN, or an empty text, where there is none. ``fails`` says by constraint which designs break it.
     """
@@ -56,12 +56,12 @@ class Table:
 
     @property
     def possible(self) -> NDArray[np.bool_]:
-        """Which designs there can be."""
+        """Return whether each design is possible."""
         return np.asarray(self.reasons == "")
 
     @cached_property
     def feasible(self) -> NDArray[np.bool_]:
-        """Which designs keep to all constraints."""
+        """Return whether each design keeps to all constraints."""
         return np.asarray(~np.logical_or.reduce([~self.possible, *self.fails.values()]))
 
 
@@ -82,7 +82,7 @@ class Evaluator:
         self.asked = list(dict.fromkeys([*self.names, *plan.study.bounds]))
         self.from_books = [name for name in self.asked if name not in self.usual.named]
         self.swift = plan.template.scaling is not None and not self.from_books
-        self._outer = [k for k, one in enumerate(plan.space.dimensions) if not (self.swift and one.part)]
+        self._outer = [k for k, dimension in enumerate(plan.space.dimensions) if not (self.swift and dimension.part)]
         """the dimensions in which a design is worked out by itself"""
         self._last: tuple[tuple[Any, ...], Machine | str] | None = None
 
@@ -91,20 +91,23 @@ class Evaluator:
         count = len(columns[0].places)
         places = np.array([columns[k].places for k in self._outer], dtype=np.intp).reshape(-1, count)
         cuts = np.flatnonzero((places[:, 1:] != places[:, :-1]).any(axis=0)) + 1  # others follow in an outer dimension
-        found: list[tuple[GroupResults, int]] = []
+        groups: list[tuple[GroupResults, int]] = []
         for first, last in pairwise([0, *cuts.tolist(), count]):
-            some = [Column(one.values, one.places[first:last]) for one in columns]
-            found.append((self._group(some, last - first), last - first))
-        results = {name: joined([spread(one.results.get(name, np.nan), n) for one, n in found]) for name in self.names}
-        constraints = dict.fromkeys(name for one, _ in found for name in one.fails)
-        fails = {
-            name: np.concatenate([spread(one.fails.get(name, False), n) for one, n in found]) for name in constraints
+            some = [Column(entry.values, entry.places[first:last]) for entry in columns]
+            groups.append((self._group(some, last - first), last - first))
+        results = {
+            name: joined([spread(group.results.get(name, np.nan), n) for group, n in groups]) for name in self.names
         }
-        reasons = np.concatenate([np.full(n, one.reason, dtype=object) for one, n in found])
+        constraints = dict.fromkeys(name for group, _ in groups for name in group.fails)
+        fails = {
+            name: np.concatenate([spread(group.fails.get(name, False), n) for group, n in groups])
+            for name in constraints
+        }
+        reasons = np.concatenate([np.full(n, group.reason, dtype=object) for group, n in groups])
         return Table(begin, tuple(columns), results, fails, reasons)
 
     def _group(self, columns: Sequence[Column], count: int) -> GroupResults:
-        """Return what is found of designs that are worked out together."""
+        """Return the results of designs that are worked out together."""
         dimensions = self.plan.space.dimensions
         chosen = {dimensions[k]: columns[k].values[columns[k].places[0]] for k in self._outer}
         values = tuple(chosen.values())
@@ -121,25 +124,27 @@ class Evaluator:
                 checks = {q.name: exact.judge(q.name, q.value, "")[0] != OK
                           for _, q in book.checks if not self.plan.study.is_off(q.name)}  # fmt: skip
                 return GroupResults(results, checks | self._beyond(results))
-            scaled = {one.key: column for one, column in zip(dimensions, columns, strict=True) if one.part}
+            scaled = {
+                dimension.key: column for dimension, column in zip(dimensions, columns, strict=True) if dimension.part
+            }
             return self._scaled(machine, scaled, count)
         except (ValueError, ArithmeticError) as error:  # what the engine refuses
             return GroupResults({}, {}, str(error).replace("\n", " "))
 
     def _beyond(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return which designs do not keep to bounds, or are another text; what is no number keeps to none."""
-        found: dict[str, Any] = {}
+        broken: dict[str, Any] = {}
         for name, bound in self.plan.study.bounds.items():
             if isinstance(bound, str):
-                found[name] = np.asarray(values[name]) != bound
+                broken[name] = np.asarray(values[name]) != bound
             else:
                 numbers = np.asarray(values[name]).astype(np.float64)
                 low, high = -np.inf if bound.min is None else bound.min, np.inf if bound.max is None else bound.max
-                found[name] = ~((numbers >= low) & (numbers <= high))
-        return found
+                broken[name] = ~((numbers >= low) & (numbers <= high))
+        return broken
 
     def _scaled(self, machine: Machine, scaled: Mapping[str, Column], count: int) -> GroupResults:
-        """Return what is found of designs that differ only in what scales."""
+        """Return the results of designs that differ only in what scales."""
         scaling = self.plan.template.scaling
         assert scaling is not None  # noqa: S101 - of a plan that is swift
         asked = scaling.results(machine, scaled)
@@ -147,10 +152,10 @@ class Evaluator:
         fails = self._beyond(values)
         checks = [name for name in asked.checks if name not in fails and not self.plan.study.is_off(name)]
         fails |= {name: asked.named[name]() != OK for name in checks if name not in asked.slow}
-        broken = np.logical_or.reduce([spread(False, count), *(spread(one, count) for one in fails.values())])
+        broken = np.logical_or.reduce([spread(False, count), *(spread(failed, count) for failed in fails.values())])
         left = np.arange(count) if self.thorough else np.flatnonzero(~broken)
         if left.size:
-            few = {key: Column(one.values, spread(one.places, count)[left]) for key, one in scaled.items()}
+            few = {key: Column(column.values, spread(column.places, count)[left]) for key, column in scaled.items()}
             some = asked if left.size == count else scaling.results(machine, few)
             slow = ((name, some.named[name]) for name in checks if name in asked.slow)
             for name, judge in (*slow, *((name, some.exact[name]) for name in checks if name in some.exact)):
@@ -165,7 +170,7 @@ def spread(values: Any, count: int) -> Values:
 
 
 def joined(parts: Sequence[Values]) -> Values:
-    """Return values one behind the other: numbers, or texts with an empty one where there is none."""
+    """Return values in a row: numbers, or texts, empty where there is none."""
     if all(part.dtype.kind in "fiub" for part in parts):
         return np.concatenate([part.astype(np.float64) for part in parts])
     return np.concatenate([np.full(len(p), "", object) if p.dtype.kind == "f" else p.astype(object) for p in parts])
@@ -219,7 +224,7 @@ def require_names(plan: Plan, where: str) -> Labels:
 
 
 def listed_results(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
-    """Yield headings and the names below them, those of a table's rows as one: ``axis1.v.1…3``."""
+    """Yield headings and the names below them, a table's rows in a line: ``axis1.v.1…3``."""
     template = TEMPLATES[machine.template]
     book, usual = template.declare(machine), results_without_book(machine)
     inputs = {name for name, block in book.blocks.items() for q in block.quantities if q.role == "input"}
@@ -232,18 +237,18 @@ def listed_results(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Labe
 
 
 def with_row_ranges(names: list[str]) -> Iterator[str]:
-    """Yield names, those of a table's rows as one."""
+    """Yield names, a table's rows as a range."""
     rows: dict[str, list[str]] = {}
     for name in names:
-        found = ROW.fullmatch(name)
-        rows.setdefault(found[1] if found else name, []).append(found[2] if found else "")
+        match = ROW.fullmatch(name)
+        rows.setdefault(match[1] if match else name, []).append(match[2] if match else "")
     for name, numbers in rows.items():
         last = f"…{numbers[-1]}" if len(numbers) > 1 else ""
         yield f"{name}.{numbers[0]}{last}" if numbers[0] else name
 
 
 def label(book: Book, name: str) -> Label:
-    """Return what a result is called."""
+    """Return the label of a result."""
     block, column = (*name.split("."), "")[:2]
     if block not in book.blocks:
         return Label(name.partition("_")[2].replace("_", " "), UNITS.get(name.rpartition("_")[2], ""))

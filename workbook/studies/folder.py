@@ -1,4 +1,4 @@
-"""A study's results as files: its parts on the way, in a folder for one study, each whole or not there; all of them."""
+"""A study's results as files: its parts on the way, in a folder for the study, each whole or not there; all of them."""
 
 import csv
 import hashlib
@@ -35,7 +35,7 @@ ANOTHER = (
 
 
 class Parts:
-    """The folder of a study's parts, of ``step`` designs each: of one that goes on, of as many as it began with."""
+    """The folder of a study's parts, of ``step`` designs each: a study that goes on keeps the number it began with."""
 
     def __init__(self, results: Path, digest: str, size: int, step: int = STEP) -> None:
         self.folder, self.suffix, self.step = folder_of(results), results.suffix.lower(), step
@@ -48,41 +48,41 @@ class Parts:
 
     @property
     def held(self) -> str:
-        """What lies there of this study, and how it goes on."""
+        """The sentence that names the complete parts of this study and the option that goes on with them."""
         return f"holds {len(self.complete())} complete parts of this study; --resume goes on with them"
 
     @contextmanager
     def opened(self, resume: bool, force: bool) -> Iterator[None]:
-        """Hold the folder for this study alone; raise WriteError where another one is at work in it, or was."""
+        """Hold the folder for this study alone; raise WriteError where another study is at work in it, or was."""
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise write_error(self.folder, error) from error
         with locked(self.folder / LOCK):
-            told = self.folder / STUDY_FILE
+            note = self.folder / STUDY_FILE
             if resume and self.mine:
                 self.step = int(noted_study(self.folder).get("step", self.step))
-            elif told.exists() and not force:
-                said = f"{self.held}, --force begins anew" if self.mine else ANOTHER
-                raise WriteError(f"{self.folder}: {said}")
+            elif note.exists() and not force:
+                problem = f"{self.held}, --force begins anew" if self.mine else ANOTHER
+                raise WriteError(f"{self.folder}: {problem}")
             else:
-                for one in self._own():
-                    one.unlink()
-            write_part(told, json.dumps(self._study | {"step": self.step}).encode())
+                for path in self._own():
+                    path.unlink()
+            write_part(note, json.dumps(self._study | {"step": self.step}).encode())
             yield
 
     def complete(self) -> set[int]:
         """Return the numbers of the parts whose rows have the length and the digest that were noted when written."""
-        found = set()
+        complete = set()
         for number in numbers(self.folder):
             with suppress(OSError, ValueError, TypeError, KeyError):
                 if json.loads(read(self._noted(number)))["rows"] == size_and_digest(self.rows(number).read_bytes()):
-                    found.add(number)
-        return found
+                    complete.add(number)
+        return complete
 
     def _own(self) -> list[Path]:
         """Return the files of parts; what else lies in the folder is somebody's own."""
-        return [one for one in self.folder.iterdir() if OWN.fullmatch(one.name)]
+        return [path for path in self.folder.iterdir() if OWN.fullmatch(path.name)]
 
     def _noted(self, number: int) -> Path:
         return self.folder / f"part-{number:08}.json"
@@ -92,7 +92,7 @@ class Parts:
         return self.folder / f"part-{number:08}{self.suffix}"
 
     def summary(self, number: int) -> Summary:
-        """Return what is known of a complete part."""
+        """Return the summary of a complete part."""
         return Summary.of_data(json.loads(read(self._noted(number)))["summary"])
 
     def keep(self, number: int, rows: bytes, summary: Summary) -> None:
@@ -104,8 +104,8 @@ class Parts:
     def remove(self) -> None:
         """Remove the parts, and the folder unless something else lies in it."""
         with suppress(OSError):
-            for one in [*self._own(), self.folder / STUDY_FILE, self.folder / LOCK]:
-                one.unlink(missing_ok=True)
+            for path in [*self._own(), self.folder / STUDY_FILE, self.folder / LOCK]:
+                path.unlink(missing_ok=True)
             self.folder.rmdir()
 
 
@@ -128,7 +128,7 @@ def progress(results: Path) -> tuple[int, int]:
 
 def numbers(folder: Path) -> list[int]:
     """Return the numbers of the parts that a folder names as written."""
-    return [int(found[1]) for one in folder.glob("part-*") if (found := NOTED.fullmatch(one.name))]
+    return [int(match[1]) for path in folder.glob("part-*") if (match := NOTED.fullmatch(path.name))]
 
 
 def folder_of(results: Path) -> Path:
@@ -137,7 +137,7 @@ def folder_of(results: Path) -> Path:
 
 
 def noted_study(folder: Path) -> dict[str, Any]:
-    """Return what is noted of the study that lies in a folder."""
+    """Return the notes on the study that lies in a folder."""
     with suppress(ValueError):
         noted = json.loads(read(folder / STUDY_FILE))
         return noted if isinstance(noted, dict) else {}
@@ -159,7 +159,7 @@ def read(path: Path) -> str:
 
 @contextmanager
 def locked(path: Path) -> Iterator[None]:
-    """Hold a file against all other processes; the system lets go of it when this one ends, however it does."""
+    """Hold a file against all other processes; the system lets go of it when this process ends, however it does."""
     try:
         file = path.open("a+b")
     except OSError as error:
@@ -175,13 +175,13 @@ def locked(path: Path) -> Iterator[None]:
 
                 fcntl.flock(file.fileno(), fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
-            said = "another study is at work in this folder; expected one at a time"
-            raise WriteError(f"{path.parent}: {said}") from error
+            problem = "another study is at work in this folder; expected one at a time"
+            raise WriteError(f"{path.parent}: {problem}") from error
         yield
 
 
 def require_format(path: Path) -> None:
-    """Raise WriteError for a suffix that is none, or one whose package is missing."""
+    """Raise WriteError for an unknown suffix, and for a suffix whose package is missing."""
     if path.suffix.lower() not in FORMATS:
         raise WriteError(f"{path}: results are written as {' or '.join(FORMATS)}; expected one of these endings")
     if path.suffix.lower() == ".parquet" and find_spec("pyarrow") is None:
@@ -193,47 +193,47 @@ def part_bytes(labels: list[str], table: Table, suffix: str) -> bytes:
 
     Its columns: number, entries, results, whether a design is feasible, and why not.
     """
-    found: dict[str, list[Any]] = {"design": list(range(table.begin + 1, table.begin + len(table) + 1))}
-    for label, one in zip(labels, table.entries, strict=True):
-        found[label] = np.array(list(one.values), dtype=object)[one.places].tolist()
+    columns: dict[str, list[Any]] = {"design": list(range(table.begin + 1, table.begin + len(table) + 1))}
+    for label, column in zip(labels, table.entries, strict=True):
+        columns[label] = np.array(list(column.values), dtype=object)[column.places].tolist()
     for name, values in table.results.items():
-        found[name] = [None if value != value else value for value in values.tolist()]
+        columns[name] = [None if value != value else value for value in values.tolist()]
     failing = np.full(len(table), "", dtype=object)  # the names of the constraints that a design does not keep to
     for name, fails in table.fails.items():
         failing[fails] += f" {name}"
     ends = np.where(table.feasible, "yes", "no").tolist(), [n.lstrip() for n in failing], table.reasons.tolist()
-    found |= dict(zip(ENDS, ends, strict=True))
+    columns |= dict(zip(ENDS, ends, strict=True))
     if suffix == ".csv":
-        return lines(zip(*found.values(), strict=True))
+        return lines(zip(*columns.values(), strict=True))
     import pyarrow
     import pyarrow.parquet
 
-    said = io.BytesIO()
-    pyarrow.parquet.write_table(pyarrow.table(found), said)
-    return said.getvalue()
+    stream = io.BytesIO()
+    pyarrow.parquet.write_table(pyarrow.table(columns), stream)
+    return stream.getvalue()
 
 
 def lines(rows: Iterable[Iterable[Any]]) -> bytes:
     """Return rows as lines of CSV."""
-    said = io.StringIO()
-    csv.writer(said, lineterminator="\n").writerows(rows)
-    return said.getvalue().encode()
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue().encode()
 
 
 def join(names: Sequence[str], parts: Sequence[Path], path: Path, suffix: str) -> None:
-    """Write parts one behind the other into a file, a part at a time; Parquet of the kinds that all of them have."""
+    """Write parts after each other into a file, a part at a time; Parquet of the kinds that all of them have."""
     if suffix == ".csv":
         with path.open("wb") as file:
             file.write(lines([names]))
-            for one in parts:
-                with one.open("rb") as rows:
+            for part in parts:
+                with part.open("rb") as rows:
                     shutil.copyfileobj(rows, file)
         return
     import pyarrow
     import pyarrow.parquet
 
-    schemas = [pyarrow.parquet.read_schema(one) for one in parts]
+    schemas = [pyarrow.parquet.read_schema(part) for part in parts]
     schema = pyarrow.unify_schemas(schemas, promote_options="permissive")
     with pyarrow.parquet.ParquetWriter(path, schema) as writer:
-        for one in parts:
-            writer.write_table(pyarrow.parquet.read_table(one).cast(schema))
+        for part in parts:
+            writer.write_table(pyarrow.parquet.read_table(part).cast(schema))

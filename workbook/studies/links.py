@@ -1,4 +1,4 @@
-"""Linked entries of a study: each follows another one, or lies a number beyond it, whatever that one is."""
+"""Linked entries of a study: each follows another, or lies a number beyond it, whatever its value."""
 
 import re
 from collections.abc import Mapping
@@ -15,14 +15,14 @@ TERM = re.compile(r"(?P<path>.+?)(?:\s*(?P<sign>[+-])\s*(?P<by>\d+(?:\.\d*)?|\.\
 
 @dataclass(frozen=True)
 class Link:
-    """An entry that follows the one at ``source``, larger by ``offset``; both are ways of names and numbers."""
+    """An entry that follows the entry at ``source``, larger by ``offset``; both are ways of names and numbers."""
 
     path: Place
     source: Place
     offset: float = 0.0
 
     def value(self, known: Any) -> Any:
-        """Return what the entry is, by what the other one is."""
+        """Return the entry's value for the value of the entry it follows."""
         return known + self.offset if self.offset else known
 
 

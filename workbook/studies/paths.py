@@ -37,8 +37,8 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> Plac
         else:
             entry = MISSING if number else child(entry, part)
         if entry is MISSING:
-            said = f"has no {part!r}; expected {nearest(part, known)}" if known else f"is empty before {part!r}"
-            raise InputError([f"{where}: {key!r} {said}"])
+            problem = f"has no {part!r}; expected {nearest(part, known)}" if known else f"is empty before {part!r}"
+            raise InputError([f"{where}: {key!r} {problem}"])
         path.append(part)
     if table and not isinstance(entry, BaseModel):
         raise InputError([f"{where}: {key!r} is no table of entries; expected a phase"])
@@ -55,7 +55,7 @@ def children(entry: Any) -> list[str]:
     if isinstance(entry, BaseModel):
         return list(type(entry).model_fields)
     if isinstance(entry, list):
-        names = [str(one.name) for one in entry if getattr(one, "name", None)]  # in quotes those with a sign of a path
+        names = [str(row.name) for row in entry if getattr(row, "name", None)]  # in quotes those with a sign of a path
         quoted = [f'"{name}"' if re.search(r"[.\[\]]", name) else name for name in names]
         return quoted or [f"[{i}]" for i in range(1, len(entry) + 1)]
     return []

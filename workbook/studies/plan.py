@@ -1,4 +1,4 @@
-"""A study made ready: its base machine, what varies in it and how, the results that are asked for by known names."""
+"""A study ready to run: its base machine, the entries that vary, the results that are asked for by known names."""
 
 import hashlib
 import json
@@ -36,7 +36,7 @@ PRODUCTS = {"motor": "motors", "reducer": "reducers"}
 
 
 class Impossible(str):
-    """Why there is no such machine whatever else varies: an entry of a wrong type, or an unknown name."""
+    """The reason that no machine can have a value, whatever else varies: an entry's type or an unknown name."""
 
 
 @dataclass(frozen=True)
@@ -56,9 +56,9 @@ class Plan:
 
     @cached_property
     def digest(self) -> str:
-        """What tells a study from another: its own words, the machine's, the version."""
-        said = [workbook.__version__, self.study.model_dump_json(), write_machine(self.base)]
-        return hashlib.sha256(json.dumps(said).encode()).hexdigest()
+        """The digest of the study's own words, the machine's and the version: equal studies share it."""
+        words = [workbook.__version__, self.study.model_dump_json(), write_machine(self.base)]
+        return hashlib.sha256(json.dumps(words).encode()).hexdigest()
 
     @cached_property
     def data(self) -> dict[str, Any]:
@@ -68,20 +68,23 @@ class Plan:
 
     def changes(self, chosen: dict[Dimension, Any]) -> dict[Place, Any]:
         """Return the entries that these values change, by their paths."""
-        found: dict[Place, Any] = {}
-        for one, value in chosen.items():
-            own = one.paths[0]
-            if one.takes:  # room from its neighbour
+        changes: dict[Place, Any] = {}
+        for dimension, value in chosen.items():
+            own = dimension.paths[0]
+            if dimension.takes:  # room from its neighbour
                 entry, way = EDGES[own[-1]]
-                path = (*one.takes, entry)
-                now, begun = (found.get(place, get(self.data, place)) for place in (path, own))
-                found[path] = now + way * (value - begun)
+                path = (*dimension.takes, entry)
+                now, begun = (changes.get(place, get(self.data, place)) for place in (path, own))
+                changes[path] = now + way * (value - begun)
             if own[-1] == "law":  # perhaps of a new family
                 known: dict[str, Any] = {name: {} for name in self.base.laws.names}
                 named = with_laws_by_code({"law": value, "laws": known})
-                value, found = named["law"], found | {("laws", law): {} for law in named["laws"] if law not in known}
-            found |= dict.fromkeys(one.paths, value)
-        return followed(self.links, self.data, found)
+                value, changes = (
+                    named["law"],
+                    changes | {("laws", law): {} for law in named["laws"] if law not in known},
+                )
+            changes |= dict.fromkeys(dimension.paths, value)
+        return followed(self.links, self.data, changes)
 
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
@@ -93,11 +96,11 @@ class Plan:
         except EntryError as error:
             return Impossible(f"{error.field}: {error}")
         except RefusedError as error:
-            said = (one.message if isinstance(one, Fault) else str(one["msg"]) for one in error.faults)
-            return Impossible("; ".join(line.removeprefix("Value error, ") for line in said))
+            sentences = (fault.message if isinstance(fault, Fault) else str(fault["msg"]) for fault in error.faults)
+            return Impossible("; ".join(line.removeprefix("Value error, ") for line in sentences))
         if machine is None:  # a rule's sentence, or the entry and its limits
-            said = (one.message if one.rule else f"{counted_from_1(one.key)}: {one.message}" for one in faults)
-            return "; ".join(dict.fromkeys(said))
+            sentences = (fault.message if fault.rule else f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults)
+            return "; ".join(dict.fromkeys(sentences))
         return machine
 
 
@@ -120,7 +123,7 @@ def read_study(path: Path) -> Plan:
 
 
 INNER = ("str", "Bound", "constrained-str")
-"""what stands in the place of a fault for one of several kinds that an entry may have"""
+"""parts of a fault's place that name a kind where an entry may have several"""
 KINDS = ("string_type", "list_type")
 
 
@@ -131,16 +134,16 @@ def lines_of(error: ValidationError, where: str) -> list[str]:
         place = [str(part + 1) if isinstance(part, int) else part for part in fault["loc"]]  # rows counted from 1
         named = [part for part in place if part not in INNER and not part.startswith(("function-", "list["))]
         faults.append((named, fault))
-    told: dict[str, str] = {}
+    lines: dict[str, str] = {}
     for place, fault in faults:
         others = [other for other, _ in faults if other[: len(place)] == place]
         if len(others) < 2 or fault["type"] not in KINDS:
-            told.setdefault(".".join(place), line_of(fault, place, where))
-    return list(told.values()) or [line_of(faults[0][1], faults[0][0], where)]
+            lines.setdefault(".".join(place), line_of(fault, place, where))
+    return list(lines.values()) or [line_of(faults[0][1], faults[0][0], where)]
 
 
 def line_of(fault: Any, place: list[str], where: str) -> str:
-    """Return the line of one of pydantic's faults."""
+    """Return the line of a fault of pydantic's."""
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, EntryError):
         return f"{where}: {'.'.join([*place, *filter(None, [cause.field])])}: {cause}"
@@ -154,29 +157,31 @@ def line_of(fault: Any, place: list[str], where: str) -> str:
 
 
 def make_plan(study: Study, base: Path, where: str) -> Plan:
-    """Make a study of the machine that a file describes ready; raise InputError, ReadError."""
+    """Return the plan of a study of the machine that a file describes; raise InputError, ReadError."""
     machine = read_description(base)
     for fault in machine.design.faults:
         raise InputError([f"{base}: {fault.key}: {fault.message}; a study expects a finished design"])
     roomy = "motion_pieces" in parse_toml(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
     links = make_links(machine, study.links, where)
     draft = Plan(study, machine, Space((), study.way), roomy, links)
-    dimensions = [make_dimension(draft, one, f"{where}: vary {i}") for i, one in enumerate(study.vary, 1)]
+    dimensions = [make_dimension(draft, vary, f"{where}: vary {i}") for i, vary in enumerate(study.vary, 1)]
     space = arrange(dimensions, study.way)
-    varied = [path for one in space.dimensions for path in one.paths]
+    varied = [path for dimension in space.dimensions for path in dimension.paths]
     for twice in (path for path in varied if varied.count(path) > 1):
         raise InputError([f"{where}: {spell(twice)} varies twice"])
-    varied += [(*one.takes, EDGES[one.paths[0][-1]][0]) for one in space.dimensions if one.takes]
+    varied += [
+        (*dimension.takes, EDGES[dimension.paths[0][-1]][0]) for dimension in space.dimensions if dimension.takes
+    ]
     for linked in (link.path for link in links if link.path in varied):
         raise InputError([f"{where}: links: {spell(linked)} varies already; expected one or the other"])
     if study.way.kind == "full" and space.size > MOST_IN_FULL:
-        said = f"{where}: {space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
-        raise InputError([f'{said}: take fewer steps, or way.kind = "sobol" with way.designs'])
+        problem = f"{where}: {space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
+        raise InputError([f'{problem}: take fewer steps, or way.kind = "sobol" with way.designs'])
     return Plan(study, machine, space, roomy, links)
 
 
 def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
-    """Return what an entry of a study varies; raise InputError, also for values of which no machine can be made."""
+    """Return the dimension of an entry of a study; raise InputError, also for values that no machine can have."""
     paths = tuple(path_of(plan.base, key, f"{where}, key") for key in vary.keys)
     entry, takes = paths[0][-1], Place()
     if vary.takes is not None:  # the phase that gives room
@@ -187,7 +192,7 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
             raise InputError([f"{where}, takes: {vary.takes!r} cannot give room; expected another phase"])
     values, name = vary.values or [], vary.keys[0]
     if vary.all == "laws":
-        given = next((one for one in references(plan.base) if split(one.key) == paths[0]), None)
+        given = next((reference for reference in references(plan.base) if split(reference.key) == paths[0]), None)
         if given is None:
             raise InputError([f"{where}: {name!r} names no law; expected the law of a phase"])
         values = laws_with_same_ends(plan, paths[0], given.name)
@@ -199,27 +204,27 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     scaling = plan.template.scaling
     leads = any(link.source in paths for link in plan.links)  # what it changes besides does not scale with it
     part = scaling.part(join(paths[0])) if scaling and not leads else ""
-    made = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
-    for value in made.values[:MOST_TRIED] or (made.low, made.high):
-        said = plan.machine({made: value})
-        if isinstance(said, Impossible) or (isinstance(said, str) and made.part):
-            raise InputError([f"{where}: {made.label} = {quoted(value)}: {said}"])
-    return made
+    dimension = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
+    for value in dimension.values[:MOST_TRIED] or (dimension.low, dimension.high):
+        machine = plan.machine({dimension: value})
+        if isinstance(machine, Impossible) or (isinstance(machine, str) and dimension.part):
+            raise InputError([f"{where}: {dimension.label} = {quoted(value)}: {machine}"])
+    return dimension
 
 
 def laws_with_same_ends(plan: Plan, path: Place, given: str) -> list[str]:
-    """Return the laws with the ends of the one that is entered, of the book and all families, as far as they fit."""
+    """Return the laws with the ends of the entered law, of the book and all families, as far as they fit."""
 
     def ends(machine: Machine, name: str) -> tuple[float, float, float, float]:
         law = laws(machine.laws)[name]
         return law.start.s, law.start.v, law.end.s, law.end.v
 
-    now, kept = ends(plan.base, given), []
+    now, fitting = ends(plan.base, given), []
     for name in dict.fromkeys([*plan.base.laws.names, *ENTRIES]):
         machine = plan.machine({Dimension("", (path,)): name})
         if not isinstance(machine, str) and np.allclose(ends(machine, name), now, rtol=0.0, atol=ENDS):
-            kept.append(name)
-    return kept
+            fitting.append(name)
+    return fitting
 
 
 def book_names(book: Book) -> Iterator[str]:

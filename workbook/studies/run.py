@@ -26,7 +26,7 @@ DIED = "the workers that tried them died (out of memory?); --resume tries them a
 TARGET = 2.0  # seconds that a part takes, about: progress moves, and little is lost where the work is interrupted
 MOST = 10.0
 MOST_ROWS = 20_000
-TOGETHER = 24  # designs worked out together to measure what one more takes
+TOGETHER = 24  # designs worked out together to measure the time of another
 
 
 class Pace(NamedTuple):
@@ -36,7 +36,7 @@ class Pace(NamedTuple):
     each: float
 
     def seconds(self, space: Space) -> float:
-        """Return how long all designs take one behind the other, at most (s)."""
+        """Return how long all designs take in sequence, at most (s)."""
         return space.size * (self.each + self.first / space.inner)
 
     def step(self, space: Space) -> int:
@@ -50,27 +50,27 @@ class Pace(NamedTuple):
 
 def measure_pace(plan: Plan) -> Pace:
     """Return how long designs of a study take, measured at a few of them before it begins."""
-    one, space = Evaluator(plan, thorough=True), plan.space
-    alone = max(time_designs(one, space, number, number + 1) for number in {0, space.size // 2, space.size - 1})
+    evaluator, space = Evaluator(plan, thorough=True), plan.space
+    alone = max(time_designs(evaluator, space, number, number + 1) for number in {0, space.size // 2, space.size - 1})
     count = min(TOGETHER, space.inner, space.size)
-    if not one.swift or count == 1:
+    if not evaluator.swift or count == 1:
         return Pace(0.0, alone)
-    known, together = time_designs(one, space, 0, 1), time_designs(one, space, 0, count)
+    known, together = time_designs(evaluator, space, 0, 1), time_designs(evaluator, space, 0, count)
     each = max(0.0, together - known) / (count - 1)
     return Pace(max(0.0, alone - each), each)
 
 
-def time_designs(one: Evaluator, space: Space, begin: int, end: int) -> float:
+def time_designs(evaluator: Evaluator, space: Space, begin: int, end: int) -> float:
     """Return how long some designs take (s); of a search, as many in the middle of all ranges."""
     middle = np.full((end - begin, len(space.dimensions)), 0.5)
     columns = space.shared(middle) if space.way.kind == "evolution" else space.columns(begin, end)
     begun = time.perf_counter()
-    one.table(begin, columns)
+    evaluator.table(begin, columns)
     return time.perf_counter() - begun
 
 
 class Piece(NamedTuple):
-    """A part of the designs: its number, the first design and the one behind the last; of a search, where they are."""
+    """A part of the designs: its number, the first design and the first behind it; of a search, where they are."""
 
     number: int
     begin: int
@@ -87,30 +87,30 @@ def pieces(designs: range, number: int = 0, shares: Shares | None = None) -> Ite
 
 @lru_cache(maxsize=2)
 def evaluator(plan: bytes) -> Evaluator:
-    """Return the evaluator of a pickled plan, made once in a process."""
+    """Return the evaluator of a pickled plan, built once in a process."""
     return Evaluator(pickle.loads(plan))
 
 
 def work_out(piece: Piece, plan: bytes, suffix: str) -> tuple[bytes, Summary]:
     """Return the rows of a part that is worked out, and what is known of them."""
-    one = evaluator(plan)
-    study, space = one.plan.study, one.plan.space
+    judge = evaluator(plan)
+    study, space = judge.plan.study, judge.plan.space
     columns = space.columns(piece.begin, piece.end) if piece.shares is None else space.shared(piece.shares)
-    table = one.table(piece.begin, columns)
+    table = judge.table(piece.begin, columns)
     labels = [dimension.label for dimension in space.dimensions]
     return part_bytes(labels, table, suffix), summarise(study, labels, table, scored=piece.shares is not None)
 
 
-def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object]) -> Summary:
+def run(plan: Plan, parts: Parts, pool: Pool, report: Callable[[int, bool], object]) -> Summary:
     """Work out what is not there yet of a study, and keep it; return what is known of all of it.
 
-    ``told`` is called with the number of designs as they are done, and whether they were there before.
+    ``report`` is called with the number of designs as they are done, and whether they were there before.
     """
     sent, there = pickle.dumps(plan), parts.complete()
     for number in there:
-        told(parts.summary(number).designs, True)
+        report(parts.summary(number).designs, True)
 
-    def kept(wanted: Iterable[Piece]) -> list[Piece]:
+    def run_and_store(wanted: Iterable[Piece]) -> list[Piece]:
         """Work out and keep pieces; return those whose worker died."""
         died = []
         for piece, done in pool.each(work_out, wanted, sent, parts.suffix):
@@ -118,23 +118,23 @@ def run(plan: Plan, parts: Parts, pool: Pool, told: Callable[[int, bool], object
                 died.append(piece)
                 continue
             parts.keep(piece.number, *done)
-            told(piece.end - piece.begin, False)
+            report(piece.end - piece.begin, False)
         return died
 
-    def do(wanted: Iterable[Piece]) -> None:
+    def run_missing(wanted: Iterable[Piece]) -> None:
         """Work out and keep what is not there yet; what a worker died of is tried again, a piece at a time."""
-        for piece in kept(piece for piece in wanted if piece.number not in there):
-            if kept([piece]):
+        for piece in run_and_store(piece for piece in wanted if piece.number not in there):
+            if run_and_store([piece]):
                 raise MotionbookError(f"designs {piece.begin + 1:,} to {piece.end:,}: {DIED}")
 
     if plan.space.way.kind == "evolution":
-        evolve(plan.space, parts, do)
+        evolve(plan.space, parts, run_missing)
     else:
-        do(pieces(range(0, plan.space.size, parts.step)))
+        run_missing(pieces(range(0, plan.space.size, parts.step)))
     return merge(plan.study, map(parts.summary, sorted(parts.complete())))
 
 
-def evolve(space: Space, parts: Parts, do: Callable[[Iterable[Piece]], None]) -> None:
+def evolve(space: Space, parts: Parts, run_missing: Callable[[Iterable[Piece]], None]) -> None:
     """Search by differential evolution, a generation at a time; what was tried before is not tried again.
 
     Source: R. Storn, K. Price, J. Global Optimization 11 (1997) 341–359, in scipy.optimize.
@@ -145,16 +145,16 @@ def evolve(space: Space, parts: Parts, do: Callable[[Iterable[Piece]], None]) ->
     rounds = max(0, space.size // (POPULATION * ranges) - 1)
     begun = [0, 0]  # designs and parts so far
 
-    def tried(_: object, population: Iterable[Any]) -> list[float]:
+    def scores_of(_: object, population: Iterable[Any]) -> list[float]:
         shares = np.array(list(population)).reshape(-1, ranges)
         generation = list(pieces(range(begun[0], begun[0] + len(shares), parts.step), begun[1], shares))
         begun[0], begun[1] = generation[-1].end, generation[-1].number + 1
-        do(generation)
+        run_missing(generation)
         return [score for piece in generation for score in parts.summary(piece.number).scores]
 
-    differential_evolution(  # asks nothing of one design: generations are worked out as a whole
+    differential_evolution(  # asks nothing of a single design: generations are worked out as a whole
         len, [(0.0, 1.0)] * ranges, maxiter=rounds, popsize=POPULATION, rng=space.way.seed, polish=False,
-        updating="deferred", workers=tried, tol=1e-9, init="latinhypercube",
+        updating="deferred", workers=scores_of, tol=1e-9, init="latinhypercube",
     )  # fmt: skip
 
 
@@ -173,13 +173,13 @@ class BookCheck(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether the book says what the study said."""
+        """Return whether the book agrees with the study."""
         return self.agrees and not self.differing and self.failing == self.unasked
 
 
 def machine_of(plan: Plan, design: Design) -> Any:
     """Return the machine of a design."""
-    machine = plan.machine({one: design.entries[one.label] for one in plan.space.dimensions})
+    machine = plan.machine({dimension: design.entries[dimension.label] for dimension in plan.space.dimensions})
     if isinstance(machine, str):
         raise InputError([f"design {design.number + 1}: {machine}"])
     return machine
@@ -199,8 +199,8 @@ def build_design(plan: Plan, design: Design, path: Path, overwrite: bool) -> Boo
     return BookCheck(max(apart.values(), default=0.0), differing, failing, unasked, report.compared, report.agrees)
 
 
-def deviation(one: Any, other: Any) -> float:
+def deviation(value: Any, other: Any) -> float:
     """Return by which share two results differ; texts by all or nothing."""
-    if isinstance(one, str) or isinstance(other, str) or one == other:
-        return float(one != other)
-    return float(abs(one - other) / max(abs(one), abs(other), 1e-12))
+    if isinstance(value, str) or isinstance(other, str) or value == other:
+        return float(value != other)
+    return float(abs(value - other) / max(abs(value), abs(other), 1e-12))

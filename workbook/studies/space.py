@@ -1,4 +1,4 @@
-"""What a study is asked, what varies, and which designs there are: numbered from 0, what only scales the fastest."""
+"""A study's questions, its dimensions and its designs: numbered from 0, those that only scale the fastest."""
 
 import math
 import warnings
@@ -26,7 +26,7 @@ Shares = NDArray[np.float64]
 class Vary(Model):
     """An entry that varies, or several that do together, over a list, a range, all laws or a catalogue.
 
-    ``takes`` names a phase that gives the room that this one takes: its other edge, or its duration, moves along.
+    ``takes`` names a phase that gives the room that this phase takes: its other edge, or its duration, moves along.
     """
 
     model_config = ConfigDict(strict=True, extra="forbid", frozen=True, populate_by_name=True)
@@ -48,8 +48,8 @@ class Vary(Model):
         if ranged and (self.low is None or self.high is None):
             raise EntryError("to" if self.high is None else "from", "empty; a range has both ends")
         if self.low is not None and self.high is not None and not self.low < self.high:
-            said = f"the range from {self.low:g} to {self.high:g} is empty"
-            raise EntryError("to", f"{said}; expected more than its begin")
+            problem = f"the range from {self.low:g} to {self.high:g} is empty"
+            raise EntryError("to", f"{problem}; expected more than its begin")
         if self.steps is not None and not ranged:
             raise EntryError("steps", "only a range has steps; expected none")
         for n, value in enumerate(values := self.values or []):
@@ -64,7 +64,7 @@ class Vary(Model):
 
 
 class Bound(Model):
-    """What a result must keep to."""
+    """The bounds that a result must keep to."""
 
     min: Number | None = None
     max: Number | None = None
@@ -85,7 +85,7 @@ class Bound(Model):
 
 
 class Sampling(Model):
-    """How designs are chosen: all of them, so many by Sobol's sequence, or by differential evolution."""
+    """The way of choosing designs: all of them, so many by Sobol's sequence, or by differential evolution."""
 
     kind: Literal["full", "sobol", "evolution"] = "full"
     designs: Annotated[int, Field(ge=1, le=2**30)] | None = None
@@ -101,7 +101,7 @@ class Sampling(Model):
 
 
 class Study(Model):
-    """A study; ``links`` has by the path of an entry that of the one it follows, and how far it lies beyond that."""
+    """A study; ``links`` has by the path of an entry that of the entry it follows, and its distance beyond that."""
 
     title: Text
     base: Name | None = None
@@ -122,9 +122,9 @@ class Study(Model):
             raise EntryError("results", "empty; expected the name of a result, or an objective")
         if self.way.kind == "evolution" and len(goals) != 1:
             raise EntryError("minimise", f"{len(goals)} objectives; evolution expects one")
-        if self.way.kind == "evolution" and any(one.low is None for one in self.vary):
+        if self.way.kind == "evolution" and any(vary.low is None for vary in self.vary):
             raise EntryError("vary", "evolution expects ranges alone; lists go by full or sobol")
-        if self.way.kind == "full" and any(one.low is not None and one.steps is None for one in self.vary):
+        if self.way.kind == "full" and any(vary.low is not None and vary.steps is None for vary in self.vary):
             raise EntryError("vary", "a study in full expects steps of each range; or way.kind sobol or evolution")
         return self
 
@@ -135,12 +135,12 @@ class Study(Model):
 
     @property
     def bounds(self) -> dict[str, Bound | str]:
-        """The constraints that are told, by the names of results."""
+        """The bounds of the constraints, by the names of results."""
         return {name: bound for name, bound in self.constraints.items() if bound != OFF}
 
     @property
     def off(self) -> list[str]:
-        """What is no constraint although the book checks it: names, or patterns such as ``drive2_*``."""
+        """The book's checks that the study leaves out: names, or patterns such as ``drive2_*``."""
         return [name for name, bound in self.constraints.items() if bound == OFF]
 
     def is_off(self, name: str) -> bool:
@@ -171,7 +171,7 @@ class Dimension:
 
     @property
     def size(self) -> int:
-        """How many values it has; 0 of a range without steps."""
+        """Return the number of values; 0 for a range without steps."""
         return len(self.values) or self.steps
 
     @property
@@ -203,29 +203,29 @@ class Space:
 
     @property
     def size(self) -> int:
-        """How many designs there are; of an evolution the most that it may try."""
+        """Return the number of designs; of an evolution the most that it may try."""
         if self.way.kind == "full":
-            return math.prod(one.size for one in self.dimensions)
+            return math.prod(dimension.size for dimension in self.dimensions)
         return self.way.designs or 0
 
     @cached_property
     def inner(self) -> int:
-        """How many designs follow each other that differ only in what scales."""
+        """Return the number of designs in a row that differ only in what scales."""
         if self.way.kind != "full":
-            return self.size if all(one.part for one in self.dimensions) else 1
-        return math.prod(one.size for one in self.dimensions if one.part)
+            return self.size if all(dimension.part for dimension in self.dimensions) else 1
+        return math.prod(dimension.size for dimension in self.dimensions if dimension.part)
 
     def columns(self, begin: int, end: int) -> list[Column]:
         """Return the entries of designs by their numbers, by dimension."""
         if self.way.kind == "full":
-            sizes = [one.size for one in self.dimensions]
+            sizes = [dimension.size for dimension in self.dimensions]
             places = np.unravel_index(np.arange(begin, end), sizes)
-            return [one.at(place) for one, place in zip(self.dimensions, places, strict=True)]
+            return [dimension.at(place) for dimension, place in zip(self.dimensions, places, strict=True)]
         return self.shared(self.sobol(begin, end))
 
     def shared(self, shares: Shares) -> list[Column]:
         """Return the entries of designs at shares of each dimension, a row a design."""
-        return [one.shared(shares[:, k]) for k, one in enumerate(self.dimensions)]
+        return [dimension.shared(shares[:, k]) for k, dimension in enumerate(self.dimensions)]
 
     def sobol(self, begin: int, end: int) -> Shares:
         """Return points of Sobol's sequence, scrambled by the seed, the same however they are parted.
@@ -246,10 +246,10 @@ def arrange(dimensions: Sequence[Dimension], way: Sampling) -> Space:
     """Return the space of dimensions: of each part that scales the first dimension scales, the others do not."""
     seen: set[str] = set()
     outer, inner = [], []
-    for one in dimensions:
-        if one.part and one.part not in seen and len(one.paths) == 1 and not one.takes:
-            seen.add(one.part)
-            inner.append(one)
+    for dimension in dimensions:
+        if dimension.part and dimension.part not in seen and len(dimension.paths) == 1 and not dimension.takes:
+            seen.add(dimension.part)
+            inner.append(dimension)
         else:
-            outer.append(replace(one, part=""))
+            outer.append(replace(dimension, part=""))
     return Space((*outer, *inner), way)

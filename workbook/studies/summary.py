@@ -1,4 +1,4 @@
-"""What is known of designs without keeping them: how many, what excludes them, the best of them."""
+"""A summary of designs: their number, the constraints that exclude them, the best of them."""
 
 from collections import Counter
 from collections.abc import Iterable, Mapping
@@ -12,8 +12,8 @@ from engine.selection.front import front
 from workbook.studies.evaluate import Table
 from workbook.studies.space import Study
 
-BEST = 20  # designs that are kept for one objective
-WORST = 1e300  # the score of a design that is none
+BEST = 20  # designs in the summary of a single objective
+WORST = 1e300  # the score of an impossible design
 
 
 @dataclass(frozen=True)
@@ -43,46 +43,46 @@ class Summary:
 
     @classmethod
     def of_data(cls, data: dict[str, Any]) -> Self:
-        """Return what JSON tells; raise TypeError or KeyError for another one."""
-        return cls(**data | {"best": [Design(**one) for one in data["best"]]})
+        """Return the summary that JSON describes; raise TypeError or KeyError for other data."""
+        return cls(**data | {"best": [Design(**design) for design in data["best"]]})
 
 
 MOST_REASONS = 20
 
 
 def summarise(study: Study, labels: list[str], table: Table, scored: bool = False) -> Summary:
-    """Return what is known of the designs of a table."""
+    """Return the summary of the designs of a table."""
     possible, feasible = table.possible, table.feasible
     misses = np.sum([*table.fails.values(), ~possible], axis=0)
     rows = np.flatnonzero(feasible)
     points = goals(study, table.results, rows)
     reasons, counts = np.unique(table.reasons[~possible].astype(str), return_counts=True)
-    found = Summary(
+    summary = Summary(
         len(table), int((~possible).sum()), int(feasible.sum()), int((~np.isfinite(points)).any(axis=1).sum()),
         dict(zip(study.goals, (~np.isfinite(points)).sum(axis=0).tolist(), strict=True)),
-        {name: int((possible & one).sum()) for name, one in table.fails.items()},
-        {name: int((possible & one & (misses == 1)).sum()) for name, one in table.fails.items()},
+        {name: int((possible & failed).sum()) for name, failed in table.fails.items()},
+        {name: int((possible & failed & (misses == 1)).sum()) for name, failed in table.fails.items()},
         dict(zip(reasons.tolist()[:MOST_REASONS], counts.tolist()[:MOST_REASONS], strict=True)),
     )  # fmt: skip
     named = list(zip(labels, table.entries, strict=True))
     for row in rows[best_points(points)].tolist():
-        entries = {label: plain(one.values[one.places[row]]) for label, one in named}
+        entries = {label: plain(entry.values[entry.places[row]]) for label, entry in named}
         results = {name: plain(values[row]) for name, values in table.results.items()}
-        found.best.append(Design(table.begin + row, entries, results))
+        summary.best.append(Design(table.begin + row, entries, results))
     if scored:
-        found.scores = scores(study, table).tolist()
-    return found
+        summary.scores = scores(study, table).tolist()
+    return summary
 
 
 def goals(study: Study, results: Mapping[str, NDArray[Any]], rows: NDArray[np.intp]) -> NDArray[np.float64]:
     """Return the objectives of designs, a row each, less being better; what has none is worse than all."""
     columns = [way * results[name][rows].astype(np.float64) for name, way in study.goals.items()]
-    found = np.column_stack(columns) if columns else np.empty((len(rows), 0))
-    return np.where(np.isnan(found), np.inf, found)
+    points = np.column_stack(columns) if columns else np.empty((len(rows), 0))
+    return np.where(np.isnan(points), np.inf, points)
 
 
 def best_points(points: NDArray[np.float64]) -> NDArray[np.intp]:
-    """Return the best points: of one objective :data:`BEST` of them, of several those that none beats."""
+    """Return the best points: of a single objective :data:`BEST` of them, of several those that none beats."""
     if points.shape[1] == 1:
         order = np.argsort(points[:, 0], kind="stable")[:BEST]
         return np.asarray(order[np.isfinite(points[order, 0])])
@@ -103,18 +103,18 @@ def plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def merge(study: Study, found: Iterable[Summary]) -> Summary:
-    """Return what is known of several tables together."""
+def merge(study: Study, summaries: Iterable[Summary]) -> Summary:
+    """Return the summary of several tables together."""
     whole = Summary()
-    for one in found:
+    for summary in summaries:
         for part in ("designs", "impossible", "feasible", "unranked"):
-            setattr(whole, part, getattr(whole, part) + getattr(one, part))
+            setattr(whole, part, getattr(whole, part) + getattr(summary, part))
         for part in ("without", "excluded", "alone", "reasons"):
             sums = Counter(getattr(whole, part))
-            sums.update(getattr(one, part))  # names that count nothing stay
+            sums.update(getattr(summary, part))  # names that count nothing stay
             setattr(whole, part, dict(sums))
         whole.reasons = dict(sorted(whole.reasons.items(), key=lambda each: -each[1])[:MOST_REASONS])
-        ranked = sorted([*whole.best, *one.best], key=lambda each: each.number)  # equals go by their numbers
+        ranked = sorted([*whole.best, *summary.best], key=lambda each: each.number)  # equals go by their numbers
         points = np.array([[way * each.results[name] for name, way in study.goals.items()] for each in ranked], float)
         whole.best = [ranked[k] for k in best_points(points.reshape(len(ranked), len(study.goals)))]
     return whole

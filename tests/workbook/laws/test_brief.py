@@ -66,7 +66,7 @@ def near_bounds(page):
         limits = [getattr(kind, end, None) for kind in kinds for end in ("ge", "gt", "le", "lt")]
         for value in (limit + side * LEAST_STAGE / 2 for limit in limits if limit is not None for side in (-1, 1)):
             with suppress(ValueError):
-                yield page.made(page.entries.model_validate({name: value}))
+                yield page.make_law(page.entries.model_validate({name: value}))
 
 
 @pytest.mark.parametrize("code", [code for code, page in FAMILY.items() if page.pieces and page.parameters])

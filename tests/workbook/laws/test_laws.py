@@ -49,8 +49,8 @@ def test_parameters_in_a_row_are_those_entered(code):
     for one in page.variations:
         entered = page.entries.model_validate(one)
         assert page.entered(page.numbers(entered)) == entered
-        assert page.law_of(page.numbers(entered)) == page.made(entered)
-    assert any(page.made(page.entries.model_validate(one)) != FAMILY[code].law() for one in page.variations)
+        assert page.law_of(page.numbers(entered)) == page.make_law(entered)
+    assert any(page.make_law(page.entries.model_validate(one)) != FAMILY[code].law() for one in page.variations)
 
 
 @pytest.mark.parametrize("code", [code for code in CODES if FAMILY[code].has_sheet])

@@ -33,7 +33,7 @@ def test_the_polynomial_345_has_its_extremes_on_its_page_within_the_bounds(cells
 
 
 def test_each_own_law_tells_by_how_much_it_misses_and_what_mends_it(cells):
-    made = [piece.made for piece in machine(Off=OFF).laws["Off"].pieces]
+    made = [piece.engine_piece for piece in machine(Off=OFF).laws["Off"].pieces]
     off, right = misses(made), normalized(made)
     assert (cells("OWN8_miss_s"), cells("OWN8_miss_v")) == pytest.approx((off.s, off.v), rel=1e-9)
     assert cells("OWN8_mends") == "yes"
@@ -43,7 +43,7 @@ def test_each_own_law_tells_by_how_much_it_misses_and_what_mends_it(cells):
 
 
 def test_a_law_with_the_scaled_entries_passes_its_checks():
-    entered = [piece.made for piece in machine(Off=OFF).laws["Off"].pieces]
+    entered = [piece.engine_piece for piece in machine(Off=OFF).laws["Off"].pieces]
     pieces = [{"duration": p.duration, "c0": p.c[0]} for p in normalized(entered)]
     value = computed(MACHINE, machine(Right=pieces))
     assert [value(f"OWN8_{name}") for name in ("sum", "reaches", "rests", "dense")] == ["OK"] * 4

@@ -153,5 +153,5 @@ def test_an_acceleration_that_is_entered_beside_points_is_told():
 
 
 def test_the_engines_spline_is_that_of_the_description():
-    law = FAMILY["SPL"].made(machine({"Points": VARIATIONS[1]}).laws["Points"])
+    law = FAMILY["SPL"].make_law(machine({"Points": VARIATIONS[1]}).laws["Points"])
     assert law == Spline(((0, 0), (0.4, 0.1), (0.55, 0.8), (1, 1)), (0.25, None), (False, True))

@@ -11,7 +11,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from tests.workbook.machines.test_machine_linked import MOTOR
 from workbook.build import build
 from workbook.judging.verify import verify
-from workbook.machines.machine.time_based import told_in_seconds
+from workbook.machines.machine.time_based import convert_to_seconds
 from workbook.reading.descriptions import validated
 
 PRESS = {"kind": "press crank", "crank_radius": 60.0, "rod_length": 240.0, "efficiency": 1.0}
@@ -151,7 +151,7 @@ def test_what_is_no_load_of_it_is_refused(one, words):
 @pytest.mark.parametrize("name", ["press", "arm"])
 def test_in_seconds_it_is_the_same(name):
     machine = small(AXES[name])
-    timed = told_in_seconds(machine)
+    timed = convert_to_seconds(machine)
     assert entered(TEMPLATE, timed) == (timed, [])
     one, other = computed(TEMPLATE, machine), computed(TEMPLATE, timed)
     for figure in ("tmax", "rms", "energy", "highest"):

@@ -15,7 +15,7 @@ from workbook.build import build, read_description, read_inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
+from workbook.machines.machine.time_based import TimedMachine, convert_to_seconds
 from workbook.reading.descriptions import counted_from_1, read_machine, validated
 from workbook.templates import TEMPLATES
 from workbook.writing.archive import same_book
@@ -76,7 +76,7 @@ def figures(book):
 
 def require_same(given):
     """A machine gives the same results in degrees and in seconds, but for places, which are told in other units."""
-    one, other = (figures(MACHINE.declare(m)) for m in (given, told_in_seconds(given)))
+    one, other = (figures(MACHINE.declare(m)) for m in (given, convert_to_seconds(given)))
     assert {at[0] for at in set(one) - set(other) if at[:2] not in PLACES} <= ENTRIES
     moved = {at[:2] for at in set(one) & set(other) if one[at][0] != other[at][0]}
     far = []
@@ -105,7 +105,7 @@ def test_the_same_machine_in_degrees_and_in_seconds_gives_the_same(name):
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", ["machine", "machine-linkages"])
 def test_its_cells_compute_what_the_engine_does_and_it_comes_back(name):
-    given = told_in_seconds(small(name))
+    given = convert_to_seconds(small(name))
     assert disagreeing(MACHINE, given)[0] == []
     assert entered(MACHINE, given) == (given, [])
 

@@ -15,7 +15,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from tests.workbook.machines.test_machine_linked import CRANK, FIGURES, LOSSY, MOTOR, linked, small
 from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
-from workbook.machines.machine.time_based import told_in_seconds
+from workbook.machines.machine.time_based import convert_to_seconds
 from workbook.reading.descriptions import validated
 from workbook.writing.archive import same_book
 
@@ -218,7 +218,7 @@ def test_out_in_and_through_with_its_cell_emptied(tmp_path):
 
 def test_in_seconds_it_is_the_same():
     machine = small(lossy())
-    timed = told_in_seconds(machine)
+    timed = convert_to_seconds(machine)
     assert entered(TEMPLATE, timed) == (timed, [])
     one, other = computed(TEMPLATE, machine), computed(TEMPLATE, timed)
     for figure in FIGURES[:-1]:

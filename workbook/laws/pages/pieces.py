@@ -28,7 +28,7 @@ CELLS = cell_tables(__file__)
 
 
 def not_slow(omega: float) -> float:
-    """Return a frequency; raise EntryError for one so small that nobody means it."""
+    """Return a frequency; raise EntryError for a value so small that nobody means it."""
     if 0 < omega < SMALLEST:
         raise EntryError("", f"{omega:g}; expected 0, or at least {SMALLEST:g}")
     return omega
@@ -52,7 +52,7 @@ class Piece(Model):
             yield DesignError("omega", TURNING.words, TURNING.rule, 1.0)
 
     @property
-    def made(self) -> engine.Piece:
+    def engine_piece(self) -> engine.Piece:
         """The engine's piece."""
         polynomial = (self.c0, self.c1, self.c2, self.c3)
         return engine.Piece(self.duration, polynomial, self.amplitude, self.omega, self.phase)
@@ -93,11 +93,11 @@ MOST_TURN = math.tau  # rad, of a sine on its piece: with more, nine points do n
 
 @dataclass(frozen=True, kw_only=True)
 class OwnPage(Page):
-    """The page of an own law: any number of pieces, entered one by one."""
+    """The page of an own law: any number of pieces, entered in rows."""
 
-    def made(self, entered: OwnLaw) -> PointedLaw:
+    def make_law(self, entered: OwnLaw) -> PointedLaw:
         """Return the engine's law, with its coefficients by points."""
-        return PointedLaw([piece.made for piece in entered.pieces])
+        return PointedLaw([piece.engine_piece for piece in entered.pieces])
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the law of pieces in a row, eight numbers each: duration, c0, c1, c2, c3, P, ω, φ."""
@@ -109,9 +109,9 @@ class OwnPage(Page):
         return [float(value) for piece in entered.pieces for value in piece.model_dump().values()]
 
     def variation(self, k: int, room: int) -> dict[str, Any]:
-        """Return the ``k``-th of other pieces, round and round; where they do not find room, a single one."""
-        found = super().variation(k, room)
-        return found if len(found["pieces"]) <= room else dict(VARIATIONS[0])
+        """Return the ``k``-th of other pieces, round and round; where they do not find room, a single piece."""
+        variation = super().variation(k, room)
+        return variation if len(variation["pieces"]) <= room else dict(VARIATIONS[0])
 
     def stacked(self, law: Law, sizes: Any) -> list[tuple[engine.Piece, dict[str, str]]]:
         """Return the rows of the stack: the table of the own law, spare rows and all."""
@@ -199,8 +199,8 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
 
 
 def worked(own: OwnLaw, n: int) -> list[Quantity]:
-    """Return the columns of where the pieces begin, and of the acceleration at both their ends."""
-    cell, pieces = CELLS["worked"], filled([piece.made for piece in own.pieces], n, engine.Piece(0.0))
+    """Return the columns of the pieces' begins, and of the acceleration at both their ends."""
+    cell, pieces = CELLS["worked"], filled([piece.engine_piece for piece in own.pieces], n, engine.Piece(0.0))
     at = piece_ends(pieces)
     return [
         cell("xi", begins(pieces)),

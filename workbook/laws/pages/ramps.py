@@ -30,8 +30,8 @@ class BreakPoints(LawSheet):
         """Yield break points that do not follow each other."""
         fits = self.model_dump() | {name: getattr(TrapezoidalVelocity, name) for name in ("rise_end", "fall_start")}
         if self.fall_start < self.rise_end:
-            said = f"brakes from {figure(self.fall_start)}, before {figure(self.rise_end)}"
-            yield DesignError("", said, "order", fits)
+            problem = f"brakes from {figure(self.fall_start)}, before {figure(self.rise_end)}"
+            yield DesignError("", problem, "order", fits)
         stages = (self.rise_end, self.fall_start - self.rise_end, 1 - self.fall_start)
         yield from family.too_brief(stages, "", fits)
 

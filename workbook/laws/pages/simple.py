@@ -1,4 +1,4 @@
-"""Pages of laws of rest, one straight line, one pulse and the same backwards, a polynomial, two sines."""
+"""Pages of laws of rest, a straight line, a pulse and the same backwards, a polynomial, two sines."""
 
 from engine.laws import Dwell
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
@@ -35,7 +35,7 @@ STRAIGHT_LINE = Page(
 )
 
 CUBIC = "S1, S3: the cubic that starts and ends at rest; with λ: LCamHdl, POLY_3"
-HALVED = [  # by the stage of one pulse, and of the same backwards
+HALVED = [  # by the stage of a pulse, and of the same backwards
     edged({k: Stage(form, "=@share"), 8 - k: Stage(form, "=1-@share")}, source=source, **SHARED, law=law, end_mode=mode)
     for law, form, k, mode, source in (
         (ConstantAcceleration, FLAT, 2, "=1", "S3, figure 1; with λ: LCamHdl, D_D_PARABOLA"),

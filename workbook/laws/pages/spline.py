@@ -54,9 +54,9 @@ class Points(LawSheet):
         if (first.at, first.s, last.at, last.s) != (0.0, 0.0, 1.0, 1.0):
             ends = (figure(value) for value in (first.at, first.s, last.at, last.s))
             yield DesignError("points", LEAD.format(*ends), "lead", fits)
-        for k, (one, other) in enumerate(pairwise(self.points), 2):
-            if not other.at - one.at >= NARROWEST:
-                yield DesignError("points", RISE.format(k, figure(other.at), figure(one.at)), "rise", fits)
+        for k, (point, after) in enumerate(pairwise(self.points), 2):
+            if not after.at - point.at >= NARROWEST:
+                yield DesignError("points", RISE.format(k, figure(after.at), figure(point.at)), "rise", fits)
                 return
 
 
@@ -67,7 +67,7 @@ ROOM = MOST  # points that a table may have
 
 
 def varied(*points: tuple[float, float], **ends: Any) -> dict[str, Any]:
-    """Return points, and what is said of their ends, as a description has them."""
+    """Return points, and the entries of their ends, as a description has them."""
     given = {"first_slope": None, "last_slope": None, "natural": "none"}
     return {"points": [{"at": at, "s": s} for at, s in points]} | given | ends
 
@@ -82,9 +82,9 @@ VARIATIONS = (
 
 @dataclass(frozen=True, kw_only=True)
 class SplinePage(Page):
-    """The page of a spline: any number of points, entered one by one."""
+    """The page of a spline: any number of points, entered in rows."""
 
-    def made(self, entered: Points) -> Spline:
+    def make_law(self, entered: Points) -> Spline:
         """Return the engine's law: its ends are settled here, whatever is beside it."""
         given = (entered.first_slope, entered.last_slope)
         natural = [slope is None and entered.natural in (end, "both") for end, slope in zip(ENDS, given, strict=True)]

@@ -1,4 +1,4 @@
-"""The Cycle sheet: tool, shaft and load over one cycle, from the end of one cut to the end of the next, by pieces."""
+"""The Cycle sheet: tool, shaft and load over a cycle, from the end of a cut to the end of the next, by pieces."""
 
 import numpy as np
 
@@ -91,18 +91,18 @@ def motion_tables(sheet: Sheet, machine: CutterView, rows: PieceRows, stack: Pie
         len(PARTS),
         CELLS["motion_tables"]("what", list(PARTS)),
         CELLS["motion_tables"]("k", [1, 2, 3, 4]),
-        CELLS["motion_tables"]("h", [one.h for one in of], formula=["=fly_h1/1000", "=0", "=fly_h1/1000", "=0"]),
+        CELLS["motion_tables"]("h", [part.h for part in of], formula=["=fly_h1/1000", "=0", "=fly_h1/1000", "=0"]),
         CELLS["motion_tables"](
-            "span", [one.duration for one in of], formula=["=fly_tm", "=fly_wait", "=fly_tm", "=fly_tt"]
+            "span", [part.duration for part in of], formula=["=fly_tm", "=fly_wait", "=fly_tm", "=fly_tt"]
         ),
-        CELLS["motion_tables"]("begin", [one.x for one in of], formula=["=0", "=fly_stop", "=fly_wait", "=fly_tr"]),
+        CELLS["motion_tables"]("begin", [part.x for part in of], formula=["=0", "=fly_stop", "=fly_wait", "=fly_tr"]),
         CELLS["motion_tables"](
             "opens", [part.begin for part in parts], formula=["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"]
         ),
-        CELLS["motion_tables"]("drift", [one.drift for one in of], formula=["=fly_v", "=0", "=fly_v", "=fly_v"]),
+        CELLS["motion_tables"]("drift", [part.drift for part in of], formula=["=fly_v", "=0", "=fly_v", "=fly_v"]),
         CELLS["motion_tables"](
             "y0",
-            [one.y for one in of],
+            [part.y for part in of],
             formula=[
                 "=0",
                 "=IF(fly_waits=1,fly_v*fly_stop+fly_h1/1000*[standing.s.1],0)",

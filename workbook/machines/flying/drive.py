@@ -1,4 +1,4 @@
-"""The Drive sheet: motor and reducer on the tool's shaft, and one table of both at points of the cycle (S5, step 7)."""
+"""The Drive sheet: motor and reducer on the tool's shaft, and a table of both at points of the cycle (S5, step 7)."""
 
 import numpy as np
 
@@ -87,7 +87,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
         cell("@tmax", float(points.torque.max()), scale=size, source=PEAK),
         cell("@tmin", float(points.torque.min()), scale=size, source=PEAK),
         cell("@rms", points.rms_torque, part=100.0 * CONSTANT.rms_torque, scale=size),
-        cell("@margin", held.rms_torque.reserve * view.kept.rms_reserve),
+        cell("@margin", held.rms_torque.reserve * view.reserves.rms_reserve),
         cell("@speed", shown(view.speed, RPM)),
         cell("@mean", shown(points.mean_speed, RPM)),
         continuous(view.motor, points.mean_speed),
@@ -102,11 +102,13 @@ def checks(view: ToolDrive) -> list[Quantity]:
     """Return the checks of the motor's and the reducer's limits."""
     cell = CELLS["checks"]
     fastest, strongest, lasting = view.limits
-    speed, mean, torque = view.speed, view.demand.mean_torque, view.kept.torque_factor * view.demand.torque
+    speed, mean, torque = view.speed, view.demand.mean_torque, view.reserves.torque_factor * view.demand.torque
     return [
         cell("@ok_told", True, unlisted=UNLISTED),
         *limit_checks(view.reserve, "Drive"),
-        inertia_check("Drive", "sel_own_inertias", "limits_inertia_ratio", view.inertia_ratio, view.kept.inertia_ratio),
+        inertia_check(
+            "Drive", "sel_own_inertias", "limits_inertia_ratio", view.inertia_ratio, view.reserves.inertia_ratio
+        ),
         below_curve("Drive", view.motor.falling.fall, float(view.left.min())),
         *within_reducer(
             "Drive",
@@ -135,10 +137,10 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
     inertia, ratio, efficiency, no_load = view.gears
     fastest, strongest, lasting = view.limits
 
-    def row(kind: str, column: str, found: int) -> Quantity:
+    def row(kind: str, column: str, row_number: int) -> Quantity:
         cell = CELLS["row"]
         listed = f"SUMPRODUCT(([{kind}s.name]=@{kind}_name)*[sel_{kind}s.k])"
-        return cell("@{kind}_row", found, kind=kind, product=kind.capitalize(), column=column, listed=listed)
+        return cell("@{kind}_row", row_number, kind=kind, product=kind.capitalize(), column=column, listed=listed)
 
     sheet.heading("Motor and reducer in use")
     sheet.rows(
@@ -169,7 +171,7 @@ def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare where the tool turns round: the speed where the law is fastest, and looks at that beside each turn."""
     cell = CELLS["turns"]
     cycle, cut = view.cycle, view.machine.cut
-    looks = [(*one[:2], *look) for one in cycle.stretches for look in view.looks(one)]
+    looks = [(*stretch[:2], *look) for stretch in cycle.stretches for look in view.looks(stretch)]
     after, number, middle, u, *rates, at = (list(values) for values in zip(*looks, strict=True))
     pieces, begin = [rows.pieces[k] for k in number], "INDEX(tool_at,[q])"
     before, least = "(tool_at<@slowest)", "v_L + h v(ξ_v)/t_m: of a long product its lowest"

@@ -34,7 +34,7 @@ class SawEntry(Model):
 
 
 class LoadEntry(Model):
-    """What the shaft moves."""
+    """The load that the shaft moves."""
 
     inertia: NotNegative  # kg cm²
     mass: NotNegative = 0.0  # kg, in step with the tool
@@ -47,7 +47,7 @@ class LoadEntry(Model):
 
 
 class LimitEntry(Model):
-    """What the shaft may do."""
+    """The limits of the shaft."""
 
     speed: Positive  # rpm
     acceleration: Positive  # rad/s²
@@ -63,8 +63,8 @@ class LengthsEntry(Model):
         """Yield a range of lengths that does not rise."""
         if self.longest <= self.shortest:
             low, high = figure(self.shortest), figure(self.longest)
-            said = f"from {low} mm to {high} mm; expected a longest above the shortest"
-            yield DesignError("longest", said, "ordered", 2 * self.shortest)
+            problem = f"from {low} mm to {high} mm; expected a longest above the shortest"
+            yield DesignError("longest", problem, "ordered", 2 * self.shortest)
 
 
 class CutterEntry(Model):
@@ -83,19 +83,19 @@ class CutterEntry(Model):
     lengths: LengthsEntry
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield a drum with part of a tool, or whose tools are in step for longer than from one to the next."""
+        """Yield a drum with part of a tool, or tools that are in step for longer than to the next tool."""
         drum = self.drum
         if self.kind != DRUM:
             return
         if drum.tools != int(drum.tools):
             yield DesignError("drum.tools", f"{figure(drum.tools)} tools; expected a whole number", "whole", 1.0)
         if drum.tool_angle * drum.tools >= TURN:
-            said = f"{figure(drum.tools)} tools in step over {figure(drum.tool_angle)}° each take more than 360°"
-            yield DesignError("drum.tool_angle", said, "angle", 0.0)
+            problem = f"{figure(drum.tools)} tools in step over {figure(drum.tool_angle)}° each take more than 360°"
+            yield DesignError("drum.tool_angle", problem, "angle", 0.0)
 
 
 class FlyingSizes(SelectionSizes):
-    """How large the tables are built: also the intervals of the product lengths compared."""
+    """The sizes of the tables: also the intervals of the product lengths compared."""
 
     lengths: Annotated[int, Field(ge=2, le=400)] = 60
 

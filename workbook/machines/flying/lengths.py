@@ -1,4 +1,4 @@
-"""What a product length asks of the tool and its shaft: the Lengths sheet, and both tables of it on Cutter."""
+"""The demands of a product length on the tool and its shaft: the Lengths sheet, and its two tables on Cutter."""
 
 from collections.abc import Sequence
 
@@ -118,7 +118,7 @@ def line(book: Book, machine: CutterView, cuts: Sequence[Cut]) -> None:
 
 
 def cases(sheet: Sheet, machine: CutterView) -> None:
-    """Declare the cases that the product length decides between, and both ways with one too long to keep moving."""
+    """Declare the cases that the product length decides between, and both ways of a product too long to keep moving."""
     e, limit = machine.given, machine.limit
     tool, whole = shown(machine.tool.tool_length, MM), shown(machine.tool.design_length, MM)
     sheet.heading(

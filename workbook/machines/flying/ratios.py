@@ -30,7 +30,7 @@ class RatiosSheet:
         self.rooms, self.efficiency = self.choice.rooms, view.chosen.efficiency
         self.first = float(self.choice.reducers.ratio[0])
         self.ranges = self.task.ratio_ranges(self.choice.motors, self.efficiency)
-        whole = replace(view.motor, rated_torque=view.motor.rated_torque * view.kept.rms_reserve)
+        whole = replace(view.motor, rated_torque=view.motor.rated_torque * view.reserves.rms_reserve)
         self.curves = self.task.ratio_curves(whole, self.efficiency, POINTS, (LEAST, MOST))
         """the ratios of the motor in use over the load factor"""
 
@@ -68,10 +68,10 @@ class RatiosSheet:
     def motors(self, sheet: Sheet) -> None:
         """Declare the motors: α, the ratios that each accepts, and its line in figure 11."""
         cell = CELLS["ratios"]
-        found, n, m = self.ranges, self.rooms[0], self.choice.motors
+        ranges, n, m = self.ranges, self.rooms[0], self.choice.motors
         places = np.arange(1, n + 1)
-        low, high = (self.drawn(one, n, found.accepted) for one in (found.lowest, found.tau_max))
-        words = np.where(found.accepted, "yes", np.where(found.strong, "too slow", "too weak"))
+        low, high = (self.drawn(ratios, n, ranges.accepted) for ratios in (ranges.lowest, ranges.tau_max))
+        words = np.where(ranges.accepted, "yes", np.where(ranges.strong, "too slow", "too weak"))
 
         def of(values: Array) -> list[Any]:
             return filled(np.nan_to_num(values), n)
@@ -83,21 +83,21 @@ class RatiosSheet:
             cell("motor", filled(m.names, n, "")),
             cell("k", places.tolist()),
             cell("verdict", filled(words if self.task.moves else [], n, "–")),
-            cell("alpha", of(found.accelerating_factor)),
-            cell("tau_min", of(found.tau_min), format=FINE),
-            cell("tau_max", of(found.tau_max), format=FINE),
-            cell("tau_opt", of(found.tau_opt), format=FINE),
-            cell("tau_lim", of(found.tau_limit), format=FINE),
+            cell("alpha", of(ranges.accelerating_factor)),
+            cell("tau_min", of(ranges.tau_min), format=FINE),
+            cell("tau_max", of(ranges.tau_max), format=FINE),
+            cell("tau_opt", of(ranges.tau_opt), format=FINE),
+            cell("tau_lim", of(ranges.tau_limit), format=FINE),
             cell("j", filled(m.inertia, n)),
-            cell("low", of(found.lowest), format=FINE),
-            cell("enough", filled(found.strong.astype(int), n, 0)),
-            cell("root", of(found.root)),
-            cell("wide", of(found.wide)),
-            cell("x", np.where(filled(found.accepted, n, False), places, OFF)),
+            cell("low", of(ranges.lowest), format=FINE),
+            cell("enough", filled(ranges.strong.astype(int), n, 0)),
+            cell("root", of(ranges.root)),
+            cell("wide", of(ranges.wide)),
+            cell("x", np.where(filled(ranges.accepted, n, False), places, OFF)),
             cell("from", low),
             cell("to", high),
             cell("up", high - low, scale=self.first),
-            cell("best", self.drawn(found.tau_opt, n, found.accepted)),
+            cell("best", self.drawn(ranges.tau_opt, n, ranges.accepted)),
         )
 
     def reducers(self, sheet: Sheet) -> None:

@@ -45,11 +45,11 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
         "fastest",
         "Where each law is fastest: there a drum that slows down is slowest, and waits if it has to",
         len(laws),
-        cell("law", [one.name for one in laws], formula=[f"=INDEX(law_code,{one.number})" for one in laws]),
+        cell("law", [law.name for law in laws], formula=[f"=INDEX(law_code,{law.number})" for law in laws]),
         cell(
             "at",
-            [0.0 if isinstance(one.law, Dwell) else fastest(one.law) for one in laws],
-            formula=[one.own(one.page.fastest) for one in laws],
+            [0.0 if isinstance(law.law, Dwell) else fastest(law.law) for law in laws],
+            formula=[law.own(law.page.fastest) for law in laws],
         ),
     )
     sheet.print_columns = 24

@@ -22,7 +22,7 @@ from workbook.machines.flying.view import CutterView, ToolDrive, check
 from workbook.motion.exported import Exportable, export_sheet
 from workbook.motion.requirements import smoothness_for
 from workbook.selection.page import catalogue_sheet, selection_sheet
-from workbook.selection.variations import KEPT, vary_selection
+from workbook.selection.variations import RESERVES, vary_selection
 from workbook.template import Template, finish
 from workbook.template_outputs import CamAxis, ExactJudgement, deviations, judged_limits
 
@@ -66,8 +66,8 @@ def declare(given: FlyingCutter) -> Book:
         book,
         given,
         [
-            Exportable(name, f'="{name}"', rows, ("s", y, f"{y}/s", f"{y}/s²"), (1.0, one), times, cut.size)
-            for name, y, one, times in (
+            Exportable(name, f'="{name}"', rows, ("s", y, f"{y}/s", f"{y}/s²"), (1.0, y_unit), times, cut.size)
+            for name, y, y_unit, times in (
                 ("tool", "mm", shown(1.0, MM), "*1000"),
                 ("shaft", "°", shaft, "*1000/fly_r*180/PI()"),
             )
@@ -117,7 +117,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "product_length": least + share * span if share != 1.0 else whole,
         "beyond": ("standstill", "standstill", "reversal", "reversal", "reversal", "standstill")[k],
         "lengths": {"shortest": least + 0.3 * span, "longest": least + (4.0 + 2 * k) * span},
-        "limits": {  # of the shaft: kept or not, each in turn
+        "limits": {  # of the shaft: met or not, each in turn
             "speed": (1e5, 3.0)[k % 2] * next(scale),
             "acceleration": (1e6, 1e6, 2.0)[k % 3] * next(scale),
         },
@@ -125,7 +125,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "smoothness": smoothness_for(turn),
     }
     vary_selection(data["selection"], k, data["sizes"])
-    data["limits"] |= KEPT[k]
+    data["limits"] |= RESERVES[k]
     return data
 
 

@@ -91,7 +91,7 @@ class CutterView:
 
     @property
     def scales(self) -> dict[str, float]:
-        """How large figures are, by unit: what the line speed over a length makes of it, β = J_L (v²/(L R_t))²."""
+        """The size of figures by unit, from the line speed over a length, β = J_L (v²/(L R_t))²."""
         length, radius = max(self.tool.design_length, self.cut.product_length), self.tool.radius
         turning = self.line**2 / length / radius
         return {
@@ -105,8 +105,8 @@ class CutterView:
 class ToolDrive:
     """The tool's shaft behind a motor and its reducer: those that are named, else the proposed ones. SI units."""
 
-    def __init__(self, machine: CutterView, chosen: Selection, kept: Limits, sizes: SelectionSizes) -> None:
-        self.machine, self.chosen, self.kept, self.sizes = machine, chosen, kept, sizes
+    def __init__(self, machine: CutterView, chosen: Selection, reserves: Limits, sizes: SelectionSizes) -> None:
+        self.machine, self.chosen, self.reserves, self.sizes = machine, chosen, reserves, sizes
         cut, load, scales = machine.cut, machine.load, machine.scales
         bare = cycle_of(cut, train_of(cut, load)).points()
         self.demand = PointLoad(bare, cut.max_angular_speed, float(np.abs(bare.output_torque).max()), load.inertia)
@@ -114,7 +114,7 @@ class ToolDrive:
         hardest = float(np.abs(bare.shaft_acceleration).max())
         self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
         self.cycles = "3600/fly_tc", shown(1.0 / cut.cycle_time, PER_HOUR)  # an hour: the formula, and the figure
-        self.held = limit_figures(kept, "limits_")
+        self.held = limit_figures(reserves, "limits_")
         bare_shaft = [*UNPAIRED, *(Figure(name, "", "", *of) for name, of in self.held.items())]
         self.proposal = PairSelection(
             chosen, sizes, [self._shaft([*bare_shaft, Figure("cycles", "", "", *self.cycles)])]
@@ -126,14 +126,17 @@ class ToolDrive:
         self.pair = m, place_of(chosen.reducer, reducers.names) if chosen.reducer else r  # in use, by places from 0
         self.gears = self.proposal.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
-        falling = TorqueFall(*(float(one[self.pair[0]]) for one in (motors.knee, motors.fall / kept.peak_reserve)))
-        inertia, rated, peak, fastest, stall, to = (float(one[self.pair[0]]) for one in of)
-        self.motor = Motor(inertia, rated / kept.rms_reserve, peak / kept.peak_reserve, fastest / kept.speed_reserve,
-                           stall / kept.rms_reserve, to, falling=falling)  # fmt: skip
+        falling = TorqueFall(
+            *(float(figures[self.pair[0]]) for figures in (motors.knee, motors.fall / reserves.peak_reserve))
+        )
+        inertia, rated, peak, fastest, stall, to = (float(figures[self.pair[0]]) for figures in of)
+        self.motor = Motor(inertia, rated / reserves.rms_reserve, peak / reserves.peak_reserve,
+                           fastest / reserves.speed_reserve,
+                           stall / reserves.rms_reserve, to, falling=falling)  # fmt: skip
         limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
         fastest, strongest, lasting = (float(limit[self.pair[1]]) for limit in limits)
         self.limits = [0.0 if np.isinf(limit) else limit for limit in (fastest, strongest, lasting)]  # 0: none
-        self.reducer = ReducerLimits(strongest / kept.torque_factor, lasting, fastest)
+        self.reducer = ReducerLimits(strongest / reserves.torque_factor, lasting, fastest)
 
         self.cycle = cycle_of(cut, train_of(cut, load, self.gears))
         self.load = self.cycle.points()
@@ -211,7 +214,7 @@ class ToolDrive:
 
     def choosing(self) -> PairSelection:
         """Return the choice of motor and reducer, with the pair in use."""
-        motor, gears, kept, (m, r) = self.motor, self.gears, self.kept, self.pair
+        motor, gears, reserves, (m, r) = self.motor, self.gears, self.reserves, self.pair
         rows = shaft_figures("drive_", load_figures(self.demand, self.turning, self.torque), {
             "own": mean("al", "al"), "square": mean("S", "S", DRIVES), "square_back": mean("S", "S", DRIVEN),
             "product": mean("al", "S", DRIVES), "product_back": mean("al", "S", DRIVEN), "way": mean("dir", "dir"),
@@ -222,20 +225,20 @@ class ToolDrive:
             "by_power": ("1", 1.0), "left": ("1", 1.0), **self.held, "held_j": ("@j", gears.inertia),
             "held_jm": ("@jm", motor.inertia), "held_i": ("@i", gears.ratio), "held_eta": ("@eta", gears.efficiency),
             "held_no_load": ("@no_load", gears.no_load),
-            "held_rated": ("@continuous*limits_rms_reserve", self.reserve.rms_torque.limit * kept.rms_reserve),
-            "held_peak": ("@motor_peak*limits_peak_reserve", motor.peak_torque * kept.peak_reserve),
+            "held_rated": ("@continuous*limits_rms_reserve", self.reserve.rms_torque.limit * reserves.rms_reserve),
+            "held_peak": ("@motor_peak*limits_peak_reserve", motor.peak_torque * reserves.peak_reserve),
             "held_top": ("MAX(@tmax,0-@tmin)", self.peak, self.motor_torque),
             "held_spare": ("@spare", float(self.left.min()), max(self.motor_torque, motor.peak_torque)),
-            "held_nmax": ("@motor_nmax*limits_speed_reserve", shown(motor.max_speed, RPM) * kept.speed_reserve),
+            "held_nmax": ("@motor_nmax*limits_speed_reserve", shown(motor.max_speed, RPM) * reserves.speed_reserve),
             "held_row": ("@motor_row", m + 1),
             "held_gear": ("@reducer_row", r + 1), "turns": ("1", 1.0),
         })  # fmt: skip
         return PairSelection(self.chosen, self.sizes, [self._shaft(rows)])
 
 
-def mean(one: str, other: str, where: str = "") -> str:
+def mean(first: str, second: str, where: str = "") -> str:
     """Return the formula of the mean of a product over the cycle."""
-    return f"SUMPRODUCT([@pt.share]{where},[@pt.{one}],[@pt.{other}])"
+    return f"SUMPRODUCT([@pt.share]{where},[@pt.{first}],[@pt.{second}])"
 
 
 def does(cut: Cut) -> str:
@@ -257,5 +260,5 @@ def check(machine: FlyingCutter) -> None:
     least = shown(LONGER * tool_of(cutter).tool_length, MM)
     for entry, length in (("product_length", cutter.product_length), ("lengths.shortest", cutter.lengths.shortest)):
         if length < least:
-            said = f"a product of {figure(length)} mm; expected at least {figure(least)} mm"
-            raise DesignError(f"cutter.{entry}", said, "length", least + least)
+            problem = f"a product of {figure(length)} mm; expected at least {figure(least)} mm"
+            raise DesignError(f"cutter.{entry}", problem, "length", least + least)

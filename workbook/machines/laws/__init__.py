@@ -1,1 +1,1 @@
-"""Motion laws compared: coefficients side by side, curves over one another, what each costs."""
+"""Motion laws compared: coefficients side by side, curves in common charts, the demands of each."""

@@ -18,7 +18,7 @@ class Curve(Model):
 
 
 class Comparison(Model):
-    """The laws whose curves are drawn over one another; the table has every law of the book."""
+    """The laws whose curves are drawn together; the table has every law of the book."""
 
     curves: Annotated[list[Curve], Field(min_length=1, max_length=MOST_CURVES)]
 

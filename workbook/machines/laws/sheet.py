@@ -114,7 +114,7 @@ def names_sheet(book: Book, view: ComparedLaws) -> None:
 
 
 def samples(sheet: Sheet, view: ComparedLaws) -> None:
-    """Declare what the curves are called and the numbers by which they are found, and each sampled in a table."""
+    """Declare the names and the numbers of the curves, and a table of samples of each."""
     cell, names = CELLS["samples"], filled(view.entered, MOST_CURVES, "")
     sheet.rows(
         *(cell("curve{i}_name", name, i=i) for i, name in zip(CURVES, names, strict=True)),

@@ -40,7 +40,7 @@ def declare(given: MotionLaws) -> Book:
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
-    """Return the variation of a turn: one curve to four."""
+    """Return the variation of a turn: 1 to 4 curves."""
     k = turn % SIX
     vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
     count = (MOST_CURVES, 1, 3, MOST_CURVES, 2, MOST_CURVES)[k]

@@ -28,21 +28,23 @@ class ComparedLaws:
         self.entered = [curve.law for curve in machine.comparison.curves]
         self.laws, self.stack, self.sizes = laws, stack, machine.sizes
         chosen = [*self.entered, *(self.entered[0] for _ in range(len(self.entered), MOST_CURVES))]
-        known = {one.name: one for one in laws}
+        known = {law.name: law for law in laws}
         self.curves = [known[name] for name in chosen]
-        self.moving = [one for one in laws if not isinstance(one.law, Dwell)]
+        self.moving = [law for law in laws if not isinstance(law.law, Dwell)]
         self.xi = np.arange(self.sizes.cycle + 1) / self.sizes.cycle
         self.smooth: list[tuple[int, int]] = []  # the order of each law's continuity at its ends and between them
         self.joints: list[JointRow] = []  # the begin of each piece of each law, and of the rest behind it
-        for one in self.moving:
-            pieces, begun, first = stack.pieces[one.number], stack.first[one.number], len(self.joints) + 1
-            joints = law_joints(one.law, pieces)
+        for law in self.moving:
+            pieces, begun, first = stack.pieces[law.number], stack.first[law.number], len(self.joints) + 1
+            joints = law_joints(law.law, pieces)
             self.smooth.append(continuity(joints))
             for k, at in enumerate(joints, 1):
                 row = begun + k - 1 if k <= len(pieces) else stack.first[1]
-                self.joints.append(JointRow(one, k, at, row, first))
+                self.joints.append(JointRow(law, k, at, row, first))
 
     def least(self, figure: str) -> float:
         """Return the least of a coefficient among the laws whose acceleration does not jump; 0 where there is none."""
-        kept = [one.law.coefficients for one, orders in zip(self.moving, self.smooth, strict=True) if min(orders) > 1]
-        return float(min((getattr(each, figure) for each in kept), default=0.0))
+        smooth_coefficients = [
+            law.law.coefficients for law, orders in zip(self.moving, self.smooth, strict=True) if min(orders) > 1
+        ]
+        return float(min((getattr(each, figure) for each in smooth_coefficients), default=0.0))

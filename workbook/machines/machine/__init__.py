@@ -1,1 +1,1 @@
-"""Any machine: its axes over one master shaft, at one rate."""
+"""Any machine: its axes over a master shaft, at a single rate."""

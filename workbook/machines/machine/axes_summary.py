@@ -46,9 +46,9 @@ def motors(axes: Sequence[MovingAxis], drives: Mapping[int, DriveView]) -> list[
 
     def column(name: str, value: Callable[[DriveView, Reserve], Any], **more: Any) -> Quantity:
         values = [value(drives[i], reserves[i]) if i in drives else NO_DRIVE for i in numbers]
-        made = cell(name, values, drive=scopes, **more)
-        formulas = zip(numbers, made.formula or (), strict=True)
-        return made._replace(formula=[text if i in drives else f'="{NO_DRIVE}"' for i, text in formulas])
+        quantity = cell(name, values, drive=scopes, **more)
+        formulas = zip(numbers, quantity.formula or (), strict=True)
+        return quantity._replace(formula=[text if i in drives else f'="{NO_DRIVE}"' for i, text in formulas])
 
     def motor_name(view: DriveView) -> str:
         motor = view.driven.entered.motor

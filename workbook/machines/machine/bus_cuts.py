@@ -49,7 +49,7 @@ class BusCuts:
     ``begin`` and ``end`` of these halves of all drives in degrees of the master shaft, what its drive ``draws`` and
     ``returns`` in each at most (W); from each cut to the next what all have ``drawn`` and ``returned`` at most.
     ``shares`` are the ``peaks`` of each drive, on the mains and in its resistor (W), over the largest powers at its
-    points: 0 of one that is not ``on_bus``.
+    points: 0 for a drive that is not ``on_bus``.
     """
 
     def __init__(self, drives: Sequence[DriveView], on_bus: Array, peaks: Array) -> None:

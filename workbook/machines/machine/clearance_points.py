@@ -37,25 +37,25 @@ def gap_workings(sheet: Sheet, gap: ClearanceView) -> None:
 def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
     """Return the columns of both axes at angles of the column theta: cycles begun, piece, u, position; and the gap."""
     cell = CELLS["at_angles"]
-    found, n = [], gap.number
+    columns, n = [], gap.number
     for rows, mark, of, y in zip(gap.rows, MARKS, OF, gap.positions(angles), strict=True):
-        axis, told = rows.axis, rows.axis.unshifted(si(angles, DEGREE))
+        axis, unshifted = rows.axis, rows.axis.unshifted(si(angles, DEGREE))
         late, place = f"[axes_taken.late.{axis.number}]", sampled(rows.pieces, 0, mark)
         own = f"({place})*1000" if axis.given.unit == "mm" else f"DEGREES({place})"
-        found += [
-            cell("n{mark}", told.cycles, mark=mark, of=of, late=late),
-            cell("p{mark}", shown(told.x, DEGREE), mark=mark, of=of, late=late, scale=TURN),
-            *finding(rows.pieces, f"p{mark}", told.x, of, mark),
+        columns += [
+            cell("n{mark}", unshifted.cycles, mark=mark, of=of, late=late),
+            cell("p{mark}", shown(unshifted.x, DEGREE), mark=mark, of=of, late=late, scale=TURN),
+            *finding(rows.pieces, f"p{mark}", unshifted.x, of, mark),
             cell("y{mark}", y, mark=mark, of=of, unit=axis.given.unit, own=own, number=axis.number, scale=gap.size),
         ]
     first = "[ya]"
     if gap.table:
         y, first = gap.positions(angles)[0], "[free]"
-        found += [
+        columns += [
             cell("line", gap.table.row(y) + 1.0, n=n),
             cell("free", gap.table.position(y), unit=gap.unit, n=n, scale=gap.size),
         ]
-    return [*found, cell("gap", gap.gaps(angles), unit=gap.unit, n=n, first=first, scale=gap.size)]
+    return [*columns, cell("gap", gap.gaps(angles), unit=gap.unit, n=n, first=first, scale=gap.size)]
 
 
 def least(sheet: Sheet, gap: ClearanceView) -> None:

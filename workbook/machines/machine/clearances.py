@@ -177,10 +177,10 @@ def clearance_check(gap: ClearanceView) -> Quantity:
     least, entered, at = (f"[clearances.{name}.{n}]" for name in ("gap", "least", "at"))
     place = amount(least, gap.least, ": ", f" {unit} at ")
     says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
-    said = f"{round(gap.over.shown(gap.place), AT):.15g}{after}; expected at least {gap.given.least:.15g} {unit}"
+    sentence = f"{round(gap.over.shown(gap.place), AT):.15g}{after}; expected at least {gap.given.least:.15g} {unit}"
     return cell(
         "clear{n}_kept",
         gap.is_left,
         n=n,
-        says=CheckSentence(says, f"{gap.given.name}{place.text}{said}"),
+        says=CheckSentence(says, f"{gap.given.name}{place.text}{sentence}"),
     )

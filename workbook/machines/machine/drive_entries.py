@@ -16,7 +16,7 @@ from workbook.selection.entries import Products, Ranked
 Slope = Annotated[float, Field(ge=-90, le=90)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
-"""the name of one in the catalogue; empty where its figures are entered"""
+"""the name of a product in the catalogue; empty where its figures are entered"""
 NEEDED = ("inertia", "rated_torque", "peak_torque", "max_speed")  # figures of a motor without a name
 TRAVELLING_LOAD, TURNING_LOAD = ("mass", "friction", "slope", "force"), ("inertia", "torque", "friction_torque")
 WINDOWS = 4  # process forces of an axis, at most
@@ -25,7 +25,7 @@ UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 
 
 class PowerEntry(Model):
-    """What all drives share: their efficiency between motor and mains, the hours of running in a year, the price."""
+    """The entries that all drives share: efficiency between motor and mains, hours of running in a year, price."""
 
     efficiency: Efficiency = noted(1.0, "Of a drive, between its motor's shaft and the mains")
     hours: Annotated[float, Field(ge=0, le=8784)] = noted(0.0, "Hours of running in a year")
@@ -33,7 +33,7 @@ class PowerEntry(Model):
 
 
 class ForceWindow(Model):
-    """A process force, N or Nm, from one angle of the cycle to another; one that ends before it begins runs across."""
+    """A process force, N or Nm, between two angles of the cycle, across its end where it ends before it begins."""
 
     start: Angle
     stop: Angle
@@ -50,7 +50,7 @@ class SwingingArm(Model):
 
 
 class AxisLoad(Model):
-    """The load of an axis: a mass of one that travels, an inertia of one that turns, and the forces that resist."""
+    """The load of an axis: a mass where it travels, an inertia where it turns, and the forces that resist."""
 
     mass: NotNegative = 0.0  # kg
     friction: NotNegative = 0.0  # coefficient
@@ -96,15 +96,15 @@ class AxisMotor(Model):
     limit: Temperature = noted(155.0, "The largest of its winding, in °C")
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield a figure that is missing of a motor without a name, and one hotter than its limit."""
+        """Yield a figure that is missing of a motor without a name, and a temperature above its limit."""
         for name in NEEDED:
             if not self.name and getattr(self, name) is None:
                 yield DesignError(name, UNTOLD, "told", 1.0)
         hottest = figure(max(self.temperature or 0.0, self.rated_at))
         for name in ("temperature", "rated_at"):
             if (getattr(self, name) or 0.0) >= self.limit:
-                said = f"{hottest} °C; expected less than the limit, {figure(self.limit)} °C"
-                yield DesignError(name, said, "cool", self.limit - 1.0)
+                problem = f"{hottest} °C; expected less than the limit, {figure(self.limit)} °C"
+                yield DesignError(name, problem, "cool", self.limit - 1.0)
 
 
 class Reducer(Model):
@@ -193,10 +193,10 @@ class Choice(Ranked):
     @model_validator(mode="after")
     def _without_axis(self) -> Self:
         own = [name for name in Ranked.model_fields if name not in Products.model_fields]
-        told = [name for name in own if getattr(self, name) != Ranked.model_fields[name].default]
-        if self.axis is None and told:
-            said = "no axis is told for the sheet Selection; expected selection.axis, or none of this"
-            raise EntryError(told[0], said)
+        given = [name for name in own if getattr(self, name) != Ranked.model_fields[name].default]
+        if self.axis is None and given:
+            problem = "no axis is told for the sheet Selection; expected selection.axis, or none of this"
+            raise EntryError(given[0], problem)
         return self
 
 

@@ -34,7 +34,7 @@ OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected positi
 
 
 class Master(Model):
-    """The master shaft: one cycle a turn. A machine without one has cycle = 0.3 (s) instead, and all places in s.
+    """The master shaft: a cycle a turn. A machine without it has cycle = 0.3 (s) instead, and all places in s.
 
     Or cycle = 100.0 and unit = "mm" (or "°", "rad"): over an abscissa that does not tell how time passes.
     """
@@ -50,7 +50,7 @@ class AxisPhase(TurnPhase, Passing):
 
 
 class Axis(Model):
-    """An axis: what it does in one turn of the master shaft; between its phases it rests."""
+    """An axis: its phases in a turn of the master shaft; between them it rests."""
 
     PLACED: ClassVar[bool] = True
     """whether its entries alone tell if its phases lie right: else the machine does, which knows the cycle's length"""
@@ -85,13 +85,13 @@ class Axis(Model):
 
     @property
     def called(self) -> str:
-        """What it was called when its book was built, else what it is called."""
+        """Return its name when its book was built, else its name."""
         return self._built or self.name
 
     @model_validator(mode="before")
     @classmethod
     def _motor_to_choose(cls, data: Any) -> Any:
-        """Give a mechanism without a motor one without figures: the design is not finished, and Selection finds one."""
+        """Give a mechanism that has no motor a motor without figures, for Selection to choose."""
         unchosen = isinstance(data, dict) and data.get("mechanism") is not None and data.get("motor") is None
         return data | {"motor": {}} if unchosen else data
 
@@ -123,7 +123,7 @@ class Axis(Model):
         return self.closes != "open"
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield phases that run backwards, or that begin before the one above ends, and an open cycle with a drive."""
+        """Yield phases that run backwards, or begin before the phase above ends, and an open cycle with a drive."""
         if self.motor is not None and not self.repeats:
             yield DesignError("closes", f"{self.name} {OPEN_DRIVE}", "repeats", "position")
         if self.PLACED:
@@ -131,19 +131,19 @@ class Axis(Model):
 
 
 def following(name: str, phases: Sequence[AxisPhase], over: Abscissa = ANGLE) -> Iterator[DesignError]:
-    """Yield the first phase of an axis that begins before the one above ends."""
+    """Yield the first phase of an axis that begins before the phase above ends."""
     reached = 0.0
     for i, phase in enumerate(phases):
         early = over.degrees(reached) - over.degrees(phase.start)
         if early > ANGLE_TOLERANCE:
-            said = f"begins at {figure(phase.start)}{over.after}, {over.text(early)} before row {i} ends"
-            yield DesignError(f"phases.{i}.start", f"{name} row {i + 1} {said}", "follows", reached)
+            problem = f"begins at {figure(phase.start)}{over.after}, {over.text(early)} before row {i} ends"
+            yield DesignError(f"phases.{i}.start", f"{name} row {i + 1} {problem}", "follows", reached)
             return
         reached = phase.stop
 
 
 class MachineSizes(SelectionSizes):
-    """How large the tables are built: also the points of a mechanism that is told by a table."""
+    """The sizes of the tables: also the points of a mechanism that is given by a table."""
 
     positions: int = Field(
         default=12, ge=3, le=40, description="Rows for the points of a mechanism that is told by a table"
@@ -152,7 +152,7 @@ class MachineSizes(SelectionSizes):
 
 
 class AnyMachine(Exporting):
-    """Axes over one master shaft, or without one over a cycle in s or over any abscissa."""
+    """Axes over a master shaft, or without it over a cycle in s or over any abscissa."""
 
     AXES_AT = ("axes",)
     template: Literal["machine"] = "machine"
@@ -169,12 +169,12 @@ class AnyMachine(Exporting):
     @classmethod
     def spelled(cls, data: Any) -> Any:
         """Return a description whose switches tell the keys of their times, and whose clearances name their axes."""
-        return beside.spelled(super().spelled(data))
+        return beside.expand_short_forms(super().spelled(data))
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
-            require_distinct((one.name for one in getattr(self, key)), kind, f"{key}.{{}}.name")
+            require_distinct((row.name for row in getattr(self, key)), kind, f"{key}.{{}}.name")
         beside.require_axes(self.clearances, [axis.name for axis in self.axes])
         for entry in ("power", "limits") if not any(axis.motor for axis in self.axes) else ():
             if getattr(self, entry) != type(self).model_fields[entry].default:
@@ -193,23 +193,23 @@ class AnyMachine(Exporting):
                 if name:
                     require_known(entry, name, [row.name for row in rows], f"axes.{i}.{entry}.name")
             points = axis.mechanism.points if isinstance(axis.mechanism, Table) else []
-            for entry, told, room in (("parts", axis.parts, "rotors"), ("mechanism.points", points, "positions"),
+            for entry, given_rows, room in (("parts", axis.parts, "rotors"), ("mechanism.points", points, "positions"),
                                       ("phases", axis.phases, "phases")):  # fmt: skip
-                if len(told) > getattr(self.sizes, room):
-                    said = f"{len(told)} rows do not fit into {getattr(self.sizes, room)}; raise sizes.{room}"
-                    raise EntryError(f"axes.{i}.{entry}", said)
+                if len(given_rows) > getattr(self.sizes, room):
+                    problem = f"{len(given_rows)} rows do not fit into {getattr(self.sizes, room)}; raise sizes.{room}"
+                    raise EntryError(f"axes.{i}.{entry}", problem)
         require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
-        number, found = piece_counts(self.laws), []
+        number, faults = piece_counts(self.laws), []
         needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
                   for axis in self.axes_turned]  # fmt: skip
         space = settle_room(self, max(needed), 2 * self.sizes.phases + 1)  # for the pieces of an axis
         for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
             if count > space:
                 still = [phase.model_dump() | AT_REST for phase in axis.phases]
-                said, rule = CROWDED.format(count, space), ROOM_RULE.format(i + 1)
-                found.append(DesignError(f"axes.{i}.phases", said, rule, still))
-        if found:
-            raise DesignFaultsError(found)
+                problem, rule = CROWDED.format(count, space), ROOM_RULE.format(i + 1)
+                faults.append(DesignError(f"axes.{i}.phases", problem, rule, still))
+        if faults:
+            raise DesignFaultsError(faults)
         return self
 
     def built_as(self, names: Mapping[str, str]) -> None:
@@ -220,7 +220,7 @@ class AnyMachine(Exporting):
 
     @property
     def over(self) -> Abscissa:
-        """What its cycle is entered and shown over."""
+        """The abscissa over which its cycle is entered and shown."""
         return ANGLE
 
     @property
@@ -236,7 +236,7 @@ class AnyMachine(Exporting):
 
     @property
     def axes_turned(self) -> Sequence[Axis]:
-        """The axes with all their places in degrees of one turn."""
+        """The axes with all their places in degrees of a turn."""
         return self.axes
 
     @property
@@ -246,6 +246,6 @@ class AnyMachine(Exporting):
 
 
 def rests(phases: list[AxisPhase]) -> list[int]:
-    """Return before which phases, counted from 0, an axis rests; behind the last counts as before one more."""
+    """Return the numbers of the phases, from 0, before which an axis rests; behind the last is before another."""
     ends, begins = [0.0, *(p.stop for p in phases)], [*(p.start for p in phases), 360.0]
     return [i for i, (end, begin) in enumerate(zip(ends, begins, strict=True)) if begin - end > ANGLE_TOLERANCE]

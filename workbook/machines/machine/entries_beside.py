@@ -21,7 +21,7 @@ PAIRS = 12  # of a clearance's table
 KEYS, ENDS, PAIR, STOPS = ("start", "stop"), ("first", "second"), ("at", "free"), ("low", "high")
 PAIRED = ",".join(f"COUNT([start{t}],[stop{t}])<>1" for t in range(1, TIMES + 1))
 HALF = RowRule("paired", f"AND({PAIRED})", "", "a time on without its begin, or without its end")
-"""a row of switches of which a time has but one of its ends"""
+"""a row of switches of which a time lacks an end"""
 UNUSED = dict.fromkeys(KEYS)
 
 
@@ -36,7 +36,7 @@ def without_empty_end(rows: Any) -> Any:
 
 
 class TimeOn(Model):
-    """One time of being on, in degrees of the master shaft; one that ends before it begins runs across the end."""
+    """A time of being on, in degrees of the master shaft; across the cycle's end where it ends before it begins."""
 
     start: Angle | None = Field(default=None, description="From where it is on")
     stop: Angle | None = Field(default=None, description="To where it is on")
@@ -69,7 +69,7 @@ class SwitchEntry(Model):
         return without_empty_end(on)
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield a time with one end, and the first that does not last or is not over where another begins."""
+        """Yield a time that lacks an end, and the first that does not last or is not over where another begins."""
         half = (k for k, time in enumerate(self.on) if time.ends is None and time != type(time)())
         yield from (DesignError(f"on.{k}", HALF.words, HALF.rule, UNUSED) for k in [*half][:1])
         yield from meeting(self) if self.PLACED else ()
@@ -77,15 +77,15 @@ class SwitchEntry(Model):
 
 def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError]:
     """Yield the first time of a switch, in degrees, that does not last, or is not over where another begins."""
-    told = [(k, *time.ends) for k, time in enumerate(turned.on, 1) if time.ends]
-    spans = {k: stop - start + (TURN if stop < start else 0.0) for k, start, stop in told}
-    said = [f"time {k} does not last" for k, span in spans.items() if span <= ANGLE_TOLERANCE]
-    for k, start, _ in told:
-        more = spans[k] - min(((other - start) % TURN for j, other, _ in told if j != k), default=spans[k])
+    times = [(k, *time.ends) for k, time in enumerate(turned.on, 1) if time.ends]
+    spans = {k: stop - start + (TURN if stop < start else 0.0) for k, start, stop in times}
+    problems = [f"time {k} does not last" for k, span in spans.items() if span <= ANGLE_TOLERANCE]
+    for k, start, _ in times:
+        more = spans[k] - min(((other - start) % TURN for j, other, _ in times if j != k), default=spans[k])
         if more > ANGLE_TOLERANCE:
-            said.append(f"time {k} is on {over.text(more)} beyond the begin of another")
-    if said:
-        yield DesignError("on", f"{turned.name} {said[0]}", "apart", [UNUSED for _ in turned.on])
+            problems.append(f"time {k} is on {over.text(more)} beyond the begin of another")
+    if problems:
+        yield DesignError("on", f"{turned.name} {problems[0]}", "apart", [UNUSED for _ in turned.on])
 
 
 class HardStops(Model):
@@ -101,7 +101,7 @@ class HardStops(Model):
 
 
 class FreePosition(Model):
-    """How far the second axis of a clearance is free where the first one is at a position, each in its axis' unit."""
+    """The free position of the second axis of a clearance at a position of the first, each in its axis' unit."""
 
     at: Number = Field(description="Position of the first axis, in its unit", examples=[20.0])
     free: Number = Field(description="Position up to which the second axis is free, in its unit", examples=[45.0])
@@ -115,8 +115,8 @@ class FreePosition(Model):
 class ClearanceEntry(Model):
     """A gap of two axes, offset + factor · position + factor · position, in the unit of the first axis.
 
-    With a table of pairs the free position of the second axis takes the place of the first one's position, all in the
-    second one's unit: by default the gap is what the second axis is short of its free position.
+        With a table of pairs the free position of the second axis takes the place of the first position, all in the
+    unit of the second: by default the gap is what the second axis is short of its free position.
     """
 
     name: Name
@@ -151,43 +151,43 @@ class ClearanceEntry(Model):
 
 
 def require_axes(clearances: Sequence[ClearanceEntry], names: Sequence[str]) -> None:
-    """Raise EntryError for a clearance of an axis that is not there, or of one axis alone."""
-    for i, one in enumerate(clearances):
-        places = [place_of(getattr(one, end), names) for end in ENDS]
+    """Raise EntryError for a clearance of an axis that is not there, or of a single axis."""
+    for i, clearance in enumerate(clearances):
+        places = [place_of(getattr(clearance, end), names) for end in ENDS]
         for end, place in zip(ENDS, places, strict=True):
             if place < 0:
-                raise EntryError(f"clearances.{i}.{end}", f"no axis is named {getattr(one, end)!r}")
+                raise EntryError(f"clearances.{i}.{end}", f"no axis is named {getattr(clearance, end)!r}")
         if places[0] == places[1]:
-            raise EntryError(f"clearances.{i}.second", f"{one.second!r} is the first axis too; expected another")
+            raise EntryError(f"clearances.{i}.second", f"{clearance.second!r} is the first axis too; expected another")
 
 
-def spelled(told: Any) -> Any:
-    """Return a description whose switches tell the keys of their times, and whose clearances the names of axes.
+def expand_short_forms(data: Any) -> Any:
+    """Return a description whose switches have the keys of their times, and whose clearances the names of axes.
 
-    Times may be told as [from, to], hard stops as [low, high], and axes by their numbers, from 1, as a book's layout
+    Times may be given as [from, to], hard stops as [low, high], and axes by their numbers, from 1, as a book's layout
     does.
     """
-    if not isinstance(told, Mapping):
-        return told
-    names = {int(path[1]) + 1: name for path, name in spread(told, ("axes", "*", "name"))}
+    if not isinstance(data, Mapping):
+        return data
+    names = {int(path[1]) + 1: name for path, name in spread(data, ("axes", "*", "name"))}
 
     def keyed(pair: Any, keys: Sequence[str] = KEYS) -> Any:
         return dict(zip(keys, pair, strict=True)) if isinstance(pair, list) and len(pair) == len(keys) else pair
 
-    def switch(one: Mapping[str, Any]) -> Any:
-        return {**one, "on": [*map(keyed, one["on"])]} if isinstance(one.get("on"), list) else one
+    def switch(row: Mapping[str, Any]) -> Any:
+        return {**row, "on": [*map(keyed, row["on"])]} if isinstance(row.get("on"), list) else row
 
-    def clearance(one: Mapping[str, Any]) -> Any:
-        pairs = one.get("pairs")
-        told = {"pairs": [keyed(pair, PAIR) for pair in pairs]} if isinstance(pairs, list) else {}
-        ends = {end: names[one[end]] for end in ENDS if type(one.get(end)) is int and one[end] in names}
-        return {**one, **ends, **told}
+    def clearance(row: Mapping[str, Any]) -> Any:
+        pairs = row.get("pairs")
+        spelled_pairs = {"pairs": [keyed(pair, PAIR) for pair in pairs]} if isinstance(pairs, list) else {}
+        ends = {end: names[row[end]] for end in ENDS if type(row.get(end)) is int and row[end] in names}
+        return {**row, **ends, **spelled_pairs}
 
-    def stopped(one: Mapping[str, Any]) -> Any:
-        return {**one, "stops": keyed(one["stops"], STOPS)} if "stops" in one else one
+    def stopped(row: Mapping[str, Any]) -> Any:
+        return {**row, "stops": keyed(row["stops"], STOPS)} if "stops" in row else row
 
-    found = dict(told)
+    expanded = dict(data)
     for key, spell in (("axes", stopped), ("switches", switch), ("clearances", clearance)):
-        if isinstance(told.get(key), list):
-            found[key] = [spell(one) if isinstance(one, Mapping) else one for one in told[key]]
-    return found
+        if isinstance(data.get(key), list):
+            expanded[key] = [spell(row) if isinstance(row, Mapping) else row for row in data[key]]
+    return expanded

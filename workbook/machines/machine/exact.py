@@ -26,7 +26,7 @@ RATE, GAP, MOTION = 0.01, 1e-3, 5e-4
 """by which share the sheets state that the highest rate, a least gap and the extremes of phases that meet at speed may
 be off; :mod:`engine.drive.bounds` has those of a drive's results"""
 PAIRS_GAP = 0.25  # the same of a least gap by pairs, whose lines may turn between the points
-ROUNDING, NEARLY = 1e-9, 0.9  # of exact uses; of a use by points that may be one exactly
+ROUNDING, NEARLY = 1e-9, 0.9  # of exact uses; of a use by points that may be 1 exactly
 EXACT_NAMES = {PEAK_TORQUE: BELOW, CYCLES: REDUCER_TORQUE}  # of limits that the exact engine calls otherwise
 
 
@@ -56,8 +56,8 @@ def ends_exactly(view: DriveView) -> bool:
     low, high = view.search.range[:2]
     if not 0.0 < high < math.inf:
         return False
-    ends = [one for one in (low, high) if one > 0.0]
-    return all(held_exactly(view, one) for one in ends) and not held_exactly(view, high * (1.0 + RATE))
+    ends = [rate for rate in (low, high) if rate > 0.0]
+    return all(held_exactly(view, end) for end in ends) and not held_exactly(view, high * (1.0 + RATE))
 
 
 def held_exactly(view: DriveView, rate: float) -> bool:
@@ -68,16 +68,16 @@ def held_exactly(view: DriveView, rate: float) -> bool:
     return all(check.use <= 1.0 + ROUNDING for check in checks.of(names))
 
 
-def in_words(found: Rates) -> str:
+def in_words(rates: Rates) -> str:
     """Return a range of rates in words."""
-    return range_in_words(found, "").text
+    return range_in_words(rates, "").text
 
 
-def agree(told: Rates, exact: Rates) -> bool:
-    """Return whether a sheet's highest rate is at most RATE below the exact one, and never above it."""
-    if isinstance(told.high, str) or isinstance(exact.high, str):
-        return told.high == exact.high
-    return (1.0 - RATE) * exact.high <= told.high <= exact.high * (1.0 + ROUNDING)
+def agree(stated: Rates, exact: Rates) -> bool:
+    """Return whether a sheet's highest rate is at most RATE below the exact rate, and never above it."""
+    if isinstance(stated.high, str) or isinstance(exact.high, str):
+        return stated.high == exact.high
+    return (1.0 - RATE) * exact.high <= stated.high <= exact.high * (1.0 + ROUNDING)
 
 
 def exact_rates(view: DriveView) -> Rates:
@@ -90,22 +90,22 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     rows = axes_of(machine)
     views = list(filter(None, map(drive_of, rows)))
     lines = [line for view in views for line in (*results_of(view), *rate_of(view))]
-    gaps = [ClearanceView(one, k, rows) for k, one in enumerate(machine.clearances, 1)]
-    lines += [*filter(None, map(gap_of, gaps)), *(line for one in rows for line in extremes_of(one.axis))]
-    stops = [limit_of_stop(stop) for one in rows for stop in stops_of(one.axis)]
+    gaps = [ClearanceView(clearance, k, rows) for k, clearance in enumerate(machine.clearances, 1)]
+    lines += [*filter(None, map(gap_of, gaps)), *(line for row in rows for line in extremes_of(row.axis))]
+    stops = [limit_of_stop(stop) for row in rows for stop in stops_of(row.axis)]
     limits = [list(limits_of(view)) for view in views]
     rates = [limit_of_rate(*both, machine.per_minute) for both in zip(views, limits, strict=True)]
-    rates = [max(rates, key=lambda one: one.exact.use)] if rates else []
+    rates = [max(rates, key=lambda limit: limit.exact.use)] if rates else []
     return ExactJudgement([*chain(*limits), *rates, *map(limit_of_gap, gaps), *stops], lines)
 
 
 def limit_of_rate(view: DriveView, limits: Sequence[JudgedLimit], rate: float) -> JudgedLimit:
     """Return the limit of a drive that is used most at the machine's rate (cycles/min), of its ``limits`` at its own.
 
-    It is told for the check of the rate: near a limit, that of the drive tells so.
+    It stands for the check of the rate; near a limit, the drive's own check warns.
     """
     if view.driven.entered.rate is None:
-        return max(limits, key=lambda one: one.exact.use)._replace(check=RATE_CHECK, bound=0.0)
+        return max(limits, key=lambda limit: limit.exact.use)._replace(check=RATE_CHECK, bound=0.0)
     exact = at_speed(view.driven.limit_checks, si(rate, PER_MINUTE) * math.tau).worst
     uses = view.search.at(rate / view.rate).uses
     sheet, truth = (LimitCheck(exact.name, shown(use, PERCENT), shown(1.0, PERCENT))
@@ -149,20 +149,24 @@ def limits_of(view: DriveView) -> list[JudgedLimit]:
 
 
 def extremes_of(axis: MovingAxis) -> Iterator[str]:
-    """Yield a line for each phase that meets its neighbours at speed, and is found slower than its sheet states."""
+    """Yield a line for each phase that meets its neighbours at speed, and is slower than its sheet states."""
     for i, k in enumerate(axis.entered, 1):
-        exact, told = axis.joined.motion.phases[k], axis.motion.phases[k]
-        for what, true, said in (("velocity", exact.y1_max, told.y1_max), ("acceleration", exact.y2_max, told.y2_max)):
-            if abs(said - true) > MOTION * true:
-                yield f"{axis.given.name} row {i}: the greatest {what} is {rounded(100.0 * (true / said - 1.0))} % more"
+        exact, by_points = axis.joined.motion.phases[k], axis.motion.phases[k]
+        for what, true, stated in (
+            ("velocity", exact.y1_max, by_points.y1_max),
+            ("acceleration", exact.y2_max, by_points.y2_max),
+        ):
+            if abs(stated - true) > MOTION * true:
+                more = rounded(100.0 * (true / stated - 1.0))
+                yield f"{axis.given.name} row {i}: the greatest {what} is {more} % more"
 
 
-def gap_of(one: ClearanceView) -> str:
+def gap_of(gap: ClearanceView) -> str:
     """Return the line on a least gap, empty where it is as exact as its sheet states."""
-    exact, unit = one.exact, one.unit
-    if abs(one.least - exact) <= (PAIRS_GAP if one.table else GAP) * one.change + 1e-9 * one.size:
+    exact, unit = gap.exact, gap.unit
+    if abs(gap.least - exact) <= (PAIRS_GAP if gap.table else GAP) * gap.change + 1e-9 * gap.size:
         return ""
-    return f"{one.given.name}: the least gap is {rounded(exact)} {unit} exactly; its sheet says {rounded(one.least)}"
+    return f"{gap.given.name}: the least gap is {rounded(exact)} {unit} exactly; its sheet says {rounded(gap.least)}"
 
 
 def results_of(view: DriveView) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""A motion whose phases with prescribed ends have the extremes that are found at points, as the cells find them."""
+"""A motion whose phases with prescribed ends have their extremes at points, as in the cells."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -55,12 +55,12 @@ class MeasuredMotion(Motion):
     @cached_property
     def reaches(self) -> tuple[tuple[float, float], ...]:
         """The lowest and the highest position of each phase."""
-        found = list(super().reaches)
+        reaches = list(super().reaches)
         for k, phase in enumerate(self.phases):
             if isinstance(phase, MeasuredPhase):
                 y = np.concatenate([at_points(piece, 0) for piece in phase.parts])
-                found[k] = float(y.min()), float(y.max())
-        return tuple(found)
+                reaches[k] = float(y.min()), float(y.max())
+        return tuple(reaches)
 
 
 def measured(motion: Motion) -> Motion:

@@ -32,7 +32,7 @@ PARTS, PARTS_BY_PAIRS = 2, 4  # of each piece, at whose begins the gap is worked
 
 
 class FreePositions(NamedTuple):
-    """The table of a clearance: how far the second axis is free, on straight lines over the first one's position.
+    """The table of a clearance: the free position of the second axis, on straight lines over the first axis' position.
 
     Beyond its ends it goes on as its first and its last line do.
     """
@@ -162,7 +162,7 @@ class ClearanceView:
 
     @cached_property
     def lowest(self) -> Lowest:
-        """The parabola through each point and the one before, with the slope there."""
+        """The parabola through each point and the point before, with the slope there."""
         angles, gaps, slopes = self.angles, self.gaps(self.angles), self.slopes
         steps, rise = np.diff(angles, prepend=angles[0]), np.diff(gaps, prepend=gaps[0])
         fall = np.concatenate([[0.0], slopes[:-1] * si(steps[1:], DEGREE)])
@@ -173,7 +173,7 @@ class ClearanceView:
 
     def near(self, gaps: Array) -> list[int]:
         """Return whether each gap is as low as any, but for rounding."""
-        return [int(gaps.min() >= one - ZERO * self.size) for one in gaps.tolist()]
+        return [int(gaps.min() >= gap - ZERO * self.size) for gap in gaps.tolist()]
 
     @cached_property
     def lowest_at(self) -> Array:

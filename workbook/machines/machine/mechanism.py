@@ -14,17 +14,17 @@ LEAST_POINTS = 2
 
 
 def size(label: str, note: str = "", default: Any = None, example: float | None = None) -> Any:
-    """Return the field of a size in mm, which the sheet calls so; its example if no committed description has one."""
+    """Return the field of a size in mm, which the sheet calls so; ``example`` if no committed description has it."""
     return in_unit("mm", f"{label}{note}", default, label, example)
 
 
 class MechanismEntry(Model):
-    """What makes the motor's turning the axis' motion."""
+    """The mechanism that makes the motor's turning the axis' motion."""
 
-    SIZE: ClassVar[str] = ""  # the entry that sets the ratio, of a kind with a constant one that is not 1
+    SIZE: ClassVar[str] = ""  # the entry that sets the ratio, of a kind with a constant ratio that is not 1
     UNITS: ClassVar[tuple[str, ...]] = ("mm",)  # of axes that it moves
     NEEDED: ClassVar[tuple[str, ...]] = ()  # sizes that may be empty in an unfinished design only
-    LARGE: ClassVar[dict[str, Any]] = {}  # sizes, with which one whose ratio changes reaches wherever an axis goes
+    LARGE: ClassVar[dict[str, Any]] = {}  # sizes, with which a changing ratio reaches wherever an axis goes
     APART: ClassVar[str] = "the sizes of the mechanism do not go together"
     SLIDES: ClassVar[bool] = False  # whether its load travels while its axis turns
 

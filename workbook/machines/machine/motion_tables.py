@@ -1,4 +1,4 @@
-"""Where the motions of a machine's axes stand in its book, and the tables of their steps and pieces."""
+"""The cells of the motions of a machine's axes, and the tables of their steps and pieces."""
 
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -34,7 +34,7 @@ STEPS = "Steps of axis {}: its phases, and the rests between them"
 class AxisTables:
     """An axis at its place in a book: its pieces in cells, and their joints.
 
-    With its ``name``, that of the table of phases, all its tables begin; that one has so many ``rows``.
+    With its ``name``, that of the table of phases, all its tables begin; the table of phases has ``rows`` rows.
     """
 
     def __init__(self, machine: MachineView, axis: MovingAxis, stack: Pieces) -> None:
@@ -48,7 +48,7 @@ class AxisTables:
 
     @property
     def at(self) -> Cells:
-        """Where the motion stands."""
+        """The cells of the motion."""
         t, base = self.name, self.axis.base
         return Cells(
             f"{t}_steps",
@@ -64,7 +64,7 @@ class AxisTables:
 
     @property
     def required(self) -> RequiredSmoothness:
-        """How smooth the axis must be."""
+        """The smoothness that the axis must have."""
         t, i, over = self.name, self.axis.number, self.machine.over
         lift = over.lift(self.axis.given.unit)
         return RequiredSmoothness(
@@ -86,23 +86,23 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
     """Declare the sheet of the motions as pieces."""
     sheet = book.sheet("Pieces", "Workings: the motion of each axis as steps and as pieces.")
     sheet.unprinted = True
-    for one in axes:
-        sheet.heading(f"Axis {one.axis.number}", ABOUT)
-        sheet.rows(pieces_in_all(one.pieces), *one.joints.order())
-        steps_table(sheet, one)
-        room, ends = one.machine.room, one.ends
+    for axis in axes:
+        sheet.heading(f"Axis {axis.axis.number}", ABOUT)
+        sheet.rows(pieces_in_all(axis.pieces), *axis.joints.order())
+        steps_table(sheet, axis)
+        room, ends = axis.machine.room, axis.ends
         columns, halves = (pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
-        title, size = f"Pieces of axis {one.axis.number}", one.axis.motion.size
-        pieces_table(sheet, title, one.pieces, room, size, *columns, taken=halves)
-        one.joints.table(sheet, f"What jumps where each piece of axis {one.axis.number} begins", room)
-        if one.axis.given.motor:
-            moves_table(sheet, one.turning)
+        title, size = f"Pieces of axis {axis.axis.number}", axis.axis.motion.size
+        pieces_table(sheet, title, axis.pieces, room, size, *columns, taken=halves)
+        axis.joints.table(sheet, f"What jumps where each piece of axis {axis.axis.number} begins", room)
+        if axis.axis.given.motor:
+            moves_table(sheet, axis.turning)
             if ends:
                 bends_table(sheet, ends)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
-    if any(one.axis.given.motor for one in axes):
+    if any(axis_tables.axis.given.motor for axis_tables in axes):
         middles_table(book, sheet)
-    if handing := [one.ends for one in axes if one.ends]:
+    if handing := [axis_tables.ends for axis_tables in axes if axis_tables.ends]:
         place_boundaries(sheet, handing)
     sheet.print_columns = 20
 
@@ -171,12 +171,12 @@ def fastest(tables: AxisTables) -> list[Quantity]:
 
 
 def carried_back(values: list[float | None], last: float) -> list[float]:
-    """Return values of steps; a step that is missing has the value of the next one."""
-    found: list[float] = []
+    """Return values of steps; a step that is missing has the value of the next step."""
+    carried: list[float] = []
     for value in reversed(values):
-        found.append(last if value is None else value)
-        last = found[-1]
-    return found[::-1]
+        carried.append(last if value is None else value)
+        last = carried[-1]
+    return carried[::-1]
 
 
 TAKEN = "Workings: what phases take from their neighbours"
@@ -190,14 +190,16 @@ ABOUT_TAKEN = (
 def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
     sheet.heading(TAKEN, ABOUT_TAKEN)
-    for one in axes:
-        at, axis = one.rows.at, f"axis {one.axis.number}"
-        sheet.rows(CELLS["taken"]("{last}", one.axis.places[-1] + 1, last=one.last, axis=axis, phases=at.phases))
-        carried_out = [*curves_between_ends(one), *polynomial_extremes(one), *step_extremes(one)]
+    for handover in axes:
+        at, axis = handover.rows.at, f"axis {handover.axis.number}"
+        sheet.rows(
+            CELLS["taken"]("{last}", handover.axis.places[-1] + 1, last=handover.last, axis=axis, phases=at.phases)
+        )
+        carried_out = [*curves_between_ends(handover), *polynomial_extremes(handover), *step_extremes(handover)]
         for name, title, columns in (
-            (one.required, f"What the steps of {axis} take", required_ends(one)),
+            (handover.required, f"What the steps of {axis} take", required_ends(handover)),
             (at.ends, f"How the steps of {axis} are carried out", carried_out),
-            (one.kinds, f"Ends of the steps of {axis}", end_kinds(one)),
+            (handover.kinds, f"Ends of the steps of {axis}", end_kinds(handover)),
         ):
-            sheet.table(name, title, one.room, *columns, blank=f"INDEX([{at.phases}.span],[k])=0")
+            sheet.table(name, title, handover.room, *columns, blank=f"INDEX([{at.phases}.span],[k])=0")
     points(sheet.book, sheet)

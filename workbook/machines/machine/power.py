@@ -28,7 +28,7 @@ kw = partial(shown, unit=KW)
 
 
 class Mains:
-    """Powers of drives over one turn (W): of each alone, and of those that run at the machine's rate on a bus.
+    """Powers of drives over a turn (W): of each alone, and of those that run at the machine's rate on a bus.
 
     A drive ``on_bus`` has 1 there, else 0. Powers at samples of the cycle: ``drawn`` by each, below 0 what comes back,
     their ``sum`` on the bus, and ``apart`` what they take without it.
@@ -36,15 +36,15 @@ class Mains:
 
     def __init__(self, drives: Sequence[DriveView], entered: PowerEntry) -> None:
         self.drives, self.entered, self.over, eta = drives, entered, drives[0].tables.machine.over, entered.efficiency
-        self.each = [one.energy.mean_bus_power(one.driven.drive_cycle.time, eta) for one in drives]
+        self.each = [drive.energy.mean_bus_power(drive.driven.drive_cycle.time, eta) for drive in drives]
         self.alone = total_bus_power(self.each)
-        most = [(one.top("P"), -one.top("P", -1)) for one in drives]
+        most = [(drive.top("P"), -drive.top("P", -1)) for drive in drives]
         tops = [peak_bus_power(powers, eta) for powers in most]
-        self.size = max(1e-3, math.fsum(max(one) for one in tops))  # how large all together grow
+        self.size = max(1e-3, math.fsum(max(top) for top in tops))  # how large all together grow
         self.mains, self.resistor = np.array(tops).T  # the peaks of each without a bus
 
-        bus = self.on_bus = np.array([float(one.driven.entered.rate is None) for one in drives])
-        power = np.array([one.sampled[1] for one in drives])
+        bus = self.on_bus = np.array([float(drive.driven.entered.rate is None) for drive in drives])
+        power = np.array([drive.sampled[1] for drive in drives])
         self.drawn = bus[:, None] * np.where(power > 0.0, power / eta, power * eta)
         self.sum, self.apart = self.drawn.sum(axis=0), np.maximum(self.drawn, 0.0).sum(axis=0)
         self.weights = np.full(self.sum.size, 1.0 / (self.sum.size - 1))  # in a mean, by the trapezoidal rule
@@ -55,10 +55,10 @@ class Mains:
         self.burns = bus * (resistor - (mains.sum() - mains))  # what it burns at least
         self.peak = min(self.cuts.most, max(0.0, float(self.sum.max()), float(self.proves.max())))
         self.burnt_peak = min(self.cuts.most_back, max(0.0, -float(self.sum.min()), float(self.burns.max())))
-        self.without = MeanBusPower(*(float(bus @ [one[k] for one in self.each]) for k in (0, 1)))
+        self.without = MeanBusPower(*(float(bus @ [powers[k] for powers in self.each]) for k in (0, 1)))
         self.saved_most = min(*self.without, self.cuts.saved) if bus.sum() > 1.0 else 0.0
         self.saved = min(self.saved_most, float(self.weights @ (self.apart - np.maximum(self.sum, 0.0))))
-        self.common = MeanBusPower(*(one - self.saved for one in self.without))
+        self.common = MeanBusPower(*(power - self.saved for power in self.without))
 
 
 def supply(bus: Mains) -> list[Quantity]:
@@ -66,7 +66,7 @@ def supply(bus: Mains) -> list[Quantity]:
     cell = CELLS["supply"]
     hours, beside, size = bus.entered.hours, "SUMPRODUCT((1-[power.bus])*[power.{}])", kw(bus.size)
     alone = float((1.0 - bus.on_bus) @ bus.mains)
-    others = [one for one, on_bus in zip(bus.each, bus.on_bus, strict=True) if not on_bus]
+    others = [powers for powers, on_bus in zip(bus.each, bus.on_bus, strict=True) if not on_bus]
     return [
         cell("about_peak", kw(bus.peak + alone), beside=beside.format("peak"), scale=size),
         cell("about_peak_most", kw(bus.cuts.most + alone), beside=beside.format("peak"), scale=size),
@@ -86,7 +86,7 @@ def power_sheet(book: Book, bus: Mains) -> None:
     cell = CELLS["power_sheet"]
     sheet = book.sheet("Power", "Energy of the drives: from the mains, in brake resistors, over a year.")
     size, entry = kw(bus.size), CELLS["power_sheet"].entries(bus.entered, "power")
-    sheet.sizes = {"kW": size, "kWh": size, "J": max(one.scales.work for one in bus.drives)}
+    sheet.sizes = {"kW": size, "kWh": size, "J": max(drive.scales.work for drive in bus.drives)}
     sheet.heading("Enter", NOTE)
     sheet.rows(
         entry("power_eta"),
@@ -129,7 +129,7 @@ def power_sheet(book: Book, bus: Mains) -> None:
 def common(bus: Mains) -> list[Quantity]:
     """Return the results of drives on a common bus, with their bounds, and what it saves in a year."""
     cell = CELLS["common"]
-    found, whole, entered = bus.common, bus.without, bus.entered
+    power, whole, entered = bus.common, bus.without, bus.entered
     apart = max(float(bus.apart.max()), float((bus.on_bus * bus.mains).max()))
     of_all = "SUMPRODUCT([power.bus]*[power.{}])"
     sampled = "SUMPRODUCT([bus.w],[bus.alone]-[bus.sum]*([bus.sum]>0))"
@@ -144,9 +144,9 @@ def common(bus: Mains) -> list[Quantity]:
         cell("bus_net", kw(whole.net), of_all=of_all.format("resistor")),
         cell("bus_saved", kw(bus.saved), sampled=sampled),
         cell("bus_saved_most", kw(bus.saved_most)),
-        cell("bus_mains", kw(found.mains)),
-        cell("bus_resistor", kw(found.resistor)),
-        cell("bus_year", shown(found.energy_a_year(entered.hours), KWH), format=YEAR),
+        cell("bus_mains", kw(power.mains)),
+        cell("bus_resistor", kw(power.resistor)),
+        cell("bus_year", shown(power.energy_a_year(entered.hours), KWH), format=YEAR),
         cell("bus_saved_year", year, format=YEAR),
         cell("bus_saved_price", year * entered.price, scale=max(1.0, kw(bus.size) * entered.price), format=YEAR),
     ]
@@ -156,24 +156,30 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
     """Declare a row for each drive: its energy, mean and peak powers, and what its peak proves of the bus."""
     cell = CELLS["power"]
     drives, each = bus.drives, bus.each
-    driven = [one.driven for one in drives]
-    scopes, powers = ([f"drive{one.number}_{name}" for one in driven] for name in ("", "P"))
+    driven = [drive.driven for drive in drives]
+    scopes, powers = ([f"drive{drive.number}_{name}" for drive in driven] for name in ("", "P"))
     burnt = "(SUMPRODUCT([power.bus]*[power.burnt])-[bus]*[burnt])"
     taken = "(SUMPRODUCT([power.bus]*[power.peak])-[bus]*[peak])"
     sheet.table(
         "power",
         "Drives",
         len(drives),
-        cell("k", [one.number for one in driven]),
-        cell("axis", [one.entered.name for one in driven], formula=[f"=[axes.name.{one.number}]" for one in driven]),
-        cell("time", [one.drive_cycle.time for one in driven], formula=[f"=60/{scope}rate" for scope in scopes]),
-        cell("driving", [one.energy.driving for one in drives], formula=[f"={scope}energy+0" for scope in scopes]),
+        cell("k", [drive.number for drive in driven]),
         cell(
-            "returned", [one.energy.regenerated for one in drives], formula=[f"={scope}returned+0" for scope in scopes]
+            "axis",
+            [drive.entered.name for drive in driven],
+            formula=[f"=[axes.name.{drive.number}]" for drive in driven],
         ),
-        cell("mains", [kw(one.mains) for one in each]),
+        cell("time", [drive.drive_cycle.time for drive in driven], formula=[f"=60/{scope}rate" for scope in scopes]),
+        cell("driving", [drive.energy.driving for drive in drives], formula=[f"={scope}energy+0" for scope in scopes]),
+        cell(
+            "returned",
+            [drive.energy.regenerated for drive in drives],
+            formula=[f"={scope}returned+0" for scope in scopes],
+        ),
+        cell("mains", [kw(powers_of_drive.mains) for powers_of_drive in each]),
         cell("peak", kw(bus.mains).tolist(), formula=[f"={scope}pmax/power_eta" for scope in scopes]),
-        cell("resistor", [kw(one.resistor) for one in each]),
+        cell("resistor", [kw(powers_of_drive.resistor) for powers_of_drive in each]),
         cell("burnt", kw(bus.resistor).tolist(), formula=[f"=0-{scope}pmin*power_eta" for scope in scopes]),
         cell("bus", bus.on_bus.astype(int).tolist(), formula=[f'=IF({scope}own_rate="",1,0)' for scope in scopes]),
         cell("proves", kw(bus.proves).tolist(), burnt=burnt),
@@ -190,7 +196,11 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
             formula=[f"=IF(0-MIN({each})>check_zero*[peak],0-[bus]*[burnt]/MIN({each}),0)" for each in powers],
             scale=1.0,
         ),
-        cell("year", [shown(one.energy_a_year(bus.entered.hours), KWH) for one in each], format=YEAR),
+        cell(
+            "year",
+            [shown(powers_of_drive.energy_a_year(bus.entered.hours), KWH) for powers_of_drive in each],
+            format=YEAR,
+        ),
     )
 
 
@@ -198,7 +208,7 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
     """Declare the power of the bus at the samples of the cycle: each drive's, and their sum."""
     machine, over = bus.drives[0].tables.machine, bus.over
     rows = len(machine.angles)
-    columns = [f"d{one.driven.number}" for one in bus.drives]
+    columns = [f"d{drive.driven.number}" for drive in bus.drives]
 
     draws = ":".join(dict.fromkeys([columns[0], columns[-1]])).join("[]")
     taken = f"=SUMPRODUCT({draws},({draws}>0)*1)" if len(columns) > 1 else f"=MAX(0,{draws})"
@@ -226,13 +236,13 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
         *(
             calc(
                 name,
-                f"axis {one.driven.number}: draws",
+                f"axis {drive.driven.number}: draws",
                 "P",
                 "kW",
-                drawn(row, one.driven.number),
+                drawn(row, drive.driven.number),
                 kw(bus.drawn[row - 1]),
                 "P/η, or η P that comes back",
             )
-            for row, (name, one) in enumerate(zip(columns, bus.drives, strict=True), 1)
+            for row, (name, drive) in enumerate(zip(columns, bus.drives, strict=True), 1)
         ),
     )

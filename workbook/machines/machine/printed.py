@@ -128,7 +128,7 @@ FIGURES = (
 
 
 def printed_sheet(book: Book, view: DriveView) -> None:
-    """Declare the sheet of one axis."""
+    """Declare the sheet of an axis."""
     cell = CELLS["printed"]
     driven = view.driven
     m, drive, hardest = driven.mechanism, replace(driven.train.drive, method="document"), driven.axis.max_acceleration

@@ -70,7 +70,7 @@ class Lane:
 def switches_sheet(book: Book, machine: MachineView) -> None:
     """Declare the sheet, where there are switches."""
     over, both = machine.over, zip(machine.given.switches_turned, machine.given.switches, strict=True)
-    lanes = [Lane(one, i, typed) for i, (one, typed) in enumerate(both, 1)]
+    lanes = [Lane(switch, i, typed) for i, (switch, typed) in enumerate(both, 1)]
     if not lanes:
         return
     sheet = book.sheet("Switches", f"Cylinders, valves, sensors, cam switches: when each is on over a {over.period}.")
@@ -78,11 +78,11 @@ def switches_sheet(book: Book, machine: MachineView) -> None:
     entries(sheet, lanes, machine)
     faults = [("wrong", "apart", "apart", "each time lasts, and is over where another begins")]
     faults += [("late", "within", "ends", "no time goes on beyond the cycle")] if over.measured else []
-    for column, name, rule, said in faults:
+    for column, name, rule, condition in faults:
         for i in range(1, len(lanes) + 1):
             texts, called = f"[switch{i}_times.{column}]", f'[switches.name.{i}]&" time "'
-            told = f"switch{i}_{name}", f"Switch {i}: {said}"
-            sheet.checks(no_fault(*told, texts, called, over.rule("switches", i, rule)))
+            name_and_label = f"switch{i}_{name}", f"Switch {i}: {condition}"
+            sheet.checks(no_fault(*name_and_label, texts, called, over.rule("switches", i, rule)))
     sheet.not_printed_below()
     sheet.heading("Workings: the times of each switch")
     for lane in lanes:
@@ -115,12 +115,12 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
             "on in all",
             "",
             "°",
-            [f"=SUM([switch{one.number}_times.span])" for one in lanes],
-            [shown(one.switch.total, DEGREE) for one in lanes],
+            [f"=SUM([switch{lane.number}_times.span])" for lane in lanes],
+            [shown(lane.switch.total, DEGREE) for lane in lanes],
         ),
         CELLS["entries"](
             "time",
-            [one.switch.total / machine.speed for one in lanes],
+            [lane.switch.total / machine.speed for lane in lanes],
             symbol=over.lasting,
             unit=over.unit if over.measured else "s",
             source=source,
@@ -139,15 +139,15 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
     sheet.rows(
         *(
             calc(
-                switch_name(one.number),
-                f"Switch {one.number}",
+                switch_name(lane.number),
+                f"Switch {lane.number}",
                 "",
                 "",
-                f"=[switches.name.{one.number}]",
-                one.given.name,
+                f"=[switches.name.{lane.number}]",
+                lane.given.name,
                 align="left",
             )
-            for one in lanes
+            for lane in lanes
         )
     )
 

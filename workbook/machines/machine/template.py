@@ -1,4 +1,4 @@
-"""Any machine: laws, and the timing diagram of 1 to 24 axes at one rate, or over any abscissa."""
+"""Any machine: laws, and the timing diagram of 1 to 24 axes at a single rate, or over any abscissa."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -32,7 +32,7 @@ from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.rates_summary import range_of_rates, rate_check, whole_range
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
-from workbook.machines.machine.time_based import TimedMachine, told_in_seconds
+from workbook.machines.machine.time_based import TimedMachine, convert_to_seconds
 from workbook.machines.machine.timing.cycle import cycle_sheet, exportable
 from workbook.machines.machine.timing.sheet import timing_sheet
 from workbook.machines.machine.variations import variants
@@ -52,39 +52,39 @@ def declare(given: AnyMachine) -> Book:
     machine = MachineView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
     rows = [AxisTables(machine, axis, book_laws.stack) for axis in machine.axes]
-    drives = {one.axis.number: view for one in rows if (view := drive_of(one))}
+    drives = {row.axis.number: view for row in rows if (view := drive_of(row))}
     bus = Mains(list(drives.values()), given.power) if drives else None
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
-    told = pace(machine)
+    rows_of_pace = pace(machine)
     if bus:
         rates = whole_range(drives.values())
-        told += [*range_of_rates(rates, len(rows), machine.over), *supply(bus)]
-    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", told)
+        rows_of_pace += [*range_of_rates(rates, len(rows), machine.over), *supply(bus)]
+    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", rows_of_pace)
     if bus:
         sheet.checks(rate_check(rates.rates, given.per_minute))
     axes_summary(sheet, machine, drives)
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
-    for one in rows:
-        if view := drives.get(one.axis.number):
+    for row in rows:
+        if view := drives.get(row.axis.number):
             named_drive_sheet(book, view)
-    clearances_sheet(book, [ClearanceView(one, k, rows) for k, one in enumerate(given.clearances, 1)])
+    clearances_sheet(book, [ClearanceView(clearance, k, rows) for k, clearance in enumerate(given.clearances, 1)])
     if bus:
         power_sheet(book, bus)
     if given.selection.axis is not None:
         shafts = [shaft_of(view) for view in drives.values()]
-        number = place_of(given.selection.axis, [one.name for one in shafts])
+        number = place_of(given.selection.axis, [shaft.name for shaft in shafts])
         selection_sheet(book, PairSelection(given.selection, given.sizes, shafts, number), given.selection.axis)
     catalogue_sheet(book, given.selection, given.sizes)
     for view in drives.values():
         if view.driven.entered.printed:
             printed_sheet(book, view)
     book_laws.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
-    for one in rows:
-        cycle_sheet(book, machine, one, len(rows) + len(given.switches) - one.axis.number)
+    for row in rows:
+        cycle_sheet(book, machine, row, len(rows) + len(given.switches) - row.axis.number)
     pieces_sheet(book, rows)
-    export_sheet(book, given, [exportable(one) for one in rows])
+    export_sheet(book, given, [exportable(row) for row in rows])
     judge_axes(book, machine.axes, given.laws.names)
     return finish(book, ("S1", "S3", "S4"))
 
@@ -120,10 +120,10 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
     """Declare the law of all movements of an axis, and whether the checks of its phases and its drive hold."""
     cell = CELLS["judge_axes"]
     block = book.blocks["axes_short"]
-    found, checks = [], []
+    names_of_laws, checks = [], []
     for axis in axes:
         moving = {names.index(phase.law) for phase in axis.given.phases} - {DWELL - 1}
-        found.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
+        names_of_laws.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
         own = (f"axis{axis.number}_", f"drive{axis.number}_")
         checks.append([k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)])
     block.sheet.workings(
@@ -131,48 +131,50 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
         "axes_judged",
         "",
         max(block.columns.values()) + 1,
-        cell("law", found, formula=[LAW.format(axis.number) for axis in axes]),
+        cell("law", names_of_laws, formula=[LAW.format(axis.number) for axis in axes]),
         group_verdict_column(book, "axes_judged", "its checks", checks),
     )
 
 
 def axes(machine: AnyMachine) -> list[CamAxis]:
-    """Return the axes of a machine as a controller can be given them."""
-    found = []
-    for one in MachineView(machine, laws(machine.laws)).axes:
-        given, repeats = one.given, one.given.repeats and one.closes
-        told = CamAxis(given.name, profile(one, shown(1.0, one.unit)), machine.over.unit, given.unit, repeats)
-        found.append(replace(told, shaft=partial(shaft, one, machine, told)) if given.motor else told)
-    return found
+    """Return the axes of a machine as a controller can take them."""
+    cam_axes = []
+    for axis in MachineView(machine, laws(machine.laws)).axes:
+        given, repeats = axis.given, axis.given.repeats and axis.closes
+        cam_axis = CamAxis(given.name, profile(axis, shown(1.0, axis.unit)), machine.over.unit, given.unit, repeats)
+        cam_axes.append(replace(cam_axis, shaft=partial(shaft, axis, machine, cam_axis)) if given.motor else cam_axis)
+    return cam_axes
 
 
-def profile(one: MovingAxis, y: float) -> CamProfile:
-    """Return the motion of an axis, y of its units (m, rad) as one, as late as it is entered."""
-    unshifted = profile_of_motion(one.motion).in_units(one.over.shown(shown(1.0, DEGREE)), y)
-    return unshifted.shifted(one.typed.shift, one.motion.lifts_sum * y)
+def profile(moving_axis: MovingAxis, y: float) -> CamProfile:
+    """Return the motion of an axis, ``y`` of its units (m, rad) as a unit, as late as it is entered."""
+    unshifted = profile_of_motion(moving_axis.motion).in_units(moving_axis.over.shown(shown(1.0, DEGREE)), y)
+    return unshifted.shifted(moving_axis.typed.shift, moving_axis.motion.lifts_sum * y)
 
 
-def shaft(one: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
+def shaft(moving_axis: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
     """Return the angle of the motor's shaft of an axis, in degrees: before the reducer, and where its load is at 0, 0.
 
     Behind a mechanism whose ratio depends on the position, 0 is where that counts its angle from. Raises ValueError
     where the mechanism cannot bring its load to a position.
     """
-    driven = Driven(one, machine)
+    driven = Driven(moving_axis, machine)
     if driven.linkage is None:
-        return replace(load, profile=profile(one, shown(driven.mechanism.ratio, DEGREE)), y_unit="°")
+        return replace(load, profile=profile(moving_axis, shown(driven.mechanism.ratio, DEGREE)), y_unit="°")
     linkage, degrees = driven.linkage, shown(driven.reducer.ratio, DEGREE)
-    angle = composed(profile(one, 1.0), lambda y: FunctionValues(*(degrees * each for each in linkage.shaft(y))))
+    angle = composed(
+        profile(moving_axis, 1.0), lambda y: FunctionValues(*(degrees * each for each in linkage.shaft(y)))
+    )
     return replace(load, profile=angle, y_unit="°")
 
 
 def switches(machine: AnyMachine) -> list[CamSwitch]:
     """Return the switches of a machine, over the degrees of its master shaft, or the seconds of its cycle."""
-    over, found = machine.over, []
-    for one in machine.switches:
-        on = tuple(time.ends for time in one.on if time.ends)
-        found.append(CamSwitch(one.name, Switch(one.name, on, over.length), over.unit))
-    return found
+    over, cam_switches = machine.over, []
+    for switch in machine.switches:
+        on = tuple(time.ends for time in switch.on if time.ends)
+        cam_switches.append(CamSwitch(switch.name, Switch(switch.name, on, over.length), over.unit))
+    return cam_switches
 
 
 TEMPLATE = Template(
@@ -191,5 +193,5 @@ TEMPLATE = Template(
     scaling=SCALING,
     judgement=judgement,
     switches=switches,
-    others={"master.cycle": Alternative(TimedMachine, told_in_seconds)},
+    others={"master.cycle": Alternative(TimedMachine, convert_to_seconds)},
 )

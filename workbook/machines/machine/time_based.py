@@ -46,7 +46,7 @@ class TimedPhase(AxisPhase):
 
 
 class TimedWindow(ForceWindow):
-    """A process force from one time of the cycle to another (s)."""
+    """A process force between two times of the cycle (s)."""
 
     start: NotNegative
     stop: NotNegative
@@ -59,7 +59,7 @@ class TimedLoad(AxisLoad):
 
 
 class TimedAxis(Axis):
-    """An axis: what it does in one cycle; between its phases it rests."""
+    """An axis: its phases in a cycle; between them it rests."""
 
     PLACED: ClassVar[bool] = False
     phases: Annotated[list[TimedPhase], Field(min_length=1)]  # type: ignore[assignment]
@@ -67,7 +67,7 @@ class TimedAxis(Axis):
 
 
 class TimedOn(TimeOn):
-    """One time of being on, in s or the unit of the cycle; one that ends before it begins runs across the end."""
+    """A time of being on, in s or the unit of the cycle; across its end where it ends before it begins."""
 
     start: NotNegative | None = Field(default=None, description="From when it is on")
     stop: NotNegative | None = Field(default=None, description="To when it is on")
@@ -110,8 +110,8 @@ class TimedMachine(AnyMachine):
 
     @property
     def axes_turned(self) -> Sequence[Axis]:
-        """The axes with all their places in degrees of one turn, and what their phases pass in SI by rad."""
-        over, found = self.over, list[Axis]()
+        """The axes with all their places in degrees of a turn, and what their phases pass in SI by rad."""
+        over, axes = self.over, list[Axis]()
         for axis in self.axes:
             size, phases = over.lift(axis.unit).size, []
             for phase in axis.phases:
@@ -121,51 +121,58 @@ class TimedMachine(AnyMachine):
                 phases.append(turned(phase, over).model_copy(update=passed))
             load = axis.load.model_copy(update={"windows": [turned(force, over) for force in axis.load.windows]})
             more = {"phases": phases, "load": load, "shift": over.degrees(axis.shift)}
-            found.append(axis.model_copy(update=more))
-        return found
+            axes.append(axis.model_copy(update=more))
+        return axes
 
     @property
     def switches_turned(self) -> Sequence[SwitchEntry]:
         """The switches, likewise."""
         over = self.over
-        return [one.model_copy(update={"on": [turned(time, over) for time in one.on]}) for one in self.switches]
+        return [
+            switch.model_copy(update={"on": [turned(time, over) for time in switch.on]}) for switch in self.switches
+        ]
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases, process forces and times of switches that do not lie in the cycle, or not in order."""
-        over, found = self.over, list[tuple[str, int, list[DesignError]]]()
+        over, located = self.over, list[tuple[str, int, list[DesignError]]]()
         for i, axis in enumerate(self.axes):
             phases, windows = axis.phases, axis.load.windows
             wrong = [*forward(axis.name, phases, over.after, over.length), *following(axis.name, phases, over)]
             beyond = within(f"{axis.name} row", phases, over, "phases", "within", filling(phases, over.length))
-            inside = [one.model_dump() | {end: min(getattr(one, end), over.length) for end in KEYS} for one in windows]
+            inside = [
+                window.model_dump() | {end: min(getattr(window, end), over.length) for end in KEYS}
+                for window in windows
+            ]
             forces = within(f"{axis.name} process force", windows, over, "load.windows", "forces", inside)
-            found.append(("axes", i, [*(wrong or beyond), *forces]))
-        for i, (one, degrees) in enumerate(zip(self.switches, self.switches_turned, strict=True)):
-            beyond = within(f"{one.name} time", one.on, over, "on", "ends", [UNUSED for _ in one.on])
-            found.append(("switches", i, [*beyond] or [*meeting(degrees, over)]))
-        for table, i, errors in found:
+            located.append(("axes", i, [*(wrong or beyond), *forces]))
+        for i, (switch, degrees) in enumerate(zip(self.switches, self.switches_turned, strict=True)):
+            beyond = within(f"{switch.name} time", switch.on, over, "on", "ends", [UNUSED for _ in switch.on])
+            located.append(("switches", i, [*beyond] or [*meeting(degrees, over)]))
+        for table, i, errors in located:
             for error in errors:
                 yield DesignError(f"{table}.{i}.{error.field}", str(error), f"{error.rule}{i + 1}", error.fits)
 
 
-def turned(one: Lasting, over: Abscissa) -> Lasting:
-    """Return entries with ``start`` and ``stop`` of the cycle in degrees of one turn."""
-    ends = {name: getattr(one, name) for name in KEYS}
-    return one.model_copy(update={name: None if x is None else min(over.degrees(x), TURN) for name, x in ends.items()})
+def turned(lasting: Lasting, over: Abscissa) -> Lasting:
+    """Return entries with ``start`` and ``stop`` of the cycle in degrees of a turn."""
+    ends = {name: getattr(lasting, name) for name in KEYS}
+    return lasting.model_copy(
+        update={name: None if x is None else min(over.degrees(x), TURN) for name, x in ends.items()}
+    )
 
 
 def within(name: str, each: Sequence[Any], over: Abscissa, key: str, rule: str, fits: Any) -> Iterator[DesignError]:
     """Yield the first of several, each with its ``start`` and ``stop``, that goes on beyond the cycle."""
-    for k, one in enumerate(each, 1):
-        last = max(x for x in (0.0, one.start, one.stop) if x is not None)
+    for k, entry in enumerate(each, 1):
+        last = max(x for x in (0.0, entry.start, entry.stop) if x is not None)
         if over.degrees(last) - TURN > ANGLE_TOLERANCE:
             at, by = (f"{figure(x)}{over.after}" for x in (last, last - over.length))
             yield DesignError(key, f"{name} {k} goes to {at}, {by} beyond the cycle", rule, fits)
             return
 
 
-def told_in_seconds(machine: AnyMachine) -> TimedMachine:
-    """Return the same machine, which is told at a rate, without its master shaft."""
+def convert_to_seconds(machine: AnyMachine) -> TimedMachine:
+    """Return the same machine, which is given at a rate, without its master shaft."""
     cycle = shown(shown(1.0, machine.per_minute), PER_MINUTE)
     data = machine.model_dump() | {"master": {"cycle": cycle}}
     in_units_of(data, "s", cycle)
@@ -173,7 +180,7 @@ def told_in_seconds(machine: AnyMachine) -> TimedMachine:
 
 
 def in_units_of(data: dict[str, Any], unit: str, cycle: float) -> None:
-    """Tell in s or another unit of its cycle all places of a description, in degrees; what phases pass in SI by rad."""
+    """Convert all places of a description from degrees into a unit of its cycle; what phases pass from SI by rad."""
     over = measured(unit, cycle)
     for axis in data["axes"]:
         size = over.lift(axis["unit"]).size
@@ -182,6 +189,6 @@ def in_units_of(data: dict[str, Any], unit: str, cycle: float) -> None:
             for order, name in enumerate(RATES, 1):
                 if phase.get(name) is not None:
                     phase[name] = shown(over.per_rad(phase[name], -order), size)
-    lasting = [one for axis in data["axes"] for one in (*axis["phases"], *axis["load"]["windows"])]
-    for one in (*lasting, *(time for switch in data["switches"] for time in switch["on"])):
-        one |= {end: None if one[end] is None else over.shown(one[end]) for end in KEYS}
+    lasting = [entry for axis in data["axes"] for entry in (*axis["phases"], *axis["load"]["windows"])]
+    for entry in (*lasting, *(time for switch in data["switches"] for time in switch["on"])):
+        entry |= {end: None if entry[end] is None else over.shown(entry[end]) for end in KEYS}

@@ -1,4 +1,4 @@
-"""Which way each piece of a motion moves, in cells: a piece that moves both ways turns round inside it."""
+"""The direction of each piece of a motion, in cells: a piece that moves both ways turns round inside it."""
 
 from functools import cached_property
 
@@ -45,7 +45,7 @@ class AxisTurns:
 
     @cached_property
     def directions(self) -> list[Directions]:
-        """Where each piece moves each way."""
+        """The shares of each piece that move each way."""
         both = zip(self.rows.pieces, self.may_turn, strict=True)
         return [directions(piece) if may else Directions() for piece, may in both]
 
@@ -82,7 +82,7 @@ def moves_table(sheet: Sheet, of: AxisTurns) -> None:
 def velocity(rows: PieceRows) -> str:
     """Return the formula of y' in the middles of the parts of the piece of the same row.
 
-    It has one sine: laws with a second one go forward throughout, between rests.
+    It has a single sine: laws with a second sine go forward throughout, between rests.
     """
     t = rows.at.pieces
     u, text = f"[{t}.d.same]*{MIDDLE}", ""

@@ -49,11 +49,11 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     master |= {"compare_rate": 41.0 * k} if master.get("compare_rate") is not None else {}
     for i, axis in enumerate(data["axes"]):
         kind = axis["mechanism"]["kind"] if axis["motor"] else None
-        made = phases(i, turn, sizes["phases"], suited_to(kind)(laws))
+        rows = phases(i, turn, sizes["phases"], suited_to(kind)(laws))
         cuts = 2 * len(forces(i, k, 1.0)) if kind else 0
         axis |= {"closes": "feed" if (i + k) % 2 else "position", "smoothness": smoothness_for(turn + i),
                  "shift": SHIFTS[(i + k) % SIX], "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
-                 "phases": dwells_for_room(made, laws, sizes["motion_pieces"] - len(made) - 1 - cuts)}  # fmt: skip
+                 "phases": dwells_for_room(rows, laws, sizes["motion_pieces"] - len(rows) - 1 - cuts)}  # fmt: skip
         axis["stops"] = axis["stops"] and {"low": (None, -200.0, 30.0)[(i + k) % 3], "high": (60.0, None, 500.0)[k % 3]}
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
@@ -65,12 +65,12 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     driven = [axis for axis in data["axes"] if axis["motor"] is not None]
     data |= {"power": {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k, "price": 0.1 * k}} if driven else {}
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
-    for i, one in enumerate(data["clearances"]):
-        one |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
+    for i, clearance in enumerate(data["clearances"]):
+        clearance |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
                 "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
-        one["pairs"] = [
+        clearance["pairs"] = [
             {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
-            for n, pair in enumerate(one["pairs"])
+            for n, pair in enumerate(clearance["pairs"])
         ]
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
@@ -103,14 +103,16 @@ def choose(data: dict[str, Any], k: int) -> None:
 
 
 def times(i: int, k: int) -> list[dict[str, float | None]]:
-    """Return times of being on: up to the table's last, one across the end, one not entered; always on, and never."""
+    """Return times of being on: up to the table's last, a time across the end, an empty one; always on, and never."""
     if (i + k) % SIX in (1, 4):
         return [{"start": 0.0, "stop": 360.0}] if (i + k) % SIX == 1 else []
     begins = [60.0 * t + 17.0 * k + 3.5 * i for t in range(TIMES if k == 0 else 1 + (i + k) % 4)]
-    found: list[dict[str, float | None]] = [{"start": (x + 40.0) % 360, "stop": (x + 71.25 + k) % 360} for x in begins]
-    if len(found) > 2:
-        found[1] = {"start": None, "stop": None}
-    return found
+    times_on: list[dict[str, float | None]] = [
+        {"start": (x + 40.0) % 360, "stop": (x + 71.25 + k) % 360} for x in begins
+    ]
+    if len(times_on) > 2:
+        times_on[1] = {"start": None, "stop": None}
+    return times_on
 
 
 def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products: dict[str, Any]) -> None:
@@ -168,12 +170,12 @@ def load(entries: dict[str, Any], i: int, k: int, travels: bool) -> dict[str, An
 
 def parts(k: int, room: int) -> list[dict[str, Any]]:
     """Return parts on the motor's shaft and on the mechanism's, by inertia or as cylinders; once ``room`` of them."""
-    cylinder, made = CYLINDER | {"length": 100.0 + 15 * k, "bore": 20.0 if k % 2 else None}, []
+    cylinder, rows = CYLINDER | {"length": 100.0 + 15 * k, "bore": 20.0 if k % 2 else None}, []
     for j in range(room if k == 0 else k % 3):
         part = {"name": f"part {j + 1}", "count": 1.0 + j, "shaft": ("motor", "mechanism")[(j + k) % 2]}
         geared = {"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}
-        made.append(part | (cylinder if (j + k) % 3 == 1 else {"inertia": 20.0 * (j + k)}) | geared)
-    return made
+        rows.append(part | (cylinder if (j + k) % 3 == 1 else {"inertia": 20.0 * (j + k)}) | geared)
+    return rows
 
 
 def stage(k: int) -> dict[str, Any]:
@@ -203,21 +205,21 @@ def motor(entries: dict[str, Any], i: int, k: int) -> None:
 
 
 def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:
-    """Return process forces up to the table's last row: of both kinds and signs, one across the end of the cycle."""
-    told = ((20.0, 95.5, 1.0), (300.0, 40.0, -0.7), (0.0, 360.0, 0.3), (88.25, 88.25, 2.0))
+    """Return process forces up to the table's last row: of both kinds and signs, also across the end of the cycle."""
+    windows = ((20.0, 95.5, 1.0), (300.0, 40.0, -0.7), (0.0, 360.0, 0.3), (88.25, 88.25, 2.0))
     return [
         {"start": start, "stop": stop, "force": share * size, "resists": ("always", "moving")[(i + k + n) % 2]}
-        for n, (start, stop, share) in enumerate(told[: WINDOWS if k == 2 else (i + k) % 3])
+        for n, (start, stop, share) in enumerate(windows[: WINDOWS if k == 2 else (i + k) % 3])
     ]
 
 
 def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[str, Any]]:
-    """Return phases up to the table's last row in turn, with laws and lifts of every kind; some rests are not told."""
+    """Return phases up to the table's last row in turn, with laws and lifts of every kind; some rests are left out."""
     k = turn % SIX
     count = room if k == 0 else min(room, 2 + (axis + k) % 5)
     step = 360.0 / count
     edges = [0.0, *((i + 0.1 * ((i + k) % 3)) * step for i in range(1, count)), 360.0]
-    made = []
+    rows = []
     for i in range(count):
         rest = (i + axis) % 4 == 3
         if rest and i and (axis + k) % 2:
@@ -225,5 +227,5 @@ def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[st
         lift = 0.0 if rest else (40.0 + 11 * axis + 3 * i) * (-1) ** (i + k)
         law = "DWL" if rest else law_for(axis + turn + i, laws)
         stop = edges[i + 1] - (3.7 if (i + k) % 3 == 1 else 0.0)
-        made.append({"start": edges[i], "stop": stop, "lift": lift, "law": law})
-    return made
+        rows.append({"start": edges[i], "stop": stop, "lift": lift, "law": law})
+    return rows

@@ -23,9 +23,9 @@ BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entri
 
 
 class MovingAxis:
-    """One axis: its motion with the rests between its phases, and where each of both stands in tables of steps.
+    """An axis: its motion with the rests between its phases, and the places of both in tables of steps.
 
-    ``given`` has its places in degrees of one turn, ``typed`` in the unit of the abscissa ``over``, as entered.
+    ``given`` has its places in degrees of a turn, ``typed`` in the unit of the abscissa ``over``, as entered.
     """
 
     def __init__(self, given: entered.Axis, number: int, library: dict[str, Law], speed: float,
@@ -82,9 +82,11 @@ class MovingAxis:
             steps.append(moved or (Dwell(), 0.0, ends[i]))
         last = ends[-1] if self.places[-1] % 2 else TURN
         spans = si(np.diff([*(begin for *_, begin in steps), last]), DEGREE).tolist()
-        made = [Phase(law, si(lift, self.unit), span) for (law, lift, _), span in zip(steps, spans, strict=True)]
+        steps_as_phases = [
+            Phase(law, si(lift, self.unit), span) for (law, lift, _), span in zip(steps, spans, strict=True)
+        ]
         start, begin = si(steps[0][2], DEGREE), si(self.given.position, self.unit)
-        return join_phases(made, self.entered_rates, self.given.repeats, start, begin)
+        return join_phases(steps_as_phases, self.entered_rates, self.given.repeats, start, begin)
 
     @property
     def closes(self) -> bool:
@@ -154,10 +156,10 @@ class MachineView:
         self.samples: Array = si(self.angles, DEGREE)
         both = zip(machine.axes_turned, machine.axes, strict=True)
         self.axes = [
-            MovingAxis(one, i, library, self.speed, typed, self.over) for i, (one, typed) in enumerate(both, 1)
+            MovingAxis(axis, i, library, self.speed, typed, self.over) for i, (axis, typed) in enumerate(both, 1)
         ]
 
     @property
     def near(self) -> float:
-        """How near to the begin of a phase counts as on it, in degrees."""
+        """The distance from the begin of a phase that counts as on it, in degrees."""
         return shown(self.axes[0].motion.tolerance, DEGREE)

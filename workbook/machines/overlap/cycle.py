@@ -1,4 +1,4 @@
-"""The Cycle sheet, one for each tool: both parts over the master angle, one after the other and with overlap."""
+"""The Cycle sheet, a sheet for each tool: both parts over the master angle, in sequence and with overlap."""
 
 from collections.abc import Sequence
 
@@ -22,7 +22,7 @@ from workbook.motion.smooth import Joints
 CELLS = cell_tables(__file__)
 
 SCHEDULES = {"b": (1, "one after the other"), "a": (3, "with overlap")}
-"""the schedules that are sampled: their row in the table of the tool's angles, and what they are called"""
+"""the schedules that are sampled: their row in the table of the tool's angles, and their labels"""
 WAYS = ("dwell", "way out", "rest", "way in")
 
 
@@ -95,7 +95,7 @@ ALLOWED = "=IF(AND([theta]>@begin+overlap_eps,[theta]<@end-overlap_eps),@clearan
 
 
 def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
-    """Declare a sheet for each tool: travel, acceleration and clearance over one turn of the master shaft."""
+    """Declare a sheet for each tool: travel, acceleration and clearance over a turn of the master shaft."""
     for station in machine.stations:
         i, whose = station.number, "" if machine.alone else f"Tool {station.number}: "
         title, what = ("Cycle", "Both parts") if machine.alone else (f"Cycle {i}", f"Transfer and tool {i}")
@@ -121,8 +121,8 @@ def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
             moved = transfer_pieces(sheet, machine, pieces)
         with sheet.scoped(station.scope):
             joints = tool_pieces(sheet, station, pieces)
-            found = [*OF_TOOL.values(), *([TRANSFER] if i == 1 else [])]
-            most, room = f"MAX({','.join(at.count for at in found)})", "MAX([@a_pieces.r])"
+            motions_of_tools = [*OF_TOOL.values(), *([TRANSFER] if i == 1 else [])]
+            most, room = f"MAX({','.join(at.count for at in motions_of_tools)})", "MAX([@a_pieces.r])"
             label = f"{whose}{'the' if whose else 'The'} tables of pieces have room for all"
             says = f'{most}&" pieces, and room for "&{room}'
             sheet.checks(
@@ -142,7 +142,7 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     second, *work_a = after.columns("a")
     at, moved = si(theta, DEGREE), station.machine.transfer
     heights = lane(0, moved.travel(at) / moved.stroke)
-    found, h, i = station.clearance, station.tool.stroke, station.number
+    clearance, h, i = station.clearance, station.tool.stroke, station.number
     lane_t = cell("lane_t", heights)
     sheet.table(
         "@motions",
@@ -152,8 +152,8 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
         cell("yt", shown(moved.travel(at), MM)),
         first,
         second,
-        cell("limit", shown(found.allowed, MM), formula=ALLOWED),
-        cell("free", shown(found.free, MM)),
+        cell("limit", shown(clearance.allowed, MM), formula=ALLOWED),
+        cell("free", shown(clearance.free, MM)),
         before.rate(2, "acc", "b"),
         after.rate(2, "acc", "a"),
         *([lane_t] if i == 1 else []),

@@ -31,7 +31,7 @@ class TransferEntry(Model):
 
 
 class PassageEntry(Model):
-    """What one part leaves to the other."""
+    """The room that a part leaves to the other."""
 
     remaining: Annotated[float, Field(ge=0, lt=50, allow_inf_nan=False)]  # % of the transfer's stroke
     clearance: NotNegative  # mm
@@ -42,8 +42,8 @@ class PassageEntry(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a margin that is more than the clearance."""
         if self.margin > self.clearance:
-            said = f"a margin of {figure(self.margin)} mm; expected at most {figure(self.clearance)} mm"
-            yield DesignError("margin", said, "entry", self.clearance)
+            problem = f"a margin of {figure(self.margin)} mm; expected at most {figure(self.clearance)} mm"
+            yield DesignError("margin", problem, "entry", self.clearance)
 
 
 class ToolEntry(Model):
@@ -80,18 +80,18 @@ class OverlapEntry(Model):
             left = (TURN - self.transfer.angle - tool.dwell) * min(split, 1 - split) - allowance
             if left < LEAST:
                 fits = tool.model_dump() | {"dwell": 0.0, "passage": tool.passage.model_dump() | {"allowance": 0.0}}
-                said = f"{figure(left)}° are left to a way; expected at least {figure(LEAST)}°"
-                yield DesignError(f"tools.{i}", said, f"angle{i + 1}", fits)
+                problem = f"{figure(left)}° are left to a way; expected at least {figure(LEAST)}°"
+                yield DesignError(f"tools.{i}", problem, f"angle{i + 1}", fits)
 
 
 class OverlapSizes(Sizes):
-    """How large the tables are built: also the intervals of the table of margins."""
+    """The sizes of the tables: also the intervals of the table of margins."""
 
     margins: Annotated[int, Field(ge=2, le=200)] = 20
 
 
 class IndexingOverlap(Exporting):
-    """A transfer and tools over one master shaft, one after the other and with overlap (S2)."""
+    """A transfer and tools over a master shaft, in sequence and with overlap (S2)."""
 
     AXES = ("transfer",)
     AXES_AT = ("overlap", "tools")

@@ -1,8 +1,8 @@
 """The Inverse sheet: at which share of its time a law has reached a share of its rise, for any law of the book.
 
 Each law in use has a table of points, closer towards the ends of its pieces. A height lies between two of them; the
-share of time is that of a motion with constant acceleration from the one to the other, corrected once by what is then
-missing at the velocity that the law has there. Behind it stands how near to its height the law is at that time.
+share of time is that of a motion with constant acceleration between them, corrected once by what is then
+missing at the velocity that the law has there. Behind it stands the law's distance from its height at that time.
 """
 
 from typing import Any, NamedTuple
@@ -30,7 +30,7 @@ ABOUT = (
 
 
 class InversionTable(NamedTuple):
-    """The rows of one table: which of the laws in use, its heights s, and the columns that say where they come from."""
+    """The rows of a table: the number of its law in use, the heights s, and the columns of their origin."""
 
     name: str
     title: str
@@ -42,7 +42,7 @@ class InversionTable(NamedTuple):
 
     @property
     def residual(self) -> Array:
-        """How far the law is from its heights at the shares of time found for them."""
+        """The distances of the law from its heights at the inverted shares of time."""
         return self.law.s(point_inversion(self.law, self.s).xi) - self.s
 
 
@@ -52,7 +52,7 @@ def inverse_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
         "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
     )
     wanted = all_wanted(machine)
-    worst = max(float(np.abs(one.residual).max()) for one in wanted)
+    worst = max(float(np.abs(table.residual).max()) for table in wanted)
     sheet.heading("Results", ABOUT)
     cell = CELLS["inverse_sheet"]
     sheet.rows(
@@ -73,18 +73,18 @@ def inverse_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
         "residuals",
         "How far the laws are from the heights wanted",
         len(wanted),
-        cell("what", [one.title for one in wanted]),
+        cell("what", [table.title for table in wanted]),
         cell(
             "most",
-            [float(np.abs(one.residual).max()) for one in wanted],
-            formula=[f"=MAX(MAX([{one.name}_met.residual]),0-MIN([{one.name}_met.residual]))" for one in wanted],
+            [float(np.abs(table.residual).max()) for table in wanted],
+            formula=[f"=MAX(MAX([{table.name}_met.residual]),0-MIN([{table.name}_met.residual]))" for table in wanted],
         ),
     )
     laws_in_use(sheet, machine, pieces)
-    for one in wanted:
-        inversion(sheet, one, pieces)
-    for one in wanted:
-        points(sheet, one, pieces)
+    for table in wanted:
+        inversion(sheet, table, pieces)
+    for table in wanted:
+        points(sheet, table, pieces)
 
 
 def all_wanted(machine: OverlapView) -> list[InversionTable]:
@@ -153,7 +153,7 @@ def laws_in_use(sheet: Sheet, machine: OverlapView, pieces: Pieces) -> None:
 
 
 def points(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
-    """Declare the points of one of the laws in use."""
+    """Declare the points of a law in use."""
     cell = CELLS["points"]
     at, i, number = inversion_points(wanted.law), wanted.use, pieces.number(wanted.law)
     rows = [pieces.first[number] + p - 1 for p in at.piece]
@@ -175,8 +175,8 @@ def points(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
 
 def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     """Declare, for each height, its share of time; then the residual there."""
-    law, found, i = wanted.law, point_inversion(wanted.law, wanted.s), wanted.use
-    number, low, high = pieces.number(law), found.low, found.high
+    law, inverse, i = wanted.law, point_inversion(wanted.law, wanted.s), wanted.use
+    number, low, high = pieces.number(law), inverse.low, inverse.high
 
     cell = CELLS["inversion"]
     sheet.table(
@@ -185,20 +185,20 @@ def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
         len(wanted.s),
         *wanted.head,
         cell("wanted", wanted.s, formula=wanted.formula),
-        cell("xi", found.xi),
-        cell("k0", found.point, i=i),
+        cell("xi", inverse.xi),
+        cell("k0", inverse.point, i=i),
         cell("x0", low.xi, i=i),
         cell("x1", high.xi, i=i),
         cell("s0", low.s, i=i),
         cell("s1", high.s, i=i),
-        cell("ds", found.over),
+        cell("ds", inverse.over),
         cell("v0", low.v, i=i),
         cell("v1", high.v, i=i),
-        cell("acc", found.acceleration, scale=1.0),  # of a law: less is rounding
-        cell("near", found.near),
-        *pieces.finding(f"[used.no.{i}]", number, "near", found.near),
-        *pieces.columns({"s": found.s, "v": found.v}, "sv"),
-        cell("more", found.correction),
+        cell("acc", inverse.acceleration, scale=1.0),  # of a law: less is rounding
+        cell("near", inverse.near),
+        *pieces.finding(f"[used.no.{i}]", number, "near", inverse.near),
+        *pieces.columns({"s": inverse.s, "v": inverse.v}, "sv"),
+        cell("more", inverse.correction),
     )
     sheet.row += 1
     cell = CELLS["heights met"]
@@ -207,9 +207,9 @@ def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
         f"{wanted.title}: the law at these shares of time",
         len(wanted.s),
         wanted.head[0],
-        cell("xi", found.xi, name=wanted.name),
-        *pieces.finding(f"[used.no.{i}]", number, "xi", found.xi),
-        *pieces.columns({"s": law.s(found.xi)}, "s"),
+        cell("xi", inverse.xi, name=wanted.name),
+        *pieces.finding(f"[used.no.{i}]", number, "xi", inverse.xi),
+        *pieces.columns({"s": law.s(inverse.xi)}, "s"),
         cell("residual", wanted.residual, name=wanted.name),
     )
     sheet.row += 1

@@ -30,9 +30,9 @@ class States:
         angle, stations = si(self.theta, DEGREE), machine.stations
         self.pairs = [tuple(AtAngles(s, plan, self.theta, pieces) for plan in SCHEDULES) for s in stations]
         self.before, self.after = np.array([[state.travel[0] for state in pair] for pair in self.pairs]).T
-        found = [s.engine.clearance(s.as_set, angle) for s in stations]
-        self.allowed = np.array([c.allowed[0] for c in found])
-        self.free = np.array([c.free[0] for c in found])
+        clearances = [s.engine.clearance(s.as_set, angle) for s in stations]
+        self.allowed = np.array([c.allowed[0] for c in clearances])
+        self.free = np.array([c.free[0] for c in clearances])
         self.strokes = machine.scene.strokes
         self.moved = float(machine.transfer.travel(angle)[0])
 

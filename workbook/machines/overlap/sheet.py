@@ -1,4 +1,4 @@
-"""The Overlap sheet: transfer and timing diagrams; with one tool all of it, with several, a sheet each, their sum."""
+"""The Overlap sheet: transfer and timing diagrams; all of a single tool; of several, a sheet each, their sum."""
 
 from engine.overlap.schedule import ANGLE_TOLERANCE, movement_time
 from engine.timing import FULL_TURN, shaft_speed
@@ -22,7 +22,7 @@ APART = "The tools work at stations of their own: each meets the transfer, never
 
 
 def overlap_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
-    """Declare the sheet, and one for each of several tools."""
+    """Declare the sheet, and for several tools a sheet each."""
     sheet = book.sheet("Overlap", "How much longer a tool may take when it begins before the transfer has ended.")
     sheet.print_columns = 24 if machine.alone else 25
     sheet.heading("Enter", ONE if machine.alone else SEVERAL)
@@ -47,7 +47,7 @@ def overlap_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
 
 
 def sums(sheet: Sheet, machine: OverlapView) -> None:
-    """Declare what several tools come to together."""
+    """Declare the figures of several tools together."""
     sheet.heading("Results")
     cell = CELLS["sums"]
     sheet.rows(
@@ -103,7 +103,7 @@ def sums(sheet: Sheet, machine: OverlapView) -> None:
 
 
 def rising() -> Quantity:
-    """Return the check of the one law that may move backwards: the engineer's own."""
+    """Return the check of the only law that may move backwards: the engineer's own."""
     cell = CELLS["rising"]
     return cell("overlap_ok_rises", True, backwards=BACKWARDS)
 
@@ -119,7 +119,7 @@ def workings(machine: OverlapView) -> tuple[Quantity, ...]:
 
 
 def timing_diagrams(sheet: Sheet, machine: OverlapView, column: int) -> None:
-    """Place both timing diagrams side by side: a lane for the transfer, and above it one for each tool."""
+    """Place both timing diagrams side by side: a lane for the transfer, and above it a lane for each tool."""
     top = len(machine.stations) + 1
     for left, title, lane in ((column, "one after the other", "lane_b"), (column + WIDE, "with overlap", "lane_a")):
         moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")

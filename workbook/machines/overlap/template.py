@@ -1,4 +1,4 @@
-"""Overlap of motions (S2): the indexing mill and its tools, one after the other and with overlap."""
+"""Overlap of motions (S2): the indexing mill and its tools, in sequence and with overlap."""
 
 from typing import Any
 
@@ -66,9 +66,9 @@ def declare(given: IndexingOverlap) -> Book:
 
 def exportables(view: OverlapView, pieces: Pieces) -> list[Exportable]:
     """Return the transfer and each tool as it is set, as the sheet Export may have them."""
-    unit = shown(1.0, DEGREE), shown(1.0, MM)  # one of the pieces' x and y in these
+    unit = shown(1.0, DEGREE), shown(1.0, MM)  # the units of the pieces' x and y in these
     parts = view.transfer.parts
-    found = [
+    exported = [
         Exportable(
             "transfer", '="transfer"', rows_of(TRANSFER, parts, pieces), UNITS, unit, "*1000", size_of_parts(parts)
         )
@@ -76,7 +76,7 @@ def exportables(view: OverlapView, pieces: Pieces) -> list[Exportable]:
     for station in view.stations:
         plan, rows = station.as_set, rows_of(OF_TOOL["a"], station.as_set.parts, pieces)
         later = ShiftCells("[@schedules.there.3]", "overlap_eps", "", Shifted(plan.motion, plan.arrival).unshifted, 0.0)
-        found.append(
+        exported.append(
             Exportable(
                 station.given.name,
                 "=@name",
@@ -89,18 +89,18 @@ def exportables(view: OverlapView, pieces: Pieces) -> list[Exportable]:
                 station.scope,
             )
         )
-    return found
+    return exported
 
 
 def axes(machine: IndexingOverlap) -> list[CamAxis]:
     """Return the transfer, which goes on every turn, and each tool as it is set."""
-    found, units = OverlapView(machine, laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
-    transfer = profile_of(pieces_of_parts(found.transfer.parts, True), FULL_TURN).in_units(*units)
-    made = [CamAxis("transfer", transfer, "°", "mm")]
-    for one in found.stations:
-        profile = profile_of(pieces_of_parts(one.as_set.parts, True), FULL_TURN).in_units(*units)
-        made.append(CamAxis(one.given.name, profile.shifted(shown(one.as_set.arrival, DEGREE)), "°", "mm"))
-    return made
+    view, units = OverlapView(machine, laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
+    transfer = profile_of(pieces_of_parts(view.transfer.parts, True), FULL_TURN).in_units(*units)
+    cam_axes = [CamAxis("transfer", transfer, "°", "mm")]
+    for station in view.stations:
+        profile = profile_of(pieces_of_parts(station.as_set.parts, True), FULL_TURN).in_units(*units)
+        cam_axes.append(CamAxis(station.given.name, profile.shifted(shown(station.as_set.arrival, DEGREE)), "°", "mm"))
+    return cam_axes
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:

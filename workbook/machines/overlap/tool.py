@@ -95,12 +95,12 @@ def outcome(sheet: Sheet, station: Station) -> None:
 def checks(station: Station) -> tuple[Quantity, ...]:
     """Return the checks of the tool."""
     cell = CELLS["checks"]
-    found, margin = station.clearance, station.given.passage.margin
+    clearance, margin = station.clearance, station.given.passage.margin
     least = amount("@least", station.least, "least clearance ", " mm")
     missing = amount("@margin-@least", margin - station.least, "", " mm too little stay free")
     return (
-        cell("@ok_collide", not found.collides, says=least),
-        cell("@ok_margin", found.meets_margin, says=missing),
+        cell("@ok_collide", not clearance.collides, says=least),
+        cell("@ok_margin", clearance.meets_margin, says=missing),
         cell("@ok_angle", True, number=station.number),
         cell("@ok_turn", True, number=station.number),
         cell("@ok_entry", True, key=station.key),

@@ -35,10 +35,10 @@ class OverlapView:
         self.rate = si(given.overlap.rate, PER_HOUR)
         self.stations = [Station(self, i, tool) for i, tool in enumerate(given.overlap.tools)]
         peaks = [max(station.peaks[schedule] for station in self.stations) for schedule in (0, 2)]
-        self.peaks = peaks[0], peaks[1]  # the largest of any tool in m/s², one after the other and as set
+        self.peaks = peaks[0], peaks[1]  # the largest of any tool in m/s², in sequence and as set
         self.alone = len(self.stations) == 1  # its book has no sheets for each tool then
         self.room = self.sizes.motion_pieces or 0  # rows of the tables of pieces
-        self.angles = np.linspace(0.0, TURN, self.sizes.cycle + 1)  # the sampled ones of the master shaft, in degrees
+        self.angles = np.linspace(0.0, TURN, self.sizes.cycle + 1)  # of the master shaft at the samples, in degrees
         self.scene = Scene([station.engine for station in self.stations])  # as drawn
 
     def each(self, formula: str) -> list[str]:
@@ -70,19 +70,19 @@ class Station:
         )
         self.passage = Passage(si(p.remaining, PERCENT), si(p.clearance, MM), si(p.margin, MM), allowance, p.split)
         self.engine = plan.Station(machine.transfer, self.tool, self.passage)
-        found = self.engine.overlapping()
-        way_in = found.angle_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
-        way_out = found.angle_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
+        longest = self.engine.overlapping()
+        way_in = longest.angle_in if tool.angle_in is None else si(tool.angle_in, DEGREE)
+        way_out = longest.angle_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
         self.before = self.engine.one_after_the_other()
         self.longest = replace(self.engine, passage=replace(self.passage, allowance=0.0)).overlapping()
-        self.as_set = replace(found, angle_in=way_in, angle_out=way_out)  # as entered, or the longest less a bit
+        self.as_set = replace(longest, angle_in=way_in, angle_out=way_out)  # as entered, or the longest less a bit
         self.schedules = self.before, self.longest, self.as_set
         self.peaks = [schedule.peak_acceleration(machine.rate) for schedule in self.schedules]  # m/s²
         self.angles_set = shown(way_in, DEGREE), shown(way_out, DEGREE)
 
     @cached_property
     def clearance(self) -> plan.Clearance:
-        """What is free between the parts over the cycle as it is set."""
+        """The clearance between the parts over the cycle as it is set."""
         return self.engine.clearance(self.as_set, si(self.machine.angles, DEGREE))
 
     @property
@@ -116,11 +116,11 @@ def check(machine: IndexingOverlap) -> None:
         if not is_monotone(law):
             raise DesignError(f"overlap.{entry}", BACKWARDS, "rises", RISING[0])
         if abs(law.end.s - 1) > END_TOLERANCE:
-            said = f"the law {name} ends at s = {law.end.s:g}; expected a law that ends at 1"
-            raise DesignError(f"overlap.{entry}", said, "reaches", RISING[0])
+            problem = f"the law {name} ends at s = {law.end.s:g}; expected a law that ends at 1"
+            raise DesignError(f"overlap.{entry}", problem, "reaches", RISING[0])
     for station in OverlapView(machine, library).stations:
         taken = math.fsum(station.angles_set) + station.given.dwell
         if taken > TURN + ANGLE_TOLERANCE:
             name = "angle_in" if station.given.angle_in is not None else "angle_out"
-            said = f"way in, dwell and way out take {figure(taken)}°; expected at most 360°"
-            raise DesignError(f"{station.key}.{name}", said, f"turn{station.number}", LEAST)
+            problem = f"way in, dwell and way out take {figure(taken)}°; expected at most 360°"
+            raise DesignError(f"{station.key}.{name}", problem, f"turn{station.number}", LEAST)

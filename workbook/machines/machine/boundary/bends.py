@@ -1,4 +1,4 @@
-"""Where the acceleration of a polynomial that takes velocity from its neighbours is largest or lowest, in cells.
+"""The places where the acceleration of a polynomial with velocity at its ends is largest or lowest, in cells.
 
 There a drive's intervals are cut. The jerk of a polynomial of degree 5, and of degree 7 over ξ (1 − ξ), is
 A + B ξ + C ξ²: it is 0 at W/C and at A/W, W = −(B ± √(B² − 4 A C))/2.

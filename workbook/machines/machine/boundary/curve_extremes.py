@@ -49,21 +49,21 @@ def horner(powers: int, order: int, xi: str) -> str:
     return text if order else f"{xi}*({text})"
 
 
-def polynomial_extremes(one: AxisHandover) -> list[Quantity]:
+def polynomial_extremes(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of the extremes of polynomials per unit of ξ, and the greatest velocity of two pulses."""
-    column = one.columns(CELLS["polynomial_extremes"])
-    size, powers = one.motion.size(0), one.rows.powers
+    column = handover.columns(CELLS["polynomial_extremes"])
+    size, powers = handover.motion.size(0), handover.rows.powers
     place, velocity, acceleration, jerk = (horner(powers, order, "xi") for order in range(4))
 
     def curved(step: Handover) -> bool:
         return step.ended and step.mode != PULSES
 
     def scaled(figure: Callable[[Phase], float], order: int) -> list[Any]:
-        return one.of(lambda step: figure(step.phase) * step.phase.duration**order if curved(step) else 0.0)
+        return handover.of(lambda step: figure(step.phase) * step.phase.duration**order if curved(step) else 0.0)
 
     def low_high(end: int) -> list[Any]:
-        both = zip(one.handed, one.motion.reaches, one.motion.ends, strict=True)
-        return one.spread([reach[end] - at.begin.y if curved(step) else 0.0 for step, reach, at in both])
+        both = zip(handover.handed, handover.motion.reaches, handover.motion.ends, strict=True)
+        return handover.spread([reach[end] - at.begin.y if curved(step) else 0.0 for step, reach, at in both])
 
     def fastest(step: Handover) -> float:
         speed = abs(step.reversing) if step.mode == PULSES else step.phase.y1_max if step.ended else 0.0
@@ -80,22 +80,22 @@ def polynomial_extremes(one: AxisHandover) -> list[Quantity]:
     ]
 
 
-def step_extremes(one: AxisHandover) -> list[Quantity]:
+def step_extremes(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of the greatest velocity, acceleration and jerk, the RMS acceleration, and both positions."""
-    column = one.columns(CELLS["step_extremes"])
+    column = handover.columns(CELLS["step_extremes"])
 
     def ended(figure: Callable[[Phase], float]) -> list[Any]:
-        return one.of(lambda step: figure(step.phase) if step.ended else 0.0)
+        return handover.of(lambda step: figure(step.phase) if step.ended else 0.0)
 
     def reaches(end: int) -> list[Any]:
-        both = zip(one.handed, one.motion.reaches, strict=True)
-        return one.spread([reach[end] if step.ended else 0.0 for step, reach in both])
+        both = zip(handover.handed, handover.motion.reaches, strict=True)
+        return handover.spread([reach[end] if step.ended else 0.0 for step, reach in both])
 
     jerks = [value if isfinite(value) else "∞" for value in ended(lambda phase: phase.y3_max)]
     return [
         column("vmax", ended(lambda phase: phase.y1_max), order=1),
         column("amax", ended(lambda phase: phase.y2_max), order=2),
-        column("jumps", jumps(one)),
+        column("jumps", jumps(handover)),
         column("jmax", jerks, order=3),
         column("rms", ended(lambda phase: phase.y2_rms), order=2),
         column("low", reaches(0), order=0),
@@ -108,43 +108,46 @@ def at_ends(piece: MotionPiece, order: int) -> list[float]:
     return [float(y) for y in piece.curves[order].at(np.array([0.0, piece.duration]))]
 
 
-def leaps(one: AxisHandover) -> tuple[list[float], list[int]]:
+def leaps(handover: AxisHandover) -> tuple[list[float], list[int]]:
     """Return y'' at the end of the piece before, within the phase (0 for its first), and whether y'' jumps there."""
-    before, earlier, found = [0.0] * one.room, [], []
-    for piece in one.rows.pieces:
+    before, earlier, leaps_before = [0.0] * handover.room, [], []
+    for piece in handover.rows.pieces:
         lasts, (first, last) = piece.duration > 0.0, at_ends(piece, 2)
         earlier.append(before[piece.phase] if lasts else 0.0)
-        found.append(int(lasts and abs(first - earlier[-1]) > ZERO * one.step_of(piece).phase.y2_max))
+        leaps_before.append(int(lasts and abs(first - earlier[-1]) > ZERO * handover.step_of(piece).phase.y2_max))
         if lasts:
             before[piece.phase] = last
-    return earlier, found
+    return earlier, leaps_before
 
 
-def jumps(one: AxisHandover) -> list[int]:
-    """Return how often y'' jumps at the pieces of each step of two pulses, and at its end."""
-    found = [0] * one.room
-    for piece, leap in zip(one.rows.pieces, leaps(one)[1], strict=True):
-        found[piece.phase] += leap
-    for place, step, at in zip(one.axis.places, one.handed, one.motion.ends, strict=True):
+def jumps(handover: AxisHandover) -> list[int]:
+    """Return the number of jumps of y'' at the pieces of each step of two pulses, and at its end."""
+    counts = [0] * handover.room
+    for piece, leap in zip(handover.rows.pieces, leaps(handover)[1], strict=True):
+        counts[piece.phase] += leap
+    for place, step, at in zip(handover.axis.places, handover.handed, handover.motion.ends, strict=True):
         last = abs(at.end.y2) > ZERO * step.phase.y2_max
-        found[place] = found[place] + last if step.mode == PULSES else 0
-    return found
+        counts[place] = counts[place] + last if step.mode == PULSES else 0
+    return counts
 
 
-def pulse_extremes(one: AxisHandover, room: int) -> list[Quantity]:
+def pulse_extremes(handover: AxisHandover, room: int) -> list[Quantity]:
     """Return the columns of the pieces' table: what pieces of laws of two pulses add to the extremes of their steps."""
-    column, joints = one.columns(CELLS["pulse_extremes"]), one.rows.at.pieces.replace("_pieces", "_joints")
-    earlier, jumping = leaps(one)
+    column, joints = (
+        handover.columns(CELLS["pulse_extremes"]),
+        handover.rows.at.pieces.replace("_pieces", "_joints"),
+    )
+    earlier, jumping = leaps(handover)
 
     def of(figure: Callable[[MotionPiece], float]) -> list[float]:
-        both = ((piece, one.step_of(piece)) for piece in one.rows.pieces)
+        both = ((piece, handover.step_of(piece)) for piece in handover.rows.pieces)
         return filled((figure(piece) if step.mode == PULSES and piece.duration else 0.0 for piece, step in both), room)
 
     def mean_square(piece: MotionPiece) -> float:
         return float(WEIGHTS @ piece.curves[2].at(piece.duration * (NODES + 1.0) / 2.0) ** 2) / 2.0
 
-    lows = of(lambda piece: float(at_points(piece, 0).min()) - one.begin_of(piece))
-    highs = of(lambda piece: float(at_points(piece, 0).max()) - one.begin_of(piece))
+    lows = of(lambda piece: float(at_points(piece, 0).min()) - handover.begin_of(piece))
+    highs = of(lambda piece: float(at_points(piece, 0).max()) - handover.begin_of(piece))
     squares = of(lambda piece: mean_square(piece) * piece.duration)
     return [
         column("before", filled(earlier, room), order=2, joints=joints),

@@ -30,28 +30,28 @@ LEFT: dict[str, Callable[[BoundaryValues], float]] = {
 WORDS = "begin", "end"
 
 
-def curves_between_ends(one: AxisHandover) -> list[Quantity]:
+def curves_between_ends(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of the halves of a law of two pulses, and of a polynomial Σ e_n ξⁿ, between their ends."""
-    column = one.columns(CELLS["curves_between_ends"])
-    row, *phase = one.steps()
-    early = one.of(lambda step: step.early, 0)
+    column = handover.columns(CELLS["curves_between_ends"])
+    row, *phase = handover.steps()
+    early = handover.of(lambda step: step.early, 0)
     return [
         row,
         column("mode", lambda step: step.mode),
         *phase,
         column("d0", lambda step: step.drifts[0], order=1),
         column("d1", lambda step: step.drifts[1], order=1),
-        column("split", [first + more for first, more in zip(one.rows.firsts, early, strict=True)]),
+        column("split", [first + more for first, more in zip(handover.rows.firsts, early, strict=True)]),
         column("gain", lambda step: step.halves[0] - step.halves[1], order=0),
         column("h1", lambda step: step.halves[1], order=0),
         column("h0", lambda step: step.halves[0], order=0),
-        *polynomials(one),
+        *polynomials(handover),
     ]
 
 
-def polynomials(one: AxisHandover) -> list[Quantity]:
+def polynomials(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of polynomials: what their ends ask for, coefficients, and the acceleration at both ends."""
-    column, powers = one.columns(CELLS["polynomials"]), one.rows.powers
+    column, powers = handover.columns(CELLS["polynomials"]), handover.rows.powers
     acceleration = "+".join(f"{perm(n, 2)}*[e{n}]" for n in range(2, powers))
 
     def left(name: str) -> Quantity:
@@ -84,24 +84,27 @@ def hermite(n: int, powers: int) -> str:
     return text
 
 
-def end_kinds(one: AxisHandover) -> list[Quantity]:
+def end_kinds(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of rates at both ends, and of their kinds: of what is settled there, else of the law's."""
-    column = one.columns(CELLS["end_kinds"])
+    column = handover.columns(CELLS["end_kinds"])
     both = list(enumerate(WORDS))
 
     def rates(name: str, order: int) -> list[Quantity]:
-        values = [[(at.begin, at.end)[i][order] for at in one.motion.ends] for i, _ in both]
-        return [column(name, one.spread(values[i]), order=order, i=i, end=end) for i, end in both]
+        values = [[(at.begin, at.end)[i][order] for at in handover.motion.ends] for i, _ in both]
+        return [column(name, handover.spread(values[i]), order=order, i=i, end=end) for i, end in both]
 
     def has(name: str, kinds: str, i: int) -> Quantity:
         return column(name, lambda step: int(step.kinds[i] in kinds), i=i, end=WORDS[i])
 
     return [
-        one.steps()[0],
-        column("peak1", [value or 1.0 for value in one.of(lambda step: step.phase.y1_max)], order=1),
-        column("peak2", [value or 1.0 for value in one.of(lambda step: step.phase.y2_max)], order=2),
+        handover.steps()[0],
+        column("peak1", [value or 1.0 for value in handover.of(lambda step: step.phase.y1_max)], order=1),
+        column("peak2", [value or 1.0 for value in handover.of(lambda step: step.phase.y2_max)], order=2),
         *rates("v{i}", 1),
         *rates("a{i}", 2),
         *(has(name, kinds, i) for i, _ in both for name, kinds in (("moves{i}", "GB"), ("bends{i}", "UB"))),
-        *(column("{end}s", one.spread([step.kinds[i] for step in one.handed], ""), i=i, end=end) for i, end in both),
+        *(
+            column("{end}s", handover.spread([step.kinds[i] for step in handover.handed], ""), i=i, end=end)
+            for i, end in both
+        ),
     ]

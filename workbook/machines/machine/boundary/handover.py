@@ -2,7 +2,7 @@
 
 A straight line hands its velocity to both of its neighbours, a dwell its rest. A law of two pulses has v0 and h_a times
 the law while it speeds up, v1 and h_b times it from then on; h_a and h_b follow from the stroke and from the velocity
-between the pulses. A polynomial is the one of its degree by Hermite's conditions. Source: LCamHdl, ProfileTypes, C_C_,
+between the pulses. A polynomial of its degree meets Hermite's conditions. Source: LCamHdl, ProfileTypes, C_C_,
 D_C_ and C_D_ laws, POLY_3, POLY_5, POLY_7.
 """
 
@@ -25,12 +25,12 @@ CELLS = cell_tables(__file__)
 SPEED, BEND = " with a velocity", " with an acceleration"
 RESTS = ": it begins and ends at rest"
 ONLY = ": it takes a velocity only"
-KEPT = ": what it has there follows from its points"
+FOLLOWS = ": what it has there follows from its points"
 BESIDE = ": its begin is entered otherwise than the straight line or dwell there has it"
 
 
 class AxisHandover:
-    """What the phases of an axis take from their neighbours; they stand in every second row of its steps.
+    """The values that the phases of an axis take from their neighbours; phases stand in every second row of its steps.
 
     ``room`` are the rows of the table of steps; ``in_row`` has the number in the motion of the step of each used row.
     """
@@ -53,7 +53,7 @@ class AxisHandover:
 
     def of(self, figure: Callable[[Handover], Any], spare: Any = 0.0) -> list[Any]:
         """Return a figure of each step, row by row."""
-        return self.spread([figure(one) for one in self.handed], spare)
+        return self.spread([figure(handover) for handover in self.handed], spare)
 
     def spread(self, values: list[Any], spare: Any = 0.0) -> list[Any]:
         """Return values of the steps in their rows."""
@@ -105,11 +105,11 @@ class AxisHandover:
         return f"=IF(INDEX([{ends}.mode],[k])=0,{formula.removeprefix('=')},{ended})"
 
     def faults(self) -> list[str]:
-        """Return for each step why it cannot have its ends, as its row of the table says it."""
-        found, laws = [""] * len(self.handed), [phase.law for phase in self.axis.given.phases]
-        for (i, one), k in zip(self.phases, self.axis.entered, strict=True):
-            found[k] = f"row {i}: {laws[i - 1]} cannot {''.join(why_impossible(one))}" if one.fault else ""
-        return found
+        """Return for each step the reason that it cannot have its ends, in the words of its row of the table."""
+        reasons, laws = [""] * len(self.handed), [phase.law for phase in self.axis.given.phases]
+        for (i, handover), k in zip(self.phases, self.axis.entered, strict=True):
+            reasons[k] = f"row {i}: {laws[i - 1]} cannot {''.join(why_impossible(handover))}" if handover.fault else ""
+        return reasons
 
     def checks(self, name: str, label: str) -> list[Quantity]:
         """Return the checks, of names and labels that begin so, that laws can have their ends and no line objects."""
@@ -117,7 +117,7 @@ class AxisHandover:
         texts, against = f"[{table}.fault]", f"[{table}.contrary]"
         axis, called = self.axis.given.name, f'[axes.name.{self.axis.number}]&" '
         fault = next(filter(None, self.faults()), "")
-        contrary = next((f"{axis} row {i}{BESIDE}" for i, one in self.phases if one.contrary), "")
+        contrary = next((f"{axis} row {i}{BESIDE}" for i, handover in self.phases if handover.contrary), "")
         meets = CheckSentence(f'{called}"&INDEX({texts},{first_text(texts)})', fault and f"{axis} {fault}")
         passes = CheckSentence(f'{called}row "&MATCH(1,{against},0)/2&"{BESIDE}"', contrary)
         return [
@@ -126,32 +126,32 @@ class AxisHandover:
         ]
 
 
-def why_impossible(one: Handover) -> tuple[str, str, str]:
+def why_impossible(handover: Handover) -> tuple[str, str, str]:
     """Return at which end a phase cannot have what is asked for, what that is, and why; nothing where it can."""
-    if not one.fault:
+    if not handover.fault:
         return "", "", ""
-    begin, end = one.begin.required, one.end.required
-    never, moving = one.end_mode == NEVER, bool(begin.v or end.v)
+    begin, end = handover.begin.required, handover.end.required
+    never, moving = handover.end_mode == NEVER, bool(begin.v or end.v)
     first = begin.v if never and moving else begin.a
     return (
         "begin" if first else "end",
         SPEED if never and moving else BEND,
-        RESTS if never else KEPT if one.end_mode == FIXED else ONLY,
+        RESTS if never else FOLLOWS if handover.end_mode == FIXED else ONLY,
     )
 
 
-def taken_by_pieces(one: AxisHandover, room: int) -> list[Quantity]:
+def taken_by_pieces(handover: AxisHandover, room: int) -> list[Quantity]:
     """Return the columns of the pieces' table that say what a piece takes over."""
-    column = one.columns(CELLS["taken_by_pieces"])
+    column = handover.columns(CELLS["taken_by_pieces"])
 
     def of(figure: Callable[[Handover, bool, MotionPiece], Any]) -> list[Any]:
-        both = ((piece, one.step_of(piece)) for piece in one.rows.pieces)
-        found = [figure(step, step.mode == PULSES and piece.number >= step.early, piece) for piece, step in both]
-        return filled(found, room, found[-1])
+        both = ((piece, handover.step_of(piece)) for piece in handover.rows.pieces)
+        values = [figure(step, step.mode == PULSES and piece.number >= step.early, piece) for piece, step in both]
+        return filled(values, room, values[-1])
 
     return [
         column("late", of(lambda _, late, __: int(late))),
         column("hp", of(lambda step, late, _: step.halves[late]), order=0),
         column("drift", of(lambda step, late, _: step.drifts[late]), order=1),
-        column("base", of(lambda step, late, piece: step.base(late, one.begin_of(piece))), order=0),
+        column("base", of(lambda step, late, piece: step.base(late, handover.begin_of(piece))), order=0),
     ]

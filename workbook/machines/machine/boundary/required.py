@@ -1,4 +1,4 @@
-"""What each step of an axis takes from its neighbours and from what is entered: velocity and acceleration at its ends.
+"""The values that each step of an axis takes from its neighbours and from its entries: velocity, acceleration at ends.
 
 A straight line or a dwell settles the ends of both its neighbours; between two curved phases what is entered does.
 """
@@ -8,24 +8,24 @@ from engine.motion.handover import STRAIGHT, Handover
 from engine.motion.joining import Rates, agrees
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity
-from workbook.machines.machine.boundary.handover import BEND, KEPT, ONLY, RESTS, SPEED, AxisHandover, why_impossible
+from workbook.machines.machine.boundary.handover import BEND, FOLLOWS, ONLY, RESTS, SPEED, AxisHandover, why_impossible
 
 CELLS = cell_tables(__file__)
 
 NONE = Rates()
 
 
-def required_ends(one: AxisHandover) -> list[Quantity]:
+def required_ends(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of what each step takes."""
-    column = one.columns(CELLS["required_ends"])
+    column = handover.columns(CELLS["required_ends"])
     return [
-        *one.steps(),
-        column("way", one.of(lambda step: step.end_mode, STRAIGHT)),
+        *handover.steps(),
+        column("way", handover.of(lambda step: step.end_mode, STRAIGHT)),
         column("slope", lambda step: step.slope, order=1),
-        *neighbours(one),
-        *ends(one),
-        *handover_modes(one),
-        *faults(one),
+        *neighbours(handover),
+        *ends(handover),
+        *handover_modes(handover),
+        *faults(handover),
     ]
 
 
@@ -34,39 +34,39 @@ def straight(step: Handover | None) -> int:
     return int(step is not None and step.end_mode == STRAIGHT)
 
 
-def neighbours(one: AxisHandover) -> list[Quantity]:
+def neighbours(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of the steps beside each, if these are straight, and of what is entered for phases."""
-    column = one.columns(CELLS["neighbours"])
-    rows, around = [place + 1 for place in one.axis.places], one.axis.given.repeats
-    earlier = [max((row for row in rows if row < k), default=0) for k in range(1, one.room + 1)]
+    column = handover.columns(CELLS["neighbours"])
+    rows, around = [place + 1 for place in handover.axis.places], handover.axis.given.repeats
+    earlier = [max((row for row in rows if row < k), default=0) for k in range(1, handover.room + 1)]
     before, after = [rows[-1] if around else 0, *rows[:-1]], [*rows[1:], rows[0] if around else 0]
-    following = [*one.handed[1:], one.handed[0] if around else None]
-    slopes = [step.slope if step and straight(step) else 0.0 for step in one.before]
+    following = [*handover.handed[1:], handover.handed[0] if around else None]
+    slopes = [step.slope if step and straight(step) else 0.0 for step in handover.before]
 
     def per_rad(entry: str, order: int) -> str:
-        lift = one.over.lift(one.axis.given.unit)
-        return one.over.per_rad_formula(f"INDEX([{one.entries}.{entry}],[row]){lift.taken}", order)
+        lift = handover.over.lift(handover.axis.given.unit)
+        return handover.over.per_rad_formula(f"INDEX([{handover.entries}.{entry}],[row]){lift.taken}", order)
 
     return [
         column("earlier", earlier),
-        column("before", one.spread(before, 0)),
-        column("after", one.spread(after, 0)),
-        column("line0", one.spread([*map(straight, one.before)], 0)),
-        column("slope0", one.spread(slopes), order=1),
-        column("line1", one.spread([*map(straight, following)], 0)),
-        column("row", [max(1, k // 2) for k in range(1, one.room + 1)]),
+        column("before", handover.spread(before, 0)),
+        column("after", handover.spread(after, 0)),
+        column("line0", handover.spread([*map(straight, handover.before)], 0)),
+        column("slope0", handover.spread(slopes), order=1),
+        column("line1", handover.spread([*map(straight, following)], 0)),
+        column("row", [max(1, k // 2) for k in range(1, handover.room + 1)]),
         column("set", lambda step: int(step.entered is not None)),
         column("ev", lambda step: (step.entered or NONE).v, order=1, per_rad=per_rad("velocity", 1)),
         column("ea", lambda step: (step.entered or NONE).a, order=2, per_rad=per_rad("acceleration", 2)),
     ]
 
 
-def ends(one: AxisHandover) -> list[Quantity]:
+def ends(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of velocity and acceleration at both ends, and whether these are settled."""
-    column = one.columns(CELLS["ends"])
+    column = handover.columns(CELLS["ends"])
     return [
-        column("settled0", one.of(lambda step: int(step.begin.settled), 1)),
-        column("settled1", one.of(lambda step: int(step.end.settled), 1)),
+        column("settled0", handover.of(lambda step: int(step.begin.settled), 1)),
+        column("settled1", handover.of(lambda step: int(step.end.settled), 1)),
         column("w0", lambda step: step.begin.required.v, order=1),
         column("w1", lambda step: step.end.required.v, order=1),
         column("q0", lambda step: step.begin.required.a, order=2),
@@ -76,9 +76,9 @@ def ends(one: AxisHandover) -> list[Quantity]:
     ]
 
 
-def handover_modes(one: AxisHandover) -> list[Quantity]:
+def handover_modes(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of whether a straight line is against an entry, and how a law is carried out."""
-    column = one.columns(CELLS["handover_modes"])
+    column = handover.columns(CELLS["handover_modes"])
 
     def differs(step: Handover, line: Handover | None) -> int:
         return int(line is not None and straight(line) and not agrees(step.entered or NONE, line.slope))
@@ -89,21 +89,26 @@ def handover_modes(one: AxisHandover) -> list[Quantity]:
 
     return [
         column("off", lambda step: differs(step, step)),
-        column("off0", one.spread([differs(*both) for both in zip(one.handed, one.before, strict=True)], 0)),
+        column(
+            "off0",
+            handover.spread([differs(*both) for both in zip(handover.handed, handover.before, strict=True)], 0),
+        ),
         column("contrary", lambda step: int(step.contrary)),
-        column("straight", one.of(straight_on, 1), rounding=f"{ROUNDING:.0E}"),
+        column("straight", handover.of(straight_on, 1), rounding=f"{ROUNDING:.0E}"),
         column("cannot", lambda step: int(bool(step.fault))),
         column("mode", lambda step: step.mode),
     ]
 
 
-def faults(one: AxisHandover) -> list[Quantity]:
-    """Return the columns of why a step cannot have its ends: at which end, what, why, and all of it as told."""
-    column = one.columns(CELLS["faults"])
-    ends, rates, reasons = zip(*one.spread([why_impossible(step) for step in one.handed], ("", "", "")), strict=True)
+def faults(handover: AxisHandover) -> list[Quantity]:
+    """Return the columns of the reason that a step cannot have its ends: end, rate, reason, sentence."""
+    column = handover.columns(CELLS["faults"])
+    ends, rates, reasons = zip(
+        *handover.spread([why_impossible(step) for step in handover.handed], ("", "", "")), strict=True
+    )
     return [
         column("verb", list(ends)),
         column("what", list(rates), speed=SPEED, bend=BEND),
-        column("why", list(reasons), rests=RESTS, kept=KEPT, only=ONLY),
-        column("fault", one.spread(one.faults(), "")),
+        column("why", list(reasons), rests=RESTS, kept=FOLLOWS, only=ONLY),
+        column("fault", handover.spread(handover.faults(), "")),
     ]

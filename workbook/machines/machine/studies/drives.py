@@ -57,15 +57,15 @@ class DriveStudy:
         """The figures of the motor in each design; the knee (rad/s) and the fall (Nm s) of its curve."""
         axes = [self.axis_with(k, 0, 0) for k in range(len(self.motors.values))]
         reserve = self.limits.peak_reserve
-        falls = [in_use.falling_of(one.motor.name if one.motor else "", self.products, reserve) for one in axes]
-        used = [in_use.motor_in_use(one, self.products, self.limits) for one in axes]
+        falls = [in_use.falling_of(axis.motor.name if axis.motor else "", self.products, reserve) for axis in axes]
+        used = [in_use.motor_in_use(axis, self.products, self.limits) for axis in axes]
         return figures(self.motors, used, self.products.motors) | figures(self.motors, falls)
 
     @cached_property
     def reducers_used(self) -> dict[str, Array]:
         """The figures of the reducer in each design."""
         axes = [self.axis_with(0, k, 0) for k in range(len(self.reducers.values))]
-        used = [in_use.reducer_in_use(one, self.products, self.limits) for one in axes]
+        used = [in_use.reducer_in_use(axis, self.products, self.limits) for axis in axes]
         return figures(self.reducers, used, self.products.reducers)
 
     def drive(self, motor: int, reducer: int, rate: int) -> Driven:
@@ -80,7 +80,7 @@ class DriveStudy:
 
     @cached_property
     def loads(self) -> list[PointLoad]:
-        """What the cycle asks for behind the reducer, at each rate."""
+        """The demands of the cycle behind the reducer, at each rate."""
         return [load_of(base) for base in self.bases]
 
     def of_rate(self, figure: Callable[[DriveView], float]) -> Array:
@@ -98,8 +98,8 @@ class DriveStudy:
         """Return arrays with a value for each design."""
         return list(np.broadcast_arrays(*values, self.rates.places))[:-1]
 
-    def _gathered(self, made: Callable[[float, DriveBatch], tuple[Array, ...]]) -> list[Array]:
-        """Return figures of each design, made of the time of a cycle (s) at each rate and the motors on the load."""
+    def _gathered(self, figures_of: Callable[[float, DriveBatch], tuple[Array, ...]]) -> list[Array]:
+        """Return figures of each design, from the time of a cycle (s) at each rate and the motors on the load."""
         names, each = ("peak_torque", "knee", "fall", "copper"), []
         *limits, _, places = self._lined(*map(self.motors_used.get, names), self.gears.ratio, self.rates.places)
         for k, load in enumerate(self.loads):
@@ -107,9 +107,12 @@ class DriveStudy:
             if not some.size:  # a rate of designs that are left out
                 continue
             many = DriveBatch(load, PairArrays(*(v[some] for v in self.gears)), MotorLimits(*(v[some] for v in limits)))
-            each.append((some, made(self.bases[k].time, many)))
+            each.append((some, figures_of(self.bases[k].time, many)))
         order = np.argsort(np.concatenate([some for some, _ in each]), kind="stable")
-        return [np.concatenate(values)[order] for values in zip(*(found for _, found in each), strict=True)]
+        return [
+            np.concatenate(values)[order]
+            for values in zip(*(values_of_some for _, values_of_some in each), strict=True)
+        ]
 
     @cached_property
     def extremes(self) -> Extremes:
@@ -142,7 +145,7 @@ class DriveStudy:
 
     @property
     def continuous(self) -> Array:
-        """What motors can give all the time at their mean speeds (Nm)."""
+        """The torque that motors can give all the time at their mean speeds (Nm)."""
         motor = self.motors_used
         return continuous(motor["rated_torque"], motor["stall_torque"], motor["rated_speed"], self.mean)
 
@@ -188,14 +191,14 @@ class DriveStudy:
 
     @cached_property
     def designs(self) -> list[DesignPlaces]:
-        """What each design has."""
+        """The places of each design's motor, reducer and rate."""
         each = np.broadcast_arrays(self.motors.places, self.reducers.places, self.rates.places)
         return list(zip(*(places.tolist() for places in each), strict=True))
 
     @cached_property
     def views(self) -> dict[DesignPlaces, DriveView]:
-        """The drive of each design at the points of its motion: those at one rate share their load."""
-        return {one: self.view(*one) for one in dict.fromkeys(self.designs)}
+        """The drive of each design at the points of its motion: those at the same rate share their load."""
+        return {places: self.view(*places) for places in dict.fromkeys(self.designs)}
 
     def view(self, motor: int, reducer: int, rate: int) -> DriveView:
         """Return the drive of a design at the points of its motion."""
@@ -208,7 +211,7 @@ class DriveStudy:
 
     @property
     def highest(self) -> tuple[Array, Any]:
-        """The highest rate of each design (cycles/min), 0 of one that holds at no rate, and the limiting factor."""
+        """The highest rate of each design (cycles/min), 0 where it holds at no rate, and the limiting factor."""
         return self._ends("high", "high_limit")
 
     @property
@@ -228,49 +231,53 @@ class DriveStudy:
 
 def cycles(rate: Column) -> Any:
     """Return the times of a cycle (s)."""
-    return Column([turn_time(si(one, PER_MINUTE)) for one in rate.values], rate.places).each
+    return Column([turn_time(si(value, PER_MINUTE)) for value in rate.values], rate.places).each
 
 
 def figures(column: Column, used: Any, products: Any = ()) -> dict[str, Array]:
     """Return the figures of products in use in each design, and what those of the catalogue weigh and cost."""
-    found = {name: [getattr(one, name) for one in used] for name in used[0]._fields}
-    for name in WEIGHED if "row" in found else ():
-        found[name] = [getattr([None, *products][one.row], name, None) for one in used]
-    return {name: np.array(values, dtype=np.float64)[column.places] for name, values in found.items()}
+    figures_by_name = {name: [getattr(product, name) for product in used] for name in used[0]._fields}
+    for name in WEIGHED if "row" in figures_by_name else ():
+        figures_by_name[name] = [getattr([None, *products][product.row], name, None) for product in used]
+    return {name: np.array(values, dtype=np.float64)[column.places] for name, values in figures_by_name.items()}
 
 
 def varied(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:
     """Return the entry of a motor or reducer that differs, and how; nothing where none does."""
-    return next(((key.removeprefix(begin), one) for key, one in columns.items() if key.startswith(begin)), ("", FIXED))
+    return next(
+        ((key.removeprefix(begin), column) for key, column in columns.items() if key.startswith(begin)), ("", FIXED)
+    )
 
 
 RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
-    "rate": lambda one: one.rates.each,
-    "jtot": lambda one: shown(one.at_motor, KG_CM2),
-    "inertias": lambda one: one.inertias,
-    "tmax": lambda one: one.extremes.torque,
-    "tmin": lambda one: one.extremes.torque_low,
-    "rms": lambda one: one.rms,
-    "speed": lambda one: one.speed,
-    "mean": lambda one: one.mean,
-    "continuous": lambda one: one.continuous,
-    "res_rms": lambda one: shares_of(one.continuous * one.limits.rms_reserve, one.rms),
-    "res_peak": lambda one: shares_of(one.motors_used["peak_torque"] * one.limits.peak_reserve, one.extremes.peak),
-    "res_speed": lambda one: shares_of(one.motors_used["max_speed"] * one.limits.speed_reserve, one.speed),
-    "smax": lambda one: one.behind(0),
-    "smean": lambda one: one.behind(1),
-    "energy": lambda one: one.works.driving,
-    "returned": lambda one: one.works.regenerated,
-    "power": lambda one: shown(one.works.net / one.time, KW),
-    "pmax": lambda one: shown(np.maximum(0.0, one.extremes.power), KW),
-    "pmin": lambda one: shown(np.minimum(0.0, one.extremes.power_low), KW),
-    "highest": lambda one: one.highest[0],
-    "binds": lambda one: one.highest[1],
-    "lowest": lambda one: one.lowest[0],
-    "binds_low": lambda one: one.lowest[1],
-    "t_hold": lambda one: one.holding_torque,
-    "reducer_held": lambda one: one.reducer_held,
-} | {f"pair_{name}": lambda one, name=name: one.motors_used[name] + one.reducers_used[name] for name in WEIGHED}
+    "rate": lambda study: study.rates.each,
+    "jtot": lambda study: shown(study.at_motor, KG_CM2),
+    "inertias": lambda study: study.inertias,
+    "tmax": lambda study: study.extremes.torque,
+    "tmin": lambda study: study.extremes.torque_low,
+    "rms": lambda study: study.rms,
+    "speed": lambda study: study.speed,
+    "mean": lambda study: study.mean,
+    "continuous": lambda study: study.continuous,
+    "res_rms": lambda study: shares_of(study.continuous * study.limits.rms_reserve, study.rms),
+    "res_peak": lambda study: shares_of(
+        study.motors_used["peak_torque"] * study.limits.peak_reserve, study.extremes.peak
+    ),
+    "res_speed": lambda study: shares_of(study.motors_used["max_speed"] * study.limits.speed_reserve, study.speed),
+    "smax": lambda study: study.behind(0),
+    "smean": lambda study: study.behind(1),
+    "energy": lambda study: study.works.driving,
+    "returned": lambda study: study.works.regenerated,
+    "power": lambda study: shown(study.works.net / study.time, KW),
+    "pmax": lambda study: shown(np.maximum(0.0, study.extremes.power), KW),
+    "pmin": lambda study: shown(np.minimum(0.0, study.extremes.power_low), KW),
+    "highest": lambda study: study.highest[0],
+    "binds": lambda study: study.highest[1],
+    "lowest": lambda study: study.lowest[0],
+    "binds_low": lambda study: study.lowest[1],
+    "t_hold": lambda study: study.holding_torque,
+    "reducer_held": lambda study: study.reducer_held,
+} | {f"pair_{name}": lambda study, name=name: study.motors_used[name] + study.reducers_used[name] for name in WEIGHED}
 
 SLOW = ("highest", "binds", "lowest", "binds_low", "t_hold")
 """results for which the points of each design are worked out"""

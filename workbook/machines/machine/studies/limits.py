@@ -34,7 +34,7 @@ def within(limit: Callable[[DriveStudy], tuple[Any, Any]], study: DriveStudy) ->
 
 
 def below_curve(study: DriveStudy) -> Any:
-    """Return whether torques stay below the motor's curve; below one that the book does not know they do not."""
+    """Return whether torques stay below the motor's curve; they do not where the book does not know the curve."""
     return (study.motors_used["fall"] == 0.0) | (study.products.knows_falling & (study.extremes.spare >= 0.0))
 
 
@@ -53,8 +53,8 @@ def judged_exactly(study: DriveStudy) -> Computations:
         uses.append(1.0 - study.extremes.spare / study.motors_used["peak_torque"])
         near = np.maximum.reduce(np.broadcast_arrays(*uses, study.rates.places)[:-1]) >= ASKED
         some = {study.designs[k] for k in np.flatnonzero(near).tolist()}
-        found = {design: {limit.check: limit.ok for limit in limits_of(study.view(*design))} for design in some}
-        return [found.get(design, {}) for design in study.designs]
+        by_design = {design: {limit.check: limit.ok for limit in limits_of(study.view(*design))} for design in some}
+        return [by_design.get(design, {}) for design in study.designs]
 
     def judge(check: str) -> Any:
         return ok_texts(np.array([verdicts.get(check, True) for verdicts in limits()]))
@@ -63,7 +63,7 @@ def judged_exactly(study: DriveStudy) -> Computations:
 
 
 def at_machine_rate(study: DriveStudy, rates: Any, judge: Callable[[DriveView, float], bool]) -> Any:
-    """Return what is judged of the drive of each design at the machine's rate (cycles/min)."""
+    """Return the judgement of the drive of each design at the machine's rate (cycles/min)."""
     places, each = np.broadcast_arrays(np.arange(len(study.designs)), rates)
     views = [study.views[study.designs[k]] for k in places.tolist()]
     return np.array([judge(*both) for both in zip(views, each.tolist(), strict=True)])

@@ -35,8 +35,8 @@ GROWTH = {"v": ("y1_max", 1), "a": ("y2_max", 2), "j": ("y3_max", 3), "rms": ("y
 
 def part(key: str) -> str:
     """Return motor or reducer of an axis, or the rate, to which the entry at a key belongs; empty for all others."""
-    found = SCALES.fullmatch(key)
-    return (found[1] or found[2]) if found else ""
+    match = SCALES.fullmatch(key)
+    return (match[1] or match[2]) if match else ""
 
 
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
@@ -44,45 +44,45 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     whole, rows = MachineView(machine, laws(machine.laws)), cache(partial(axes_of, machine))
     rate = columns.get("master.rate", Column([machine.per_minute], FIXED.places))
     faster = np.asarray(rate.each) / machine.per_minute
-    found: Computations = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
-    found |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
+    computations: Computations = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
+    computations |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
     checks: Computations = {}
-    for law in [one for one in named_laws(machine.laws) if one.page.has_sheet]:
-        found |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
+    for law in [named_law for named_law in named_laws(machine.laws) if named_law.page.has_sheet]:
+        computations |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
         verdicts = law.page.verdicts(law, machine.sizes)
         checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts if not q.rule}
     drives = []
     for axis in whole.axes:
-        of_one, checks_of_one = of_axis(axis, faster)
-        found, checks = found | of_one, checks | checks_of_one
+        axis_results, axis_checks = of_axis(axis, faster)
+        computations, checks = computations | axis_results, checks | axis_checks
         for stop in stops_of(axis):
             checks[f"{stop.name}_kept"] = partial(lambda stop: ok_texts(limit_of_stop(stop).ok), stop)
         if machine.laws.of("LIN") and (ends := rows()[axis.number - 1].ends):
             checks |= {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")}
         if axis.given.mechanism and axis.given.motor:
             drives.append(DriveStudy(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
-            found |= each_drive.results(drives[-1])
+            computations |= each_drive.results(drives[-1])
             checks |= limits.checks(drives[-1])
     for k, given in enumerate(machine.clearances, 1):
         apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
-        found[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
-        found[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
+        computations[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
+        computations[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
         checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(limit_of_gap(apart()).ok), apart)
-    found |= of_drives(machine, drives) if drives else {}
+    computations |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
-    judged = [limits.judged_exactly(one) for one in drives]
-    exact = {name: judge for one in judged for name, judge in one.items()}
+    judged = [limits.judged_exactly(drive) for drive in drives]
+    exact = {name: judge for judgements in judged for name, judge in judgements.items()}
     if drives:
-        held = [partial(limits.hold_machine_rate, one, rate.each) for one in drives]
+        held = [partial(limits.hold_machine_rate, drive, rate.each) for drive in drives]
         exactly = [
-            partial(limits.hold_machine_rate_exactly, one, rate.each, by)
-            for one, by in zip(drives, judged, strict=True)
+            partial(limits.hold_machine_rate_exactly, drive, rate.each, by)
+            for drive, by in zip(drives, judged, strict=True)
         ]
-        (slow if any(one.axis.given.rate for one in drives) else checks)[RATE_CHECK] = partial(all_hold, held)
+        (slow if any(drive.axis.given.rate for drive in drives) else checks)[RATE_CHECK] = partial(all_hold, held)
         exact[RATE_CHECK] = partial(all_hold, exactly)
-    each = {f"drive{one.axis.number}_{name}" for one in drives for name in each_drive.SLOW}
+    each = {f"drive{drive.axis.number}_{name}" for drive in drives for name in each_drive.SLOW}
     every = ("about_highest", "about_binds") if drives else ()
-    return Results(found | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
+    return Results(computations | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
 
 
 def all_hold(judged: Sequence[Callable[[], Any]]) -> Any:
@@ -100,13 +100,15 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
     def of_whole(figure: str, power: int) -> Any:
         return getattr(axis, figure) * faster**power
 
-    found: Computations = {f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit)}
+    computations: Computations = {f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit)}
     for name, (figure, power) in GROWTH.items():
-        found |= {f"axis{i}.{name}.{k + 1}": partial(of_move, k, figure, power) for k in range(len(axis.given.phases))}
+        computations |= {
+            f"axis{i}.{name}.{k + 1}": partial(of_move, k, figure, power) for k in range(len(axis.given.phases))
+        }
     for table in ("axes", "axes_short"):
-        found[f"{table}.v.{i}"] = partial(of_whole, "max_velocity", 1)
-        found[f"{table}.a.{i}"] = partial(of_whole, "max_acceleration", 2)
-    return found, {
+        computations[f"{table}.v.{i}"] = partial(of_whole, "max_velocity", 1)
+        computations[f"{table}.a.{i}"] = partial(of_whole, "max_acceleration", 2)
+    return computations, {
         f"axis{i}_position": lambda: ok_texts(axis.motion.complete),
         f"axis{i}_smooth": lambda: ok_texts(not shortfalls(axis.motion, given.smoothness, given.repeats)),
         f"axis{i}_closes": lambda: ok_texts(axis.closes),
@@ -116,40 +118,41 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
 def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
     """Return the check of the choice for the axis that the sheet Selection looks at."""
 
-    def chosen(one: DriveStudy) -> Any:
+    def chosen(drive_study: DriveStudy) -> Any:
         """Return whether the catalogue has a pair for the axis that the sheet Selection looks at."""
-        each = (PairSelection(machine.selection, machine.sizes, [shaft_of(base)]) for base in one.bases)
-        return ok_texts(np.array([choice.proposed is not None for choice in each])[one.rates.places])
+        each = (PairSelection(machine.selection, machine.sizes, [shaft_of(base)]) for base in drive_study.bases)
+        return ok_texts(np.array([choice.proposed is not None for choice in each])[drive_study.rates.places])
 
     axis = machine.selection.axis
-    named = [one for one in drives if axis and place_of(axis, [one.axis.given.name]) == 0]
+    named = [drive for drive in drives if axis and place_of(axis, [drive.axis.given.name]) == 0]
     return {"sel_ok": partial(chosen, named[0])} if named else {}
 
 
 def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
     """Return the results of all drives together."""
-    whole = cache(lambda: total_bus_power([one.mains for one in drives]))
+    whole = cache(lambda: total_bus_power([drive.mains for drive in drives]))
 
     def binding() -> Any:
-        rates = np.array(np.broadcast_arrays(*(one.highest[0] for one in drives)))
+        rates = np.array(np.broadcast_arrays(*(drive.highest[0] for drive in drives)))
         words = [
-            np.array([f"{one.axis.given.name}: {limit}" for limit in one.highest[1]], dtype=object) for one in drives
+            np.array([f"{drive.axis.given.name}: {limit}" for limit in drive.highest[1]], dtype=object)
+            for drive in drives
         ]
         return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
-    found: Computations = {
+    computations: Computations = {
         "power_mains": lambda: shown(whole().mains, KW),
         "power_resistors": lambda: shown(whole().resistor, KW),
         "power_least": lambda: shown(whole().least, KW),
-        "about_highest": lambda: np.min(np.broadcast_arrays(*(one.highest[0] for one in drives)), axis=0),
+        "about_highest": lambda: np.min(np.broadcast_arrays(*(drive.highest[0] for drive in drives)), axis=0),
         "about_binds": binding,
     }
     for name in ("power_year", "about_year"):
-        found[name] = lambda: shown(whole().energy_a_year(machine.power.hours), KWH)
-    for k, one in enumerate(drives, 1):
-        found[f"power.mains.{k}"] = partial(lambda one: shown(one.mains.mains, KW), one)
-        found[f"power.resistor.{k}"] = partial(lambda one: shown(one.mains.resistor, KW), one)
-    return found
+        computations[name] = lambda: shown(whole().energy_a_year(machine.power.hours), KWH)
+    for k, drive in enumerate(drives, 1):
+        computations[f"power.mains.{k}"] = partial(lambda drive: shown(drive.mains.mains, KW), drive)
+        computations[f"power.resistor.{k}"] = partial(lambda drive: shown(drive.mains.resistor, KW), drive)
+    return computations
 
 
 SCALING = Scaling(part, results)

@@ -84,12 +84,12 @@ def taken(machine: MachineView) -> list[Quantity]:
 
 
 def compared_rate(machine: MachineView) -> float | None:
-    """Return the rate (cycles/min) at which extremes are shown too, of a machine that has one."""
+    """Return the rate (cycles/min) at which extremes are shown too, if it is entered."""
     return None if machine.over.measured else machine.given.master.compare_rate
 
 
 def rate_to_compare(machine: MachineView) -> list[Quantity]:
-    """Return the rows of the rate at which extremes are shown too, if one is entered."""
+    """Return the rows of the rate at which extremes are shown too, if it is entered."""
     cell = CELLS["rate_to_compare"]
     rate = compared_rate(machine)
     return (
@@ -112,7 +112,7 @@ def rate_to_compare(machine: MachineView) -> list[Quantity]:
 
 
 def extremes_compared(machine: MachineView) -> list[Quantity]:
-    """Return the columns of the greatest velocity and acceleration at the rate to compare at, if one is entered."""
+    """Return the columns of the greatest velocity and acceleration at the rate to compare at, if it is entered."""
     cell = CELLS["extremes_compared"]
     rate, axes, symbols = compared_rate(machine), machine.axes, machine.over.symbols
     if rate is None:

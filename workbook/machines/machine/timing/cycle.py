@@ -25,13 +25,13 @@ EARLIER = "([theta]-@late-[p])*@lap"  # the travel of the turns that its phases 
 def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int) -> None:
     """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
     cell = CELLS["cycle_sheet"]
-    over, axis, i, told = machine.over, tables.axis, tables.axis.number, tables.axis.unshifted(machine.samples)
+    over, axis, i, unshifted = machine.over, tables.axis, tables.axis.number, tables.axis.unshifted(machine.samples)
     title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
     unit, lowest, highest = axis.given.unit, f"[axes.low.{i}]", f"[axes.high.{i}]"
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     by_lift = LANE_SHARE / (high - low) if high > low else 0.0
-    lane = floor + by_lift * (shown(axis.motion.at(told.x).y, axis.unit) - low)
+    lane = floor + by_lift * (shown(axis.motion.at(unshifted.x).y, axis.unit) - low)
     with sheet.scoped(f"cycle{i}_"):
         sheet.rows(
             cell("@name", axis.given.name, i=i),
@@ -59,8 +59,8 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
             *results(tables),
             cell("lane", lane, earlier=EARLIER),
             *([theta] if over.measured else []),
-            cell("p", shown(told.x, DEGREE), scale=360.0),
-            *finding(tables.pieces, "p", told.x),
+            cell("p", shown(unshifted.x, DEGREE), scale=360.0),
+            *finding(tables.pieces, "p", unshifted.x),
         )
     sheet.unprinted, sheet.widths = True, {FIRST: 14}
 

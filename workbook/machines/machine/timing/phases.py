@@ -1,4 +1,4 @@
-"""The phases of one axis on the Timing sheet: what is entered, what each movement comes to, and the checks."""
+"""The phases of an axis on the Timing sheet: entries, results of each movement, and checks."""
 
 from collections.abc import Callable
 from typing import Any
@@ -255,15 +255,15 @@ def no_fault(name: str, label: str, texts: str, called: str, rule: str) -> Quant
 
 
 def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
-    """Declare the checks of one axis; each calls it by its number, as it may get another name."""
+    """Declare the checks of an axis; each calls it by its number, as it may get another name."""
     cell = CELLS["axis_checks"]
     axis, t, i = tables.axis, tables.name, tables.axis.number
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", tables.machine.over
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
 
-    def none_in(column: str, rule: str, said: str) -> Quantity:
+    def none_in(column: str, rule: str, condition: str) -> Quantity:
         called = f'[axes.name.{i}]&" row "'
-        return no_fault(f"{t}_{rule}", f"{label}: {said}", f"[{t}.{column}]", called, over.rule("axes", i, rule))
+        return no_fault(f"{t}_{rule}", f"{label}: {condition}", f"[{t}.{column}]", called, over.rule("axes", i, rule))
 
     sheet.checks(
         none_in("backwards", "forward", "every phase runs forward"),

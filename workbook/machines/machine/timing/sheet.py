@@ -1,4 +1,4 @@
-"""The sheet Timing: the axes over one turn of the master shaft, or over a cycle."""
+"""The sheet Timing: the axes over a turn of the master shaft, or over a cycle."""
 
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
@@ -29,19 +29,19 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     limits = limit_cells(machine.given.limits) if driven else ()
     sheet.rows(*pace(machine), *([weight] if machine.given.weighs else []), *limits)
     columns = PHASE_MEASURED if machine.over.measured else PHASE
-    columns += PASSING if any(one.ends is not None for one in axes) else 0
+    columns += PASSING if any(axis.ends is not None for axis in axes) else 0
     draw_diagram(sheet, machine, columns)
     axes_table(sheet, machine, columns)
-    for one in axes:
-        i = one.axis.number
+    for tables in axes:
+        i = tables.axis.number
         sheet.heading(f"Axis {i}")
         sheet.rows(
-            cell("axis{i}_name", one.axis.given.name, i=i),
-            constant(unit_name(i, one.axis.given.unit), "Moves in", "", "", one.axis.given.unit, align="left"),
-            *map(stop_cell, stops_of(one.axis)),
+            cell("axis{i}_name", tables.axis.given.name, i=i),
+            constant(unit_name(i, tables.axis.given.unit), "Moves in", "", "", tables.axis.given.unit, align="left"),
+            *map(stop_cell, stops_of(tables.axis)),
         )
-        phases_table(sheet, one)
-        axis_checks(sheet, one)
+        phases_table(sheet, tables)
+        axis_checks(sheet, tables)
     draw_curves(sheet, machine, columns)
     sheet.not_printed_below()
     sheet.heading("Workings")
@@ -54,7 +54,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
 
 
 def pace(machine: MachineView) -> list[Quantity]:
-    """Return the rows of a machine with a master shaft, or of one without."""
+    """Return the rows of a machine with a master shaft, or without it."""
     over, rate = machine.over, machine.given.per_minute
     if not over.measured:
         return [
@@ -98,7 +98,7 @@ def pace(machine: MachineView) -> list[Quantity]:
 
 
 def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
-    """Place the timing diagram: one lane an axis over the master angle."""
+    """Place the timing diagram: a lane for each axis over the master angle."""
     count, over = len(machine.given.switches), machine.over
     n = len(machine.axes) + count
     lines = [curve(a, over.column, "lane") for a in machine.axes]
@@ -119,7 +119,7 @@ def curve(axis: MovingAxis, x: str, column: str) -> Series:
 
 
 def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
-    """Place charts of position, velocity and acceleration: a row for travelling axes, one for turning; and of jerk."""
+    """Place charts of position, velocity and acceleration, a row for travelling axes, another for turning; of jerk."""
     sheet.heading("Position, velocity and acceleration over the cycle")
     over, moving = machine.over, dict.fromkeys(axis.given.unit for axis in machine.axes)
     for unit in moving:

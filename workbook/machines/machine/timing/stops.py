@@ -32,7 +32,7 @@ class HardStop(NamedTuple):
 
     @property
     def entered(self) -> float | None:
-        """Where it is, if it is entered."""
+        """Its position, None where it is empty."""
         position: float | None = getattr(self.axis.given.stops, self.end)
         return position
 
@@ -43,7 +43,7 @@ class HardStop(NamedTuple):
 
     @property
     def position(self) -> float:
-        """Where it is, infinitely far where none is entered."""
+        """Its position, infinitely far where none is entered."""
         return self.outwards * math.inf if self.entered is None else self.entered
 
     @property
@@ -64,7 +64,7 @@ class HardStop(NamedTuple):
 
     @property
     def reached(self) -> float:
-        """How far towards it the axis goes, as the sheet has it."""
+        """The extreme position of the axis towards it, as the sheet has it."""
         return self.reached_by(self.axis.motion)
 
     @property
