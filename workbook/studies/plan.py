@@ -99,7 +99,9 @@ class Plan:
             sentences = (fault.message if isinstance(fault, Fault) else str(fault["msg"]) for fault in error.faults)
             return Impossible("; ".join(line.removeprefix("Value error, ") for line in sentences))
         if machine is None:  # a rule's sentence, or the entry and its limits
-            sentences = (fault.message if fault.rule else f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults)
+            sentences = (
+                fault.message if fault.rule else f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults
+            )
             return "; ".join(dict.fromkeys(sentences))
         return machine
 
