@@ -220,8 +220,8 @@ def declared_place(block: Block) -> Place:
 
 
 def cell_index(places: dict[str, Place], header: Callable[[str], int]) -> dict[Address, Index]:
-    """Return the place of every cell of the blocks, and of the headers ``header`` rows above, which are row −1."""
+    """Return the place of every cell of the blocks, and of tables' headers ``header`` rows above, which are row −1."""
     columns = [(name, place, j) for name, place in places.items() for j in range(place.columns)]
-    up = {name: header(name) for name in places}
-    cells = {place.cell(-up[name], j): (name, -1, j) for name, place, j in columns}
+    up = {name: header(name) for name, place in places.items() if place.rows > 1 or place.columns > 1}
+    cells = {place.cell(-up[name], j): (name, -1, j) for name, place, j in columns if name in up}
     return cells | {at: (name, i, j) for name, place, j in columns for i, at in enumerate(place.down(j))}
