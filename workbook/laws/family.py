@@ -240,8 +240,8 @@ BRIEF = LawCheck(
 def too_brief(durations: Sequence[float], entry: str, fits: Any) -> Iterator[DesignError]:
     """Yield the fault of a stage that is shorter than the least that cells work out exactly, but not left out."""
     if any(BREAK_TOLERANCE < d < LEAST_STAGE for d in durations):
-        problem = f"a stage lasts less than {figure(LEAST_STAGE)} of the rise; expected that, or none"
-        yield DesignError(entry, problem, "brief", fits)
+        text = f"a stage lasts less than {figure(LEAST_STAGE)} of the rise; expected that, or none"
+        yield DesignError(entry, text, "brief", fits)
 
 
 class Staged(LawSheet):

@@ -67,26 +67,26 @@ def points_table(sheet: Sheet, at: Points, first: int, stack: Pieces) -> None:
 def missing(sheet: Sheet, law: Law, n: int) -> None:
     """Declare by how much the law misses its rise and rest, and the entries scaled so that it does not."""
     pieces = filled(law.as_pieces(), n, engine.Piece(0.0))
-    cell, scaled_groups, off = CELLS["missing"], groups(pieces), misses(pieces)
-    up, down = scaled_groups.factors
+    cell, grouped, off = CELLS["missing"], groups(pieces), misses(pieces)
+    up, down = grouped.factors
     sheet.row += 1
     sheet.heading("By how much it misses", "And its entries scaled so that it reaches 1 at rest.")
     sheet.rows(
         cell("@miss_s", off.s),
         cell("@miss_v", off.v),
-        cell("@mends", "yes" if scaled_groups.mends else "no: it should speed up, then slow down"),
+        cell("@mends", "yes" if grouped.mends else "no: it should speed up, then slow down"),
         cell("@up", up),
         cell("@down", down),
-        *sums(scaled_groups),
+        *sums(grouped),
     )
     title = "The entries scaled: durations, frequencies and phases stay"
-    sheet.table("@mend", title, n, *mended(pieces, scaled_groups), blank='INDEX([@pieces.d],[k])=""')
+    sheet.table("@mend", title, n, *mended(pieces, grouped), blank='INDEX([@pieces.d],[k])=""')
 
 
-def mended(pieces: Sequence[engine.Piece], scaled_groups: Groups) -> list[Quantity]:
+def mended(pieces: Sequence[engine.Piece], grouped: Groups) -> list[Quantity]:
     """Return the columns of the entries scaled by the factor of each piece's group, and of what a piece adds."""
-    cell, (up, down) = CELLS["mend"], scaled_groups.factors
-    factors = [down if slow else up for slow in scaled_groups.slows]
+    cell, (up, down) = CELLS["mend"], grouped.factors
+    factors = [down if slow else up for slow in grouped.slows]
 
     def scaled(name: str, values: Sequence[float]) -> Quantity:
         return cell(name, [factor * value for factor, value in zip(factors, values, strict=True)])
@@ -96,24 +96,24 @@ def mended(pieces: Sequence[engine.Piece], scaled_groups: Groups) -> list[Quanti
         *(scaled(f"c{i}", [piece.c[i] for piece in pieces]) for i in range(4)),
         scaled("P", [piece.amplitude for piece in pieces]),
         cell("factor", factors),
-        cell("gain_v", [v for _, v in scaled_groups.gained]),
-        cell("gain_s", [s for s, _ in scaled_groups.gained]),
+        cell("gain_v", [v for _, v in grouped.gained]),
+        cell("gain_s", [s for s, _ in grouped.gained]),
         cell("d", [piece.duration for piece in pieces]),
-        cell("size", scaled_groups.sizes),
-        cell("slow", [float(slow) for slow in scaled_groups.slows]),
+        cell("size", grouped.sizes),
+        cell("slow", [float(slow) for slow in grouped.slows]),
     ]
 
 
-def sums(scaled_groups: Groups) -> list[Quantity]:
+def sums(grouped: Groups) -> list[Quantity]:
     """Return the rows of the sums over the pieces of each group, and the limits below which they count as none."""
     cell = CELLS["sums"]
     return [
-        cell("@least", scaled_groups.least),
+        cell("@least", grouped.least),
         cell("@alike", ALIKE),
-        cell("@s_up", scaled_groups.s1),
-        cell("@v_up", scaled_groups.v1),
-        cell("@s_down", scaled_groups.s2),
-        cell("@v_down", scaled_groups.v2),
-        cell("@under", scaled_groups.under),
-        cell("@least_under", scaled_groups.least_under),
+        cell("@s_up", grouped.s1),
+        cell("@v_up", grouped.v1),
+        cell("@s_down", grouped.s2),
+        cell("@v_down", grouped.v2),
+        cell("@under", grouped.under),
+        cell("@least_under", grouped.least_under),
     ]

@@ -52,7 +52,7 @@ class Cells:
     degrees: bool = False  # whether begins and samples are in degrees, and the motion per radian
     near: str = ""  # what says how near to a begin counts as on it, in degrees
     drifts: bool = False  # whether phases have a column ``drift``, a velocity that is added
-    opens: bool = False  # whether they have a column of where they begin, if in the middle of a piece
+    opens: bool = False  # whether they have a column of their begin within a piece
     ends: str = ""  # the table of what phases take from their neighbours, in books that have it
 
     def of_phase(self, column: str) -> str:

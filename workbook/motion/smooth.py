@@ -165,12 +165,12 @@ class Joints:
 
     def _first(self) -> list[Quantity]:
         """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
-        required, order, sentence_parts = self.required, self.required.order, self._sentence_parts()
+        required, order, words = self.required, self.required.order, self._words()
         at, asked, named = self.rows.at, self.rows.at.required, bool(self.required.names)
         cell = sharing(CELLS["first"], order=order, joints=self.name, phases=at.phases, asked=asked)
 
         def row(name: str, **parts: str) -> Quantity:
-            return cell(name, sentence_parts[name.removeprefix("{order}_")], **parts)
+            return cell(name, words[name.removeprefix("{order}_")], **parts)
 
         def of_piece(column: str) -> str:
             return f"INDEX([{column}],{order}_piece)"
@@ -209,11 +209,11 @@ class Joints:
         """Return the check that the motion is as smooth as asked; it names joint, jump and phase."""
         required = self.required
         head = f'{required.of[0]}&" "&' if required.of[0] else ""
-        sentence = f"{required.of[1]} {self._sentence_parts()['says']}".lstrip() if self._worst else ""
+        sentence = f"{required.of[1]} {self._words()['says']}".lstrip() if self._worst else ""
         says, ok = CheckSentence(f"{head}{required.order}_says", sentence), not self._worst
         return CELLS["check"]("{name}", ok, name=name, label=label, order=required.order, source=ABOUT, says=says)
 
-    def _sentence_parts(self) -> dict[str, Any]:
+    def _words(self) -> dict[str, Any]:
         """Return the values of the cells on the first joint that is less smooth than required, by name."""
         required = self.required
         if not self._worst:
@@ -250,7 +250,5 @@ class Joints:
             return ()
         used = sorted({piece_row.phase for piece_row in self.rows.pieces})
         slopes = [slope(self.phases[used.index(row)]) for row in (joint.before, piece.phase)]
-        straight = tuple(
-            jump_values(self.required, 0.0, phase_slope, 1)[1] for phase_slope in slopes if phase_slope is not None
-        )
+        straight = tuple(jump_values(self.required, 0.0, rate, 1)[1] for rate in slopes if rate is not None)
         return straight if len(straight) > 1 else ()

@@ -28,9 +28,9 @@ WEAK = 4  # the variation whose motors can do nothing
 def vary_selection(data: dict[str, Any], k: int, sizes: dict[str, Any]) -> None:
     """Put other catalogues and choices into a description's selection; ``sizes`` has the numbers of rows."""
     data |= CHOICES[k]
-    for entry, make_product, few in (("motor", motor, 4 + k % 5), ("reducer", reducer, 4 + (k + 1) % 5)):
+    for entry, make, few in (("motor", motor, 4 + k % 5), ("reducer", reducer, 4 + (k + 1) % 5)):
         room = sizes[f"{entry}s"]
-        rows = [make_product(i, k) for i in range(room if k == 0 else min(room, few))]
+        rows = [make(i, k) for i in range(room if k == 0 else min(room, few))]
         data |= {f"{entry}s": rows, entry: rows[(2 * k + 1) % len(rows)]["name"] if k % 4 == 1 else None}
 
 

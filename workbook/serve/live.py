@@ -42,7 +42,7 @@ class Edge(NamedTuple):
 
     axis: str
     value: float  # as entered
-    places: list[tuple[int, int]]  # of its numbers in the text, or the place for an entry that is missing
+    places: list[tuple[int, int]]  # of its numbers in the text, or where they would stand
     lane: bool = False
     before: str = ""  # what is to be written before its number
 
@@ -66,12 +66,12 @@ def edges(text: str, machine: Any) -> Iterator[Edge]:
             yield Edge(axis.name, 0.0, [(name.end(), name.end())], lane=True, before="\nshift = ")
         lists = (match.span() for match in PHASES.finditer(text, head[0], end))
         numbers = (match for place in lists for match in ENTRY.finditer(text, *place))
-        entered_numbers = [(float(number[1]), number.span(1)) for number in numbers
+        typed = [(float(number[1]), number.span(1)) for number in numbers
                  if "#" not in text[text.rfind("\n", 0, number.start()) + 1 : number.start()]]  # fmt: skip
         entered = [value for phase in axis.phases for value in (phase.start, phase.stop)]
-        if [value for value, _ in entered_numbers] == entered:
+        if [value for value, _ in typed] == entered:
             for value in dict.fromkeys(entered):
-                yield Edge(axis.name, value, [place for entry, place in entered_numbers if entry == value])
+                yield Edge(axis.name, value, [place for entry, place in typed if entry == value])
 
 
 def handles(lines: list[Line], edges: Iterable[Edge], shifts: dict[str, float]) -> Iterator[Handle]:
@@ -101,7 +101,7 @@ class ShownDesign(Design):
         charts, seen = [], set[tuple[Series, ...]]()
         for sheet in self.book.sheets:
             for chart, *_ in sheet.charts:
-                drawn = [drawn_line for series in chart.series if (drawn_line := line(self.book, chart, series)).x.size]
+                drawn = [curve for series in chart.series if (curve := line(self.book, chart, series)).x.size]
                 if drawn and chart.series not in seen:
                     charts.append(((sheet.title, chart.title), (chart, drawn)))
                 seen.add(chart.series)

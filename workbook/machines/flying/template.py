@@ -66,8 +66,8 @@ def declare(given: FlyingCutter) -> Book:
         book,
         given,
         [
-            Exportable(name, f'="{name}"', rows, ("s", y, f"{y}/s", f"{y}/s²"), (1.0, y_unit), times, cut.size)
-            for name, y, y_unit, times in (
+            Exportable(name, f'="{name}"', rows, ("s", y, f"{y}/s", f"{y}/s²"), (1.0, unit), times, cut.size)
+            for name, y, unit, times in (
                 ("tool", "mm", shown(1.0, MM), "*1000"),
                 ("shaft", "°", shaft, "*1000/fly_r*180/PI()"),
             )

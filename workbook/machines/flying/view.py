@@ -126,9 +126,7 @@ class ToolDrive:
         self.pair = m, place_of(chosen.reducer, reducers.names) if chosen.reducer else r  # in use, by places from 0
         self.gears = self.proposal.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
-        falling = TorqueFall(
-            *(float(figures[self.pair[0]]) for figures in (motors.knee, motors.fall / reserves.peak_reserve))
-        )
+        falling = TorqueFall(*(float(row[self.pair[0]]) for row in (motors.knee, motors.fall / reserves.peak_reserve)))
         inertia, rated, peak, fastest, stall, to = (float(figures[self.pair[0]]) for figures in of)
         self.motor = Motor(inertia, rated / reserves.rms_reserve, peak / reserves.peak_reserve,
                            fastest / reserves.speed_reserve,

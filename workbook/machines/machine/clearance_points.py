@@ -37,12 +37,12 @@ def gap_workings(sheet: Sheet, gap: ClearanceView) -> None:
 def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
     """Return the columns of both axes at angles of the column theta: cycles begun, piece, u, position; and the gap."""
     cell = CELLS["at_angles"]
-    columns, n = [], gap.number
+    cells, n = [], gap.number
     for rows, mark, of, y in zip(gap.rows, MARKS, OF, gap.positions(angles), strict=True):
         axis, unshifted = rows.axis, rows.axis.unshifted(si(angles, DEGREE))
         late, place = f"[axes_taken.late.{axis.number}]", sampled(rows.pieces, 0, mark)
         own = f"({place})*1000" if axis.given.unit == "mm" else f"DEGREES({place})"
-        columns += [
+        cells += [
             cell("n{mark}", unshifted.cycles, mark=mark, of=of, late=late),
             cell("p{mark}", shown(unshifted.x, DEGREE), mark=mark, of=of, late=late, scale=TURN),
             *finding(rows.pieces, f"p{mark}", unshifted.x, of, mark),
@@ -51,11 +51,11 @@ def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
     first = "[ya]"
     if gap.table:
         y, first = gap.positions(angles)[0], "[free]"
-        columns += [
+        cells += [
             cell("line", gap.table.row(y) + 1.0, n=n),
             cell("free", gap.table.position(y), unit=gap.unit, n=n, scale=gap.size),
         ]
-    return [*columns, cell("gap", gap.gaps(angles), unit=gap.unit, n=n, first=first, scale=gap.size)]
+    return [*cells, cell("gap", gap.gaps(angles), unit=gap.unit, n=n, first=first, scale=gap.size)]
 
 
 def least(sheet: Sheet, gap: ClearanceView) -> None:
@@ -110,14 +110,14 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
 def cuts(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare where the pieces of both axes begin, and further parts of them, from 0 to 360°."""
     cell = CELLS["cuts"]
-    columns, room = [], gap.rows[0].machine.room
+    cells, room = [], gap.rows[0].machine.room
     names = PARTS_OF[gap.parts]
     for end, (rows, mark, of) in enumerate(zip(gap.rows, MARKS, OF, strict=True)):
         i = rows.axis.number
         places = [f"INDEX([axis{i}_pieces.begin],[r])+[axes_taken.late.{i}]"]
         span = f"DEGREES(INDEX([axis{i}_pieces.d],[r])"
         places += [f"[begin{mark}]+{span}*{k}/{gap.parts})" for k in range(1, gap.parts)]
-        columns += [
+        cells += [
             cell("{name}{mark}", values, name=name, mark=mark, of=of, words=words, place=place, scale=TURN)
             for (name, words), place, values in zip(names, places, gap.cuts(end), strict=True)
         ]
@@ -126,5 +126,5 @@ def cuts(sheet: Sheet, gap: ClearanceView) -> None:
         "The pieces of both axes over the turn",
         room,
         cell("r", list(range(1, room + 1))),
-        *columns,
+        *cells,
     )

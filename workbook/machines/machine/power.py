@@ -177,9 +177,9 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
             [drive.energy.regenerated for drive in drives],
             formula=[f"={scope}returned+0" for scope in scopes],
         ),
-        cell("mains", [kw(powers_of_drive.mains) for powers_of_drive in each]),
+        cell("mains", [kw(power.mains) for power in each]),
         cell("peak", kw(bus.mains).tolist(), formula=[f"={scope}pmax/power_eta" for scope in scopes]),
-        cell("resistor", [kw(powers_of_drive.resistor) for powers_of_drive in each]),
+        cell("resistor", [kw(power.resistor) for power in each]),
         cell("burnt", kw(bus.resistor).tolist(), formula=[f"=0-{scope}pmin*power_eta" for scope in scopes]),
         cell("bus", bus.on_bus.astype(int).tolist(), formula=[f'=IF({scope}own_rate="",1,0)' for scope in scopes]),
         cell("proves", kw(bus.proves).tolist(), burnt=burnt),
@@ -198,7 +198,7 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
         ),
         cell(
             "year",
-            [shown(powers_of_drive.energy_a_year(bus.entered.hours), KWH) for powers_of_drive in each],
+            [shown(power.energy_a_year(bus.entered.hours), KWH) for power in each],
             format=YEAR,
         ),
     )

@@ -55,11 +55,11 @@ def declare(given: AnyMachine) -> Book:
     drives = {row.axis.number: view for row in rows if (view := drive_of(row))}
     bus = Mains(list(drives.values()), given.power) if drives else None
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
-    rows_of_pace = pace(machine)
+    results = pace(machine)
     if bus:
         rates = whole_range(drives.values())
-        rows_of_pace += [*range_of_rates(rates, len(rows), machine.over), *supply(bus)]
-    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", rows_of_pace)
+        results += [*range_of_rates(rates, len(rows), machine.over), *supply(bus)]
+    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", results)
     if bus:
         sheet.checks(rate_check(rates.rates, given.per_minute))
     axes_summary(sheet, machine, drives)
@@ -120,10 +120,10 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
     """Declare the law of all movements of an axis, and whether the checks of its phases and its drive hold."""
     cell = CELLS["judge_axes"]
     block = book.blocks["axes_short"]
-    names_of_laws, checks = [], []
+    texts, checks = [], []
     for axis in axes:
         moving = {names.index(phase.law) for phase in axis.given.phases} - {DWELL - 1}
-        names_of_laws.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
+        texts.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
         own = (f"axis{axis.number}_", f"drive{axis.number}_")
         checks.append([k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)])
     block.sheet.workings(
@@ -131,7 +131,7 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
         "axes_judged",
         "",
         max(block.columns.values()) + 1,
-        cell("law", names_of_laws, formula=[LAW.format(axis.number) for axis in axes]),
+        cell("law", texts, formula=[LAW.format(axis.number) for axis in axes]),
         group_verdict_column(book, "axes_judged", "its checks", checks),
     )
 
@@ -141,30 +141,28 @@ def axes(machine: AnyMachine) -> list[CamAxis]:
     cam_axes = []
     for axis in MachineView(machine, laws(machine.laws)).axes:
         given, repeats = axis.given, axis.given.repeats and axis.closes
-        cam_axis = CamAxis(given.name, profile(axis, shown(1.0, axis.unit)), machine.over.unit, given.unit, repeats)
-        cam_axes.append(replace(cam_axis, shaft=partial(shaft, axis, machine, cam_axis)) if given.motor else cam_axis)
+        cam = CamAxis(given.name, profile(axis, shown(1.0, axis.unit)), machine.over.unit, given.unit, repeats)
+        cam_axes.append(replace(cam, shaft=partial(shaft, axis, machine, cam)) if given.motor else cam)
     return cam_axes
 
 
-def profile(moving_axis: MovingAxis, y: float) -> CamProfile:
+def profile(axis: MovingAxis, y: float) -> CamProfile:
     """Return the motion of an axis, ``y`` of its units (m, rad) as a unit, as late as it is entered."""
-    unshifted = profile_of_motion(moving_axis.motion).in_units(moving_axis.over.shown(shown(1.0, DEGREE)), y)
-    return unshifted.shifted(moving_axis.typed.shift, moving_axis.motion.lifts_sum * y)
+    unshifted = profile_of_motion(axis.motion).in_units(axis.over.shown(shown(1.0, DEGREE)), y)
+    return unshifted.shifted(axis.typed.shift, axis.motion.lifts_sum * y)
 
 
-def shaft(moving_axis: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
+def shaft(axis: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
     """Return the angle of the motor's shaft of an axis, in degrees: before the reducer, and where its load is at 0, 0.
 
     Behind a mechanism whose ratio depends on the position, 0 is where that counts its angle from. Raises ValueError
     where the mechanism cannot bring its load to a position.
     """
-    driven = Driven(moving_axis, machine)
+    driven = Driven(axis, machine)
     if driven.linkage is None:
-        return replace(load, profile=profile(moving_axis, shown(driven.mechanism.ratio, DEGREE)), y_unit="°")
+        return replace(load, profile=profile(axis, shown(driven.mechanism.ratio, DEGREE)), y_unit="°")
     linkage, degrees = driven.linkage, shown(driven.reducer.ratio, DEGREE)
-    angle = composed(
-        profile(moving_axis, 1.0), lambda y: FunctionValues(*(degrees * each for each in linkage.shaft(y)))
-    )
+    angle = composed(profile(axis, 1.0), lambda y: FunctionValues(*(degrees * each for each in linkage.shaft(y))))
     return replace(load, profile=angle, y_unit="°")
 
 

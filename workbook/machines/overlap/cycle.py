@@ -121,8 +121,8 @@ def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
             moved = transfer_pieces(sheet, machine, pieces)
         with sheet.scoped(station.scope):
             joints = tool_pieces(sheet, station, pieces)
-            motions_of_tools = [*OF_TOOL.values(), *([TRANSFER] if i == 1 else [])]
-            most, room = f"MAX({','.join(at.count for at in motions_of_tools)})", "MAX([@a_pieces.r])"
+            tables = [*OF_TOOL.values(), *([TRANSFER] if i == 1 else [])]
+            most, room = f"MAX({','.join(at.count for at in tables)})", "MAX([@a_pieces.r])"
             label = f"{whose}{'the' if whose else 'The'} tables of pieces have room for all"
             says = f'{most}&" pieces, and room for "&{room}'
             sheet.checks(

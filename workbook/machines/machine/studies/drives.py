@@ -236,10 +236,10 @@ def cycles(rate: Column) -> Any:
 
 def figures(column: Column, used: Any, products: Any = ()) -> dict[str, Array]:
     """Return the figures of products in use in each design, and what those of the catalogue weigh and cost."""
-    figures_by_name = {name: [getattr(product, name) for product in used] for name in used[0]._fields}
-    for name in WEIGHED if "row" in figures_by_name else ():
-        figures_by_name[name] = [getattr([None, *products][product.row], name, None) for product in used]
-    return {name: np.array(values, dtype=np.float64)[column.places] for name, values in figures_by_name.items()}
+    numbers = {name: [getattr(product, name) for product in used] for name in used[0]._fields}
+    for name in WEIGHED if "row" in numbers else ():
+        numbers[name] = [getattr([None, *products][product.row], name, None) for product in used]
+    return {name: np.array(values, dtype=np.float64)[column.places] for name, values in numbers.items()}
 
 
 def varied(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:

@@ -44,31 +44,31 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     whole, rows = MachineView(machine, laws(machine.laws)), cache(partial(axes_of, machine))
     rate = columns.get("master.rate", Column([machine.per_minute], FIXED.places))
     faster = np.asarray(rate.each) / machine.per_minute
-    computations: Computations = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
-    computations |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
+    figures: Computations = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
+    figures |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
     checks: Computations = {}
     for law in [named_law for named_law in named_laws(machine.laws) if named_law.page.has_sheet]:
-        computations |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
+        figures |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
         verdicts = law.page.verdicts(law, machine.sizes)
         checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts if not q.rule}
     drives = []
     for axis in whole.axes:
         axis_results, axis_checks = of_axis(axis, faster)
-        computations, checks = computations | axis_results, checks | axis_checks
+        figures, checks = figures | axis_results, checks | axis_checks
         for stop in stops_of(axis):
             checks[f"{stop.name}_kept"] = partial(lambda stop: ok_texts(limit_of_stop(stop).ok), stop)
         if machine.laws.of("LIN") and (ends := rows()[axis.number - 1].ends):
             checks |= {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")}
         if axis.given.mechanism and axis.given.motor:
             drives.append(DriveStudy(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
-            computations |= each_drive.results(drives[-1])
+            figures |= each_drive.results(drives[-1])
             checks |= limits.checks(drives[-1])
     for k, given in enumerate(machine.clearances, 1):
         apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
-        computations[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
-        computations[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
+        figures[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
+        figures[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
         checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(limit_of_gap(apart()).ok), apart)
-    computations |= of_drives(machine, drives) if drives else {}
+    figures |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
     judged = [limits.judged_exactly(drive) for drive in drives]
     exact = {name: judge for judgements in judged for name, judge in judgements.items()}
@@ -82,7 +82,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         exact[RATE_CHECK] = partial(all_hold, exactly)
     each = {f"drive{drive.axis.number}_{name}" for drive in drives for name in each_drive.SLOW}
     every = ("about_highest", "about_binds") if drives else ()
-    return Results(computations | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
+    return Results(figures | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
 
 
 def all_hold(judged: Sequence[Callable[[], Any]]) -> Any:
@@ -100,15 +100,15 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
     def of_whole(figure: str, power: int) -> Any:
         return getattr(axis, figure) * faster**power
 
-    computations: Computations = {f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit)}
+    figures: Computations = {f"axes.travel.{i}": lambda: shown(axis.motion.lifts_sum, axis.unit)}
     for name, (figure, power) in GROWTH.items():
-        computations |= {
+        figures |= {
             f"axis{i}.{name}.{k + 1}": partial(of_move, k, figure, power) for k in range(len(axis.given.phases))
         }
     for table in ("axes", "axes_short"):
-        computations[f"{table}.v.{i}"] = partial(of_whole, "max_velocity", 1)
-        computations[f"{table}.a.{i}"] = partial(of_whole, "max_acceleration", 2)
-    return computations, {
+        figures[f"{table}.v.{i}"] = partial(of_whole, "max_velocity", 1)
+        figures[f"{table}.a.{i}"] = partial(of_whole, "max_acceleration", 2)
+    return figures, {
         f"axis{i}_position": lambda: ok_texts(axis.motion.complete),
         f"axis{i}_smooth": lambda: ok_texts(not shortfalls(axis.motion, given.smoothness, given.repeats)),
         f"axis{i}_closes": lambda: ok_texts(axis.closes),
@@ -140,7 +140,7 @@ def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
         ]
         return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
 
-    computations: Computations = {
+    figures: Computations = {
         "power_mains": lambda: shown(whole().mains, KW),
         "power_resistors": lambda: shown(whole().resistor, KW),
         "power_least": lambda: shown(whole().least, KW),
@@ -148,11 +148,11 @@ def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
         "about_binds": binding,
     }
     for name in ("power_year", "about_year"):
-        computations[name] = lambda: shown(whole().energy_a_year(machine.power.hours), KWH)
+        figures[name] = lambda: shown(whole().energy_a_year(machine.power.hours), KWH)
     for k, drive in enumerate(drives, 1):
-        computations[f"power.mains.{k}"] = partial(lambda drive: shown(drive.mains.mains, KW), drive)
-        computations[f"power.resistor.{k}"] = partial(lambda drive: shown(drive.mains.resistor, KW), drive)
-    return computations
+        figures[f"power.mains.{k}"] = partial(lambda drive: shown(drive.mains.mains, KW), drive)
+        figures[f"power.resistor.{k}"] = partial(lambda drive: shown(drive.mains.resistor, KW), drive)
+    return figures
 
 
 SCALING = Scaling(part, results)
