@@ -56,14 +56,14 @@ def write_book(machine: Machine, path: Path, overwrite: bool = False) -> Book:
 
 
 class BookVerdict(NamedTuple):
-    """What is to be told of a book that is built: a line for each check that fails, and notes."""
+    """The remarks on a book that is built: a line for each check that fails, and notes."""
 
     failing: list[str]
     notes: list[str]
 
 
 def judge_book(machine: Machine, book: Book) -> BookVerdict:
-    """Return what the book of a machine and the exact engine say of it; of an unfinished design only the book does."""
+    """Return the verdict of a machine's book and the exact engine; of an unfinished design that of the book alone."""
     exact = TEMPLATES[machine.template].judge(machine)
     return BookVerdict(failing_checks(book, exact), exact.notes)
 
@@ -121,7 +121,7 @@ def read_description(path: Path, motors: Path | None = None, reducers: Path | No
 
 
 def read_inputs(path: Path) -> tuple[Machine, list[str]]:
-    """Return what an engineer entered into a workbook, and in lines what of it is not carried over."""
+    """Return the entries of an engineer in a workbook, and lines on those that are not carried over."""
     match, machine, notes = read_entered(path)
     return machine, notes + not_carried(match, machine.template)
 

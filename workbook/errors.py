@@ -20,7 +20,7 @@ def visible(text: str, safe: str = "") -> str:
 
 
 def quoted(value: Any) -> str:
-    """Return what was found as an engineer wrote it, in short and in a line."""
+    """Return a value as an engineer wrote it, in short and in a line."""
     if isinstance(value, bool):
         return str(value).upper()
     if isinstance(value, int) and abs(value) >= 10**LONGEST:

@@ -23,7 +23,7 @@ MOST = 1_000_000  # bytes of an entry
 
 
 def load_cached(what: str, sha256: str) -> dict[str, Any] | None:
-    """Return what the cache has of a file; None for nothing, or an entry of another version of the program."""
+    """Return the cached verdict of a file; None for nothing, or an entry of another version of the program."""
     with suppress(OSError, ValueError, RuntimeError):  # the last of a system that knows no home
         path = folder() / f"{sha256}.{what}.json"
         if path.stat().st_size <= MOST:

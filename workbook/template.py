@@ -1,4 +1,4 @@
-"""What a template is, and the parts that every template's book has."""
+"""The class of templates, and the parts that every template's book has."""
 
 from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -55,7 +55,7 @@ class Template(Generic[M]):
         return next((other.model for key, other in self.others.items() if has_key(data, key)), self.model)
 
     def judge(self, machine: M) -> ExactJudgement:
-        """Return what the exact engine says of the book of a machine: nothing of an unfinished design."""
+        """Return the judgement of the exact engine on the book of a machine: nothing of an unfinished design."""
         return NOTHING_JUDGED if machine.design.replaced else self.judgement(machine)
 
     def declare(self, machine: M) -> Book:

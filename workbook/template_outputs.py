@@ -1,4 +1,4 @@
-"""What a template gives besides its book: axes for controllers, results of many designs, limits judged exactly.
+"""The outputs of a template besides its book: axes for controllers, results of many designs, limits judged exactly.
 
 Designs that differ only in entries that scale results (a motor, a reducer) are computed together, without a book: a
 template names these entries, and gives the results by the names in its book.
@@ -123,7 +123,7 @@ class JudgedLimit(NamedTuple):
 
 
 class ExactJudgement(NamedTuple):
-    """What the exact engine says of a book: of its limits, and in a line of each result off by more than stated."""
+    """The exact engine's judgement on a book: of its limits, and in a line of each result off by more than stated."""
 
     limits: Sequence[JudgedLimit] = ()
     deviations: Sequence[str] = ()

@@ -17,7 +17,7 @@ OTHER = "this is a device or a pipe"
 
 
 def irregular_kind(path: Path) -> str:
-    """Return what ``path`` leads to, empty for a regular file; it is not opened, as a pipe would block."""
+    """Return the kind of file at ``path``, empty for a regular file; it is not opened, as a pipe would block."""
     return KINDS.get(stat.S_IFMT(path.stat().st_mode), OTHER)
 
 

@@ -62,7 +62,7 @@ class UnfinishedBook:
                 yield at, old.turn
 
     def _known(self, turns: dict[Address, int]) -> dict[Address, Any]:
-        """Return what the checks of the entries say, and the columns that they read."""
+        """Return the verdicts of the checks of the entries, and the columns that they read."""
         known: dict[Address, Any] = {}
         for guard in self.book.guards:
             messages, said = self._in_rows(guard) if guard.table else self._beside(guard)
@@ -125,7 +125,7 @@ class UnfinishedBook:
         return [q for q in self.book.blocks[table].quantities if q.role == "input"]
 
     def _told(self, q: Quantity, where: str, rule: str, turns: dict[Address, int]) -> str | None:
-        """Return what a rule's check says: nothing where it holds, None where the entries do not tell."""
+        """Return the sentence of a rule's check: nothing where it holds, None where the entries do not tell."""
         faults = list(self._faults(where, rule))
         below = f"{where}."
         if where and not any(f.turn == 0 and f.where != where and f.key.startswith(below) for f in self.design.faults):
@@ -137,7 +137,7 @@ class UnfinishedBook:
         return faults[0].message if faults else ""
 
     def _verdict(self, check: str, message: str) -> dict[Address, Any]:
-        """Return what stands in a check, and in the sentence beside it."""
+        """Return the content of a check, and in the sentence beside it."""
         (at,), (beside,) = self._column(f"{check}.{check}"), self._column(f"{check}{SAYS}.{check}{SAYS}")
         source = next(q.source for _, q in self.book.checks if q.name == check)
         return {at: FAIL, beside: Sentence(message)} if message else {at: OK, beside: source}
@@ -146,7 +146,7 @@ class UnfinishedBook:
         return (fault for fault in self.design.faults if (fault.where, fault.rule) == (where, rule))
 
     def _held(self, key: str) -> Any:
-        """Return what was entered at a key of an input."""
+        """Return the entry at a key of an input."""
         if key in self.design.replaced:
             return self.design.replaced[key].value
         return self.at[self.inputs[key]].content if key in self.inputs else None

@@ -124,7 +124,7 @@ class DrivePoints:
         return max(self.top(values), self.top(-values))
 
     def reserve(self, motor: Motor) -> Array:
-        """Return what is left of a motor's peak torque at each point (Nm)."""
+        """Return the rest of a motor's peak torque at each point (Nm)."""
         return motor.peak_at(self.speed) - np.abs(self.torque)
 
     def falling_use(self, motor: Motor) -> Array:

@@ -50,7 +50,7 @@ class Handover:
 
     @property
     def end_mode(self) -> int:
-        """How its law meets its neighbours: see :func:`end_mode`."""
+        """The way in which its law meets its neighbours: see :func:`end_mode`."""
         return end_mode(self.phase.named)
 
     @property
@@ -65,7 +65,7 @@ class Handover:
 
     @property
     def mode(self) -> int:
-        """How it is carried out: 0 as the law between rests, :data:`LINE`, else its :attr:`end_mode`."""
+        """The way in which it is carried out: 0 as the law between rests, :data:`LINE`, else its :attr:`end_mode`."""
         if not self.ended:
             return 0
         return LINE if isinstance(self.phase.law, BoundaryLine) else self.end_mode

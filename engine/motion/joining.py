@@ -247,7 +247,7 @@ def _ends(piece: MotionPiece, span: tuple[float, float]) -> tuple[Rates, Rates]:
 
 
 def scales_of(motion: Motion) -> Rates:
-    """Return what jumps are measured by: the largest |y'| and |y''| of any phase, and the latter by its 1/δ."""
+    """Return the scales of jumps: the largest |y'| and |y''| of any phase, and the latter by its 1/δ."""
     peaks = motion.peaks
     return Rates(peaks.y1, peaks.y2, peaks.y2 * max(phase.rate for phase in motion.phases))
 

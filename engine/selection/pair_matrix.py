@@ -80,7 +80,7 @@ class PairMatrix:
         return Pair(*(float(column.reshape(self.inertias.shape)[motor, reducer]) for column in self.gears))
 
     def reserve(self, motor: int, reducer: int) -> float:
-        """Return what is least left of torque below a pair's curve, over its reserve, at the points (Nm)."""
+        """Return the least rest of torque below a pair's curve, over its reserve, at the points (Nm)."""
         most = max(float(self.peak[motor, reducer]), self.falling_demand(motor, reducer))
         return float(self.motors.peak_torque[motor]) / self.wanted.least_peak - most
 

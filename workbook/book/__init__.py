@@ -1,1 +1,1 @@
-"""What a book is made of: sheet, quantity, chart, address, formula."""
+"""The parts of a book: sheet, quantity, chart, address, formula."""

@@ -1,4 +1,4 @@
-"""Where a cell is: sheet, row, column; and where a block of cells is."""
+"""The address of a cell: sheet, row, column; and the place of a block of cells."""
 
 from typing import NamedTuple, Self
 
@@ -34,7 +34,7 @@ class Address(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where a block lies in a file."""
+    """The place of a block in a file."""
 
     sheet: str
     row: int
@@ -68,7 +68,7 @@ class Place(NamedTuple):
 
 
 class Fit(NamedTuple):
-    """Where a table lies, and what was done to it."""
+    """The place of a table, and the changes to its rows and columns."""
 
     place: Place
     inserted: tuple[int, ...] = ()  # rows of the sheet that lie within
@@ -79,7 +79,7 @@ class Fit(NamedTuple):
 
     @property
     def size(self) -> int:
-        """How many rows the table had."""
+        """The number of rows that the table had."""
         return self.place.rows + sum(count for _, count in self.lost)
 
     def before(self, j: int) -> int:

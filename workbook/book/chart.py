@@ -1,4 +1,4 @@
-"""What a chart is made of, as sheets declare it."""
+"""The parts of a chart, as sheets declare it."""
 
 from dataclasses import dataclass, replace
 from typing import Literal, Self

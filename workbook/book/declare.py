@@ -1,4 +1,4 @@
-"""What a workbook is made of: quantities, declared once, placed in blocks on sheets.
+"""The parts of a workbook: quantities, declared once, placed in blocks on sheets.
 
 One declaration serves four uses: the cell, its documentation, the validation of its input and the
 comparison of ``verify``. Formulas are written with a small reference notation that is turned into
@@ -111,7 +111,7 @@ class Book:
         return as_rows(quantity.value, block.size, text)
 
     def areas(self) -> dict[str, Area]:
-        """Return what each defined name means, a block or a named column; and of each sheet, ``title!``, a cell."""
+        """Return the meaning of each defined name, a block or a named column; and of each sheet, ``title!``, a cell."""
         areas = {f"{sheet.title}!": Area(sheet.title, 1, 1, 1, 1, single=True) for sheet in self.sheets}
         areas |= {name: block.area() for name, block in self.blocks.items()}
         return areas | {name: self.blocks[table].area(column) for name, (table, column) in self.column_names.items()}

@@ -105,7 +105,7 @@ class Formula(NamedTuple):
 
     @property
     def anchors(self) -> tuple[str, ...]:
-        """Where each reference has its ``$``: ``$Timing!$B7:C$9`` gives ``$cr:c$r``; nothing for a name or a text."""
+        """The places of ``$`` in references: ``$Timing!$B7:C$9`` gives ``$cr:c$r``; nothing for a name or a text."""
         return tuple(anchored(w) for w in self.written)
 
 

@@ -21,7 +21,7 @@ SPARE = 1  # columns over which the texts of a table's last column may run
 
 
 class Limit(NamedTuple):
-    """What an entry must be: a number within bounds, such as ``(">", 0.0)``, or without these a word."""
+    """The limits of an entry: a number within bounds, such as ``(">", 0.0)``, or without these a word."""
 
     required: bool
     bounds: tuple[tuple[str, float], ...]

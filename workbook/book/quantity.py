@@ -66,7 +66,7 @@ class Quantity(NamedTuple):
 
     @property
     def floor(self) -> float:
-        """What deviations are measured against at least, if not against the greatest size in the column."""
+        """The least scale of deviations, where the greatest size in the column is smaller."""
         return self.scale or FLOORS.get(self.unit, FLOOR)
 
     def within(self, scope: str) -> Quantity:

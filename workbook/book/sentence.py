@@ -1,4 +1,4 @@
-"""What a failing check says: where, and by how much; its figures are rounded for people."""
+"""The sentence of a failing check: where, and by how much; its figures are rounded for people."""
 
 import re
 from itertools import zip_longest

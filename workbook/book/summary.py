@@ -64,7 +64,7 @@ def checks_sheet(book: Book) -> Sheet:
 
 
 class Summary(NamedTuple):
-    """What the checks of a book come to: each may be None, where it is unfinished."""
+    """The sum of the checks of a book: each may be None, where it is unfinished."""
 
     verdicts: list[str | None]
     sentences: list[str | None]

@@ -1,1 +1,1 @@
-"""What the commands do; each is loaded when it is called."""
+"""The work of the commands; each is loaded when it is called."""

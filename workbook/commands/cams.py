@@ -1,4 +1,4 @@
-"""What runs in a machine: a controller's file read, identified, and compared with a book's axis."""
+"""The motion that runs in a machine: a controller's file read, identified, and compared with a book's axis."""
 
 import json
 from collections.abc import Sequence

@@ -87,7 +87,7 @@ def export_switches(
 
 
 class Options(NamedTuple):
-    """What is asked of an export beside the book."""
+    """The options of an export beside the book."""
 
     target: Target
     points: int | None  # None for the fewest
@@ -111,7 +111,7 @@ def parse_options(
     to: str, points: str, tolerance: Sequence[str], separator: str, decimal: str, unverified: bool, equal: bool = False,
     of: str = LOAD,
 ) -> Options:  # fmt: skip
-    """Return what is asked for; raise TargetError where it cannot be meant."""
+    """Return the options; raise TargetError where it cannot be meant."""
     target = target_named(to)
     if equal and target.spacing == "breaks":
         raise TargetError(f"{to} has segments between the breaks of a motion; expected no --equidistant")

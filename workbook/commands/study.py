@@ -131,7 +131,7 @@ def listing(base: Path) -> int:
 
 
 def finished_study(plan: Plan, results: Path) -> Summary | None:
-    """Return what is known of a study that was run, also under another name; None if it was not; raise ReadError."""
+    """Return the summary of a study that was run, also under another name; None if it was not; raise ReadError."""
     own = results.with_suffix(".json")
     for path in (own, *sorted(results.parent.glob("*.json"))):
         if summary := summary_from(plan, path, path == own):
@@ -143,7 +143,7 @@ def finished_study(plan: Plan, results: Path) -> Summary | None:
 
 
 def summary_from(plan: Plan, path: Path, own: bool) -> Summary | None:
-    """Return what a file tells of a study; None where it is another one's, or none."""
+    """Return the summary of a study in a file; None where it is another one's, or none."""
     try:
         data = json.loads(read(path) or "{}")
         return Summary.of_data(data) if data.pop("digest", "") == plan.digest else None

@@ -63,7 +63,7 @@ State = tuple[int, int] | None
 
 
 def open_finished(book: Path) -> tuple[Machine, State]:
-    """Return what is entered in a book, and the file's state before; end the command for an unfinished design."""
+    """Return the entries of a book, and the file's state before; end the command for an unfinished design."""
     before = file_state(book)
     machine, _ = making.read_inputs(book)
     if machine.design.replaced:

@@ -41,7 +41,7 @@ class CertifiedTable(NamedTuple):
 
     @property
     def points(self) -> int:
-        """How many points it has."""
+        """The number of its points."""
         return len(self.table.x)
 
     def share(self, order: str) -> float:
@@ -140,7 +140,7 @@ def fewest_points(target: Target, of: CamProfile) -> int:
 
 
 def reread(target: Target, text: str, table_before: Table) -> Table:
-    """Return what an independent reader finds in the file; slopes that go beside it are taken from what was made."""
+    """Return the table that an independent reader gives of the file, with the written slopes where these go beside."""
     table = parse_table(text, target)
     return table if table.slopes or not table_before.slopes else replace(table, slopes=table_before.slopes)
 

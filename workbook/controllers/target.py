@@ -1,4 +1,4 @@
-"""What a target declares: numbers, limits, the rule between points, who writes and who reads; its files; its tracks."""
+"""The declaration of a target: numbers, limits, the rule between points, who writes and who reads; files; tracks."""
 
 import re
 from collections.abc import Callable, Iterable, Sequence
@@ -54,7 +54,7 @@ class ClaimedFormat:
 
     @property
     def untested(self) -> list[Claim]:
-        """What no document settles."""
+        """The questions that no document settles."""
         return [claim for claim in self.claims if claim.certainty == "untested"]
 
 
@@ -114,7 +114,7 @@ class SwitchExport(NamedTuple):
 
 @dataclass(frozen=True)
 class Tappets(ClaimedFormat):
-    """How a target takes switches: who writes and who reads their file, of what numbers, and how certain that is."""
+    """The way of switches into a target: writer and reader of their file, its numbers, and how certain that is."""
 
     name: str
     title: str

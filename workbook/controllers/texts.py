@@ -1,4 +1,4 @@
-"""What texts of controllers hold: numbers, columns of them, comments on what they count; Structured Text read."""
+"""Texts of controllers: numbers, columns of them, comments on what they count; Structured Text read."""
 
 import math
 import re
@@ -73,7 +73,7 @@ OTHER_STEP = 1e-4
 
 
 def step_of(unit: str, reach: float = 0.0, largest: float = DINT.largest) -> float:
-    """Return what a whole number counts of a unit; more where so many do not reach that far."""
+    """Return the step of a unit that a whole number counts; more where so many do not reach that far."""
     step = STEPS.get(unit, OTHER_STEP)
     while reach / step > largest:
         step = float(f"{step * 10.0:.0e}")
@@ -87,7 +87,7 @@ def counts(steps: tuple[float, float], units: tuple[str, str]) -> str:
 
 
 def read_counts(text: str) -> tuple[float, float]:
-    """Return what whole numbers of a file count; 1 where its comment does not say."""
+    """Return the steps that whole numbers of a file count; 1 where its comment does not say."""
     match = TOLD.search(text)
     if match is None:
         return 1.0, 1.0
@@ -157,7 +157,7 @@ def numbers(text: str, widths: Sequence[int], counted: bool = False) -> list[lis
 
 
 def found_separator(given: Sequence[str]) -> str | None:
-    """Return what parts the columns: a semicolon, a tab, a bar, a comma, one with a blank; None for blanks."""
+    """Return the separator of the columns: a semicolon, a tab, a bar, a comma, one with a blank; None for blanks."""
     for sign in ";\t|":
         if any(sign in line for line in given):
             return sign

@@ -1,1 +1,1 @@
-"""What a machine description may hold: its keys, as a page, a JSON Schema, and a description with comments."""
+"""The content of a machine description: its keys, as a page, a JSON Schema, and a description with comments."""

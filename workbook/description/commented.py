@@ -115,7 +115,7 @@ def example_of(key: Key) -> Any:
 
 
 def about(key: Key) -> str:
-    """Return what a key means, with its unit, or the words that it takes."""
+    """Return the meaning of a key, with its unit, or the words that it takes."""
     words = isinstance(example_of(key), str) and not (key.rows or key.expected.startswith("a text"))
     return f"{with_unit(key, key.meaning)}{f': {key.expected}' if words else ''}"
 

@@ -143,7 +143,7 @@ class ModelWalk:
                 yield from self.sections(found, join(path, name) + (".*" if many else ""), about + many)
 
     def _example(self, path: str, kind: str = "") -> Any:
-        """Return what the first description has at a key that has it, in a table of a kind."""
+        """Return the value of a key in the first description that has it, in a table of a kind."""
         for data in self._data:
             for place, value in spread(data, path.split(".")):
                 kinds = {get(data, (*place[:k], KIND), kind) for k in range(len(place))} if kind else {kind}

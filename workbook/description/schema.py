@@ -1,4 +1,4 @@
-"""What a description may hold, for people and for editors: the page of documentation and JSON Schemas, by one walk."""
+"""The content of a description, for people and for editors: the page of documentation and JSON Schemas, by one walk."""
 
 import json
 from collections.abc import Iterable, Iterator, Sequence

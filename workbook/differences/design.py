@@ -43,7 +43,7 @@ class Figure(NamedTuple):
 
 @dataclass(frozen=True)
 class Design:
-    """What a workbook or a description says of a machine."""
+    """The content of a workbook or a description of a machine."""
 
     path: Path
     machine: Machine
@@ -58,7 +58,7 @@ class Design:
 
     @cached_property
     def exact(self) -> ExactJudgement:
-        """What the exact engine says of it."""
+        """The judgement of the exact engine on it."""
         return TEMPLATES[self.machine.template].judge(self.machine)
 
     def entries(self) -> dict[Key, Figure]:
@@ -104,7 +104,7 @@ class Design:
 
 
 def rows_of(block: Block, axis: str) -> list[str]:
-    """Return what the rows of a table are called: their names where each has its own, else their numbers."""
+    """Return the labels of the rows of a table: their names where each has its own, else their numbers."""
     named = next((q for q in block.quantities if q.name in NAMES), None)
     names = as_rows(named.value, block.size, block.name) if named else [None] * block.size
     counts = Counter(names)
@@ -175,7 +175,7 @@ class Differences:
 
 
 def compare(old: Design, new: Design) -> Differences:
-    """Return what differs between two designs of the same template."""
+    """Return the differences of two designs of the same template."""
     return Differences(
         changes(old.entries(), new.entries()), changes(old.results(), new.results()),
         changes(old.checks(), new.checks()), one_sided(old.edited, new.edited), one_sided(old.own, new.own),

@@ -26,7 +26,7 @@ COMPUTED = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operat
 
 @dataclass(frozen=True)
 class Term:
-    """What is known of an expression."""
+    """The knowledge of an expression: dimension and number."""
 
     dimension: Dimension | None = None  # where it is known
     number: float | None = None  # its value, if it is made of numbers alone
@@ -171,7 +171,7 @@ def number_of(sign: str, *numbers: float) -> float | None:
 
 @dataclass
 class Dimensions:
-    """What came of it: what cannot be, in words, by cell; and how many formula cells have a known dimension."""
+    """The result: contradictions in words, by cell; and the number of formula cells of known dimension."""
 
     wrong: dict[Address, str] = field(default_factory=dict)
     formulas: int = 0
@@ -193,7 +193,7 @@ class UnitWalk:
                 self.terms[cell] = Term(dimension)
 
     def walk(self, order: Iterable[Address]) -> Dimensions:
-        """Return what came of all formulas, each behind those that it needs."""
+        """Return the result of all formulas, each behind those that it needs."""
         result = Dimensions()
         for cell in order:
             formula = self.contents.formulas[cell]

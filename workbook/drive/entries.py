@@ -1,4 +1,4 @@
-"""What descriptions say of rotating parts, and of efficiencies."""
+"""Entries of descriptions about rotating parts, and of efficiencies."""
 
 from collections.abc import Iterator
 from typing import Annotated, Any

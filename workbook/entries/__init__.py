@@ -1,1 +1,1 @@
-"""What every description holds: phases, the machine, the check of a design, what Excel accepts in a cell."""
+"""The parts of every description: phases, the machine, the check of a design, Excel's limits of a cell."""

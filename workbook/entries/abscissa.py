@@ -1,4 +1,4 @@
-"""What a cycle is over (a shaft's degrees, time, an angle, a travel), and how that becomes degrees of a turn."""
+"""The abscissa of a cycle (a shaft's degrees, time, an angle, a travel), and its conversion to degrees of a turn."""
 
 from dataclasses import dataclass, replace
 from math import tau
@@ -15,7 +15,7 @@ UNITS: tuple[Unit, ...] = get_args(Unit)  # what a cycle can be entered in that 
 
 
 class Lift(NamedTuple):
-    """How rates show a lift: its unit, what one m or rad is in SI of it, and the end of a formula that makes it one."""
+    """Display of rates of a lift: its unit, the size of a m or rad in it, and the end of a formula that converts."""
 
     unit: str
     size: float = 1.0

@@ -20,7 +20,7 @@ Where = Callable[[str], str]  # how an entry is told of, by its key
 
 
 class RefusedError(Exception):
-    """What is wrong with the structure or type of a description: pydantic's faults, or those of a design."""
+    """The faults in the structure or type of a description: pydantic's faults, or those of a design."""
 
     def __init__(self, faults: list[Any]) -> None:
         super().__init__(f"{len(faults)} faults")
@@ -155,7 +155,7 @@ def ruled(path: str, data: dict[str, Any]) -> str:
 
 
 def example_at(example: Any, path: Place) -> Any:
-    """Return what an example has at a path, of a list too short its last row."""
+    """Return the value of an example at a path, of a list too short its last row."""
     for part in path:
         last = len(example) - 1 if isinstance(example, list) else 0
         example = child(example, str(min(int(part), last)) if isinstance(example, list) else part)

@@ -1,4 +1,4 @@
-"""What every machine description has: title, laws, sizes of its tables; the sheet Export, where it asks for one."""
+"""Entries of every machine description: title, laws, sizes of its tables; the sheet Export, where it asks for one."""
 
 from collections.abc import Mapping
 from datetime import date
@@ -27,7 +27,7 @@ class Sizes(Model):
 
 
 class Fault(NamedTuple):
-    """What is wrong with the numbers of a design: the entry to blame, and the rule that it breaks."""
+    """A fault in the numbers of a design: the entry to blame, and the rule that it breaks."""
 
     key: str
     where: str  # the place of the entries that the rule is about; the entry itself for its own limits
@@ -39,14 +39,14 @@ class Fault(NamedTuple):
 
 
 class Replaced(NamedTuple):
-    """What was entered where the engine is given another entry, and in which turn that was replaced."""
+    """An entry where the engine is given another, and the turn in which that was replaced."""
 
     value: Any
     turn: int
 
 
 class Design(NamedTuple):
-    """What was entered of an unfinished design, by key, and all that is wrong with it; nothing of a finished one."""
+    """The entries of an unfinished design, by key, and its faults; nothing of a finished one."""
 
     replaced: dict[str, Replaced]
     faults: tuple[Fault, ...] = ()

@@ -15,7 +15,7 @@ TURN = 360.0  # degrees
 
 
 class Passing(Model):
-    """What a phase passes its begin with, between two curved phases, in the units of the motion; else 0."""
+    """The rates with which a phase passes its begin, between two curved phases, in the units of the motion; else 0."""
 
     velocity: Number | None = Field(None, description="y' with which two curved phases meet at its start; else 0")
     acceleration: Number | None = Field(None, description="y'' with which two curved phases meet at its start; else 0")

@@ -1,4 +1,4 @@
-"""What Excel accepts in an input cell, derived from the machine model that the input belongs to."""
+"""The rules of Excel for an input cell, derived from the machine model that the input belongs to."""
 
 import types
 from collections.abc import Callable, Iterable, Sequence

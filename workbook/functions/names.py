@@ -147,7 +147,7 @@ def array(values: Sequence[float]) -> str:
 
 
 def of_parameters(function: Callable[..., Any], text: Callable[[Any], str]) -> str:
-    """Return what a function of a law's parameters gives, as a text, where the column ``p`` holds them."""
+    """Return the formula of a function of a law's parameters, as a text, where the column ``p`` holds them."""
     names = signature(function).parameters
     if any(parameter.kind is Parameter.VAR_POSITIONAL for parameter in names.values()):
         return "p"
@@ -207,7 +207,7 @@ def by_law(text: Callable[[LawForm], str], otherwise: str, **more: str) -> str:
 
 
 def tables() -> dict[str, str]:
-    """Return what ``formulas.txt`` names: of each law its parameters, pieces, stages, and derivatives its ends meet."""
+    """Return the names of ``formulas.txt``: of each law its parameters, pieces, stages, and its ends' derivatives."""
     stages = "_MOTION.STAGES(_MOTION.SEVEN(code, p), {})"
     return {
         "delivered": by_law(lambda law: array(law.delivered) if law.delivered else "", "0", OWN=array(OWN[0])),

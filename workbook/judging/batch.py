@@ -36,7 +36,7 @@ class Target(NamedTuple):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What became of a workbook: a report, or the reason why there is none."""
+    """The outcome for a workbook: a report, or the reason why there is none."""
 
     path: Path
     verdict: Verdict

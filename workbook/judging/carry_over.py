@@ -1,4 +1,4 @@
-"""What ``inputs`` and ``regenerate`` leave behind, and the engineer's additions that ``regenerate`` takes along."""
+"""Contents that ``inputs`` and ``regenerate`` leave, and the engineer's additions that ``regenerate`` takes along."""
 
 from collections import defaultdict
 from typing import Any
@@ -92,7 +92,7 @@ def find_additions(match: Match, fresh: Book) -> Additions:
 
 
 def carried_content(contents: Contents, cell: Cell, known: set[str]) -> Any:
-    """Return what a cell holds; None for nothing, and for a formula that refers to other sheets than the known."""
+    """Return the content of a cell; None for nothing, and for a formula that refers to other sheets than the known."""
     address = Address(cell.parent.title, cell.row, cell.column)
     if cell.data_type != "f":
         return contents.constants.get(address)

@@ -54,12 +54,12 @@ class ExpectedValues:
             self.peaks += [max(q.floor, *sizes, 0.0)] * len(pairs)
 
     def get(self, address: Address) -> Any:
-        """Return what should stand in a cell; None for one that is not declared."""
+        """Return the expected content of a cell; None for a cell that is not declared."""
         number = self._match.numbers.get(address)
         return None if number is None else self.values[number]
 
     def peak(self, address: Address) -> float:
-        """Return what deviations of a declared cell are measured against."""
+        """Return the scale of a declared cell's deviations."""
         return self.peaks[self._match.numbers[address]]
 
 
@@ -160,7 +160,7 @@ class Comparison:
         return wrong
 
     def elsewhere(self, template: AnyTemplate, machine: Machine, suspects: set[Address]) -> list[Finding]:
-        """Return what differs at variations of the inputs: cells in turn, the ``suspects`` at each."""
+        """Return the findings at variations of the inputs: cells in turn, the ``suspects`` at each."""
         report = Report(self.report.path, self.report.template)
         if any(place is None for _, place in self.match.misfits):
             return []

@@ -1,4 +1,4 @@
-"""Which cell of a file is which cell of the declaration: by defined names and the blocks that they anchor."""
+"""The cells of a file that are cells of the declaration: by defined names and the blocks that they anchor."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -119,7 +119,7 @@ class Match:
         return name not in self.file.places or not self.file.places[name].cell(0, j).column
 
     def declared_value(self, address: Address) -> Any:
-        """Return what a declared cell has, at its address in the declaration."""
+        """Return the content of a declared cell, at its address in the declaration."""
         name, i, j = self._declared_index[address]
         block = self.declared.blocks[name]
         return as_rows(block.quantities[j].value, block.size, name)[i]
@@ -176,7 +176,7 @@ class Match:
         return [[self._texts.get((block.sheet.title, block.row - up, column)) for column in columns] for up in HEAD]
 
     def _line_held(self, place: Place, up: int) -> list[Any]:
-        """Return what the file holds so many rows above a block."""
+        """Return the contents of the file so many rows above a block."""
         return [self.file.value(place.cell(-up, j)) for j in range(place.columns)]
 
     @cached_property
@@ -198,7 +198,7 @@ class Match:
 
     @cached_property
     def declared_area(self) -> Callable[[str, str], Area]:
-        """What gives the area that a name means in the declaration, whatever sheet it stands on, or ``title!``."""
+        """The function for the area of a name in the declaration, whatever sheet it stands on, or ``title!``."""
         areas = {name.lower(): area for name, area in self.declared.areas().items()}
 
         def area(name: str, sheet: str) -> Area:

@@ -67,7 +67,7 @@ def lookup_cells(file: BookFile, block: Block, model: type[BaseModel]) -> Iterat
 
 
 def as_text(held: Any) -> str:
-    """Return what is entered as a name: a number as its digits; nothing for a formula or an empty cell."""
+    """Return the text that is entered as a name: a number as its digits; nothing for a formula or an empty cell."""
     if is_formula(held) or isinstance(held, bool) or held is None:
         return ""
     return held if isinstance(held, str) else f"{held:.15g}"

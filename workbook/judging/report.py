@@ -1,4 +1,4 @@
-"""What ``verify`` found in a workbook: findings, notices, counts, and the book's own verdict."""
+"""The report of ``verify`` on a workbook: findings, notices, counts, and the book's own verdict."""
 
 import math
 from dataclasses import dataclass, field, replace
@@ -87,7 +87,7 @@ class Check:
 
 @dataclass
 class Report:
-    """What ``verify`` found in a workbook; ``declared`` counts the formula cells that it should have."""
+    """The report of ``verify`` on a workbook; ``declared`` counts the formula cells that it should have."""
 
     path: Path
     template: str
@@ -116,7 +116,7 @@ class Report:
 
     @property
     def findings_words(self) -> str:
-        """How many findings there are, and how many cells follow from them."""
+        """The number of findings, and of the cells that follow from them, in words."""
         causes = len(self.causes)
         words, more = f"{causes:,} finding{'' if causes == 1 else 's'}", len(self.findings) - causes
         return f"{words}; {more:,} cells are wrong only because of {'it' if causes == 1 else 'them'}" if more else words
@@ -128,7 +128,7 @@ class Report:
 
     @property
     def unfinished(self) -> int:
-        """How many declared formula cells have no value, as the design is not finished."""
+        """The number of declared formula cells without a value, as the design is not finished."""
         return max((w.unfinished for w in self.witnesses), default=0)
 
     @property
@@ -138,13 +138,13 @@ class Report:
 
     @property
     def following_words(self) -> str:
-        """How many cells are wrong only by rows or columns inserted or gone; nothing where there are none."""
+        """The number of cells that are wrong only by rows or columns inserted or gone; nothing where there are none."""
         cells = {(f.sheet, f.cell) for f in self.following}
         return f"{len(cells):,} cells are at fault only by what was inserted or is gone" if cells else ""
 
     @property
     def own_words(self) -> str:
-        """How many formulas are the engineer's own; nothing where there are none."""
+        """The number of formulas that are the engineer's own; nothing where there are none."""
         return f"{len(self.own):,} formulas of your own, not checked" if self.own else ""
 
     @property

@@ -136,7 +136,7 @@ def listed(names: list[str], most: int = 3) -> str:
 
 
 def finding(place: Place, name: str, fault: str, expected: str) -> Finding:
-    """Return what is told of a name that leads elsewhere: where it leads, what is found there, what was expected."""
+    """Return the finding of a name that leads elsewhere: its place, the fault, and the expectation."""
     return Finding(place.sheet, place.cell(0, 0).a1, "name", f"{name}: {fault}", expected)
 
 

@@ -1,4 +1,4 @@
-"""What a file of declarations says of a workbook: inputs with ranges, outputs with functions; values to compare at."""
+"""The content of a file of declarations: inputs with ranges, outputs with functions; values to compare at."""
 
 import inspect
 import math

@@ -32,7 +32,7 @@ FIRST = "pycel"  # the evaluator whose values everything else is asked of
 
 @dataclass(frozen=True)
 class Fault:
-    """What is wrong in a cell: the kind of fault, what was found and expected, and at which inputs."""
+    """A fault of a cell: its kind, the value and the expected one, and the inputs at which they differ."""
 
     cell: Address
     kind: str
@@ -43,7 +43,7 @@ class Fault:
 
 @dataclass
 class OracleReport:
-    """What came of a comparison: findings, cases, notes, dimensions, and the class of each formula cell."""
+    """The result of a comparison: findings, cases, notes, dimensions, and the class of each formula cell."""
 
     cases: int
     wrong: list[Fault] = field(default_factory=list)
@@ -52,7 +52,7 @@ class OracleReport:
     notes: list[str] = field(default_factory=list)
 
     def count(self, kind: Coverage) -> int:
-        """How many formula cells are of a class."""
+        """Return the number of formula cells of a class."""
         return sum(coverage == kind for coverage in self.coverage.values())
 
     @property
@@ -133,7 +133,7 @@ class Judge:
         )
 
     def check_units(self) -> Dimensions:
-        """Return what cannot be by the units: those declared, and those beside the cells of the same sheets."""
+        """Return the contradictions of units: of those declared, and those beside the cells of the same sheets."""
         contents = self.file.contents
         cells = (cell for cell in [*contents.formulas, *contents.constants] if cell.sheet in self.sheets)
         beside = {cell: unit for cell in cells if (unit := unit_of(self.file, cell))}
@@ -185,7 +185,7 @@ class Judge:
         return {self.cells[entry]: value for entry, value in case.items()}
 
     def values(self, case: Case, others: Cells | None = None) -> Cells:
-        """Return what all cells compute at a case; ``others`` stand in for formula cells."""
+        """Return the values of all cells at a case; ``others`` stand in for formula cells."""
         given = self.given(case)
         return self.file.contents.constants | self.model.evaluate(given | (others or {})) | given
 
@@ -204,7 +204,7 @@ class Judge:
                     yield row[j], value, allowed, table
 
     def called(self, output: Output | Table, case: Case, *first: Any) -> Any:
-        """Return what a declared function gives; raise ReadError where it cannot be computed."""
+        """Return the result of a declared function; raise ReadError where it cannot be computed."""
         try:
             return output.of(*first, *(case[x] for x in self.oracle.arguments(output)))
         except (ArithmeticError, TypeError, ValueError) as error:

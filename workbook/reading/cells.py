@@ -45,7 +45,7 @@ def fill_sheet(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
 
 
 def cell_content(held: RawCell, texts: Sequence[str]) -> Any:
-    """Return what a cell without a formula holds."""
+    """Return the content of a cell without a formula."""
     kind, text = held.kind, held.value
     if not text:
         return "" if kind == "inlineStr" and text == "" else None

@@ -167,7 +167,7 @@ def name_texts(workbook: Workbook) -> dict[tuple[str | None, str], str]:
 
 
 def plain_value(value: Any, epoch: datetime = WINDOWS_EPOCH) -> Any:
-    """Return what a cell without a formula holds as formulas see it: dates and times are numbers."""
+    """Return the content of a cell without a formula as formulas see it: dates and times are numbers."""
     if value is None or type(value) in (float, int, bool, str):
         return value
     if isinstance(value, date | datetime | time | timedelta):

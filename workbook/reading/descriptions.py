@@ -52,7 +52,7 @@ def parse_toml(text: str, path: Path) -> dict[str, Any]:
 
 
 def decimal_comma(text: str, error: ValueError) -> str:
-    """Return what is wrong with the line of an error of TOML's where a number has a comma; nothing where none has."""
+    """Return the fault in the line of an error of TOML's where a number has a comma; nothing where none has."""
     place = LINE.search(str(error))
     lines = text.splitlines()[int(place[1]) - 1 :] if place else []
     number = COMMA.search(lines[0].partition("#")[0]) if lines else None

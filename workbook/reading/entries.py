@@ -62,7 +62,7 @@ class Entries:
             put(self.data, split(key), None)
 
     def machine(self) -> Machine:
-        """Return what was entered; raise InputError whose lines name the sheet, the cell and what is expected."""
+        """Return the entries; raise InputError whose lines name the sheet, the cell and what is expected."""
         if self.missing:
             raise InputError(
                 [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
@@ -100,7 +100,7 @@ class Entries:
                 for (sheet, row), torn in tables.items()]  # fmt: skip
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
-        """Return what is entered with the book's own laws by their names, and for each of these names its key."""
+        """Return the entries with the book's own laws by their names, and for each of these names its key."""
         laws = dict(self.data.get("laws", {}))
         named: dict[str, str] = {}
         for key, family in self._laws.items():
@@ -182,7 +182,7 @@ class Entries:
         return not rules.is_required(model, known) and rules.must_be_there(model, known)
 
     def _entered(self, cell: Address, q: Quantity) -> Any:
-        """Return what was entered, of a formula its value; note in a line where that is in doubt."""
+        """Return an entry, of a formula its value; note in a line where that is in doubt."""
         value = self.file.value(cell)
         if not is_formula(value):
             return value

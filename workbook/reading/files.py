@@ -57,7 +57,7 @@ class BookFile:
     bare: bool = False  # whether it is a copy of contents and names alone
 
     def value(self, address: Address) -> Any:
-        """Return what a cell holds: ``=text`` as :class:`LiteralText`, an array formula in braces in all its cells."""
+        """Return a cell's content: ``=text`` as :class:`LiteralText`, an array formula in braces in all its cells."""
         cell = self.cell(address)
         if cell is None:
             return None

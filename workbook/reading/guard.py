@@ -1,4 +1,4 @@
-"""What a workbook must not hold: each part is unpacked under a limit and read once, before anything is built of it."""
+"""Limits on a workbook's contents: each part is unpacked under a limit and read once, before all else."""
 
 import zipfile
 import zlib
@@ -29,7 +29,7 @@ NOTES = {
 
 
 class Inspected(NamedTuple):
-    """What is known of a file before it is parsed."""
+    """Facts about a file before it is parsed."""
 
     notes: list[str]  # what an engineer should know of it
     sheets: dict[str, Rows]  # the rows of each sheet, by its title

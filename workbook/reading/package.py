@@ -160,7 +160,7 @@ class Corner(NamedTuple):
 
 
 class Anchor(NamedTuple):
-    """Where a drawing lies: from a corner to another, or over a width and a height (EMU); the root of its chart."""
+    """The place of a drawing: from a corner to another, or over a width and a height (EMU); the root of its chart."""
 
     first: Corner
     last: Corner | None

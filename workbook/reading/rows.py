@@ -34,7 +34,7 @@ PLAIN = re.compile(r"([A-Z]{1,3})([1-9][0-9]{0,6})")
 
 
 class Refusal(Exception):  # noqa: N818 - it says what it is
-    """Why a file is refused, in words that follow its path."""
+    """The reason to refuse a file, in words that follow its path."""
 
 
 def short(text: str) -> str:
@@ -133,7 +133,7 @@ def cell_position(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
 
 
 class Rows:
-    """What a worksheet contains: ``written`` cells in order, ``looks`` of rows, and ``fonts`` within texts by place."""
+    """Contents of a worksheet: ``written`` cells in order, ``looks`` of rows, and ``fonts`` within texts by place."""
 
     def __init__(self, name: str, count: Totals) -> None:
         self.name, self.count = name, count
@@ -147,7 +147,7 @@ class Rows:
 
     @property
     def size(self) -> int:
-        """How many cells the rectangle around all cells has, or how many cells there are if these are more."""
+        """The number of cells of the rectangle around all cells, or of the cells if these are more."""
         return max(self.last_row * self.last_column, len(self.written))
 
     def begin(self, attributes: dict[str, str]) -> None:

@@ -1,4 +1,4 @@
-"""What the commands print of reports, one or many, and of the laws: tables for people, JSON for machines."""
+"""The output of commands on reports, one or many, and of the laws: tables for people, JSON for machines."""
 
 import math
 import re

@@ -1,4 +1,4 @@
-"""What differs between two designs: on the terminal, as JSON, as a page with both timing diagrams."""
+"""Differences of two designs: on the terminal, as JSON, as a page with both timing diagrams."""
 
 from typing import Any
 

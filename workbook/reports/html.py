@@ -81,7 +81,7 @@ class Line(NamedTuple):
 
 @dataclass(frozen=True)
 class Scale:
-    """What brings numbers from an axis onto the picture."""
+    """The scale from an axis onto the picture."""
 
     low: float
     high: float
@@ -127,7 +127,7 @@ def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
 
 
 class Handle(NamedTuple):
-    """What can be dragged in a picture, with its attributes: the name of a line, or a point of it at ``x``."""
+    """A handle to be dragged in a picture, with its attributes: the name of a line, or a point of it at ``x``."""
 
     line: str
     attributes: dict[str, str]

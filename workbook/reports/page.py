@@ -26,7 +26,7 @@ OTHERS = {"design": "a check of the machine's own fails", "unreadable": "the fil
 
 
 class Verdict(NamedTuple):
-    """What is said of a verdict on the page, in a row of the terminal, and of several workbooks; its colour there."""
+    """The words for a verdict on the page, in a row of the terminal, and of several workbooks; its colour there."""
 
     page: str
     row: str
@@ -100,7 +100,7 @@ def by_sheet(report: Report) -> dict[str, list[Finding]]:
 
 
 def found_words(finding: Finding) -> str:
-    """Return what was found, and why it could not be evaluated."""
+    """Return the value of a finding, and the reason where it could not be evaluated."""
     value = figure(finding.computed, 15)
     return f"{value} ({finding.why})" if finding.why else value
 

@@ -36,7 +36,7 @@ def page(plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None, 
 def front(
     plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None = None, links: Sequence[str] = (), **page: Any
 ) -> str:
-    """Return what came of a study as HTML: the best designs, as links where these are given, and what excludes others.
+    """Return the results of a study as HTML: the best designs, as links where given, and the bounds that exclude others.
 
     What the page has besides is in ``page``.
     """
@@ -82,7 +82,7 @@ def picture(study: Study, designs: Sequence[Design], named: Labels, links: Seque
 
 
 def names_of(designs: Sequence[Design]) -> list[str]:
-    """Return what stands beside points: the place in the table, and of what was chosen in words what differs."""
+    """Return the labels of points: the place in the table, and the chosen words that differ."""
     texts = [{key: value for key, value in design.entries.items() if isinstance(value, str)} for design in designs]
     differing = [key for key in texts[0] if len({entered.get(key) for entered in texts}) > 1]
     words = [", ".join(str(text[key]) for key in differing if key in text) for text in texts]

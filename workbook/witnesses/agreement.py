@@ -96,7 +96,7 @@ class Evaluation:
             yield name, values
 
     def _values(self, name: str, witness: Witness, address: Address) -> Cells:
-        """Return what a witness computes in the first file that it can open; else in one of what a cell depends on."""
+        """Return the values of a witness in the first file that it can open; else in one of what a cell depends on."""
         for cells in self._left.setdefault(name, files_of(self._file.contents, self._asked)):
             try:
                 return self._computed(witness, cells)
@@ -108,7 +108,7 @@ class Evaluation:
         return self._computed(witness, {address} if alone else self._file.contents.formula_cells)
 
     def _computed(self, witness: Witness, cells: Collection[Address]) -> Cells:
-        """Return what a witness computes in a file of formula cells and of those on which they depend."""
+        """Return the values of a witness in a file of formula cells and of those on which they depend."""
         aside = set(self._file.contents.formula_cells).difference(cells)
         with evaluation_copy(self._file, aside - self._file.contents.needed(aside, cells), {}) as bare:
             require_little_work(bare, self._file.path)

@@ -37,7 +37,7 @@ def ironcalc(path: str, cells: list[tuple[str, int, int]]) -> list[Any]:
 
 
 def formulon(data: bytes) -> dict[tuple[str, int, int], Any]:
-    """Return what every cell of a file holds."""
+    """Return the values of all cells of a file."""
     from formulon import Workbook
 
     with Workbook.load(data) as book:
@@ -46,7 +46,7 @@ def formulon(data: bytes) -> dict[tuple[str, int, int], Any]:
 
 
 def formulon_values(book: Workbook) -> dict[tuple[str, int, int], Any]:
-    """Return what every cell of a book holds, by sheet, row and column."""
+    """Return the values of all cells of a book, by sheet, row and column."""
     from formulon import MergeRange
 
     values = {}

@@ -98,7 +98,7 @@ class IronCalc(Witness):
 
 
 def ask_apart(witness: Witness, *given: Any) -> Any:
-    """Return what an evaluator answers in a process of its own; raise WitnessError where it has none."""
+    """Return the answer of an evaluator in a process of its own; raise WitnessError where it has none."""
     command = [sys.executable, "-P", str(Path(__file__).with_name("engine_process.py"))]
     try:
         request = pickle.dumps((witness.name, *given))
@@ -176,7 +176,7 @@ class Saved(Witness):
     kept = True
 
     def version(self) -> str | None:
-        """Return what the witness reads; it has no program of its own."""
+        """Return words for the version; it has no program of its own."""
         return "values in the file"
 
     def values(self, file: BookFile) -> Cells:

@@ -1,4 +1,4 @@
-"""What a witness is, and the copies of books it may be given: without what keeps programs from opening a file."""
+"""The base of witnesses, and the copies of books it may be given: without what keeps programs from opening a file."""
 
 import io
 import platform
@@ -71,7 +71,7 @@ class Model(Protocol):
 
     @property
     def problems(self) -> Mapping[Address, str]:
-        """Why cells could not be evaluated, each in a line."""
+        """The reasons why cells could not be evaluated, each in a line."""
 
     @property
     def raised(self) -> Collection[Address]:
@@ -97,7 +97,7 @@ class CellWitness(Witness):
 
 
 def cached_values(data: bytes, file: BookFile) -> Cells:
-    """Return what another copy of the file holds as results of the formula cells of ``file``."""
+    """Return the results in another copy of the file of the formula cells of ``file``."""
     try:
         held = saved_values(inspect(io.BytesIO(data), len(data)))
     except Refusal as refusal:

@@ -1,4 +1,4 @@
-"""How wide columns are, how high wrapped texts, and after which rows a printed page ends.
+"""Widths of columns, heights of wrapped texts, and the rows after which a printed page ends.
 
 A text runs over empty cells beside it, as spreadsheet programs show it; where it meets the next its column grows.
 A page ends between tables, charts and sections, not within them.

@@ -1,4 +1,4 @@
-"""How cells look: cell styles of our own, by name, so that a reader can restyle each kind in a single place.
+"""The looks of cells: cell styles of our own, by name, so that a reader can restyle each kind in a single place.
 
 Colour says one thing: a fill and blue figures are an entry's alone, a verdict is a word on a pale field, else is ink.
 """
@@ -76,7 +76,7 @@ TEXTS = {
 
 
 class Aligned(NamedTuple):
-    """How text stands in a cell: to which side, how far from it, and whether it is wrapped."""
+    """The alignment of text in a cell: to which side, how far from it, and whether it is wrapped."""
 
     side: str
     indent: int

@@ -1,1 +1,1 @@
-"""What goes into the LibreOffice add-in; runs in LibreOffice's own Python, 3.8 or newer, without NumPy."""
+"""The content of the LibreOffice add-in; runs in LibreOffice's own Python, 3.8 or newer, without NumPy."""

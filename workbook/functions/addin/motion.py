@@ -59,7 +59,7 @@ class MotionFunctions(unohelper.Base, XMotionFunctions, XServiceInfo):
         return name in SERVICES
 
     def getSupportedServiceNames(self) -> tuple[str, ...]:
-        """Return what the component is."""
+        """Return the name of the component."""
         return SERVICES
 
 

@@ -1,1 +1,1 @@
-"""What a book displays: whether it tells the number, the quantity and the verdict that its cells have."""
+"""The display of a book: whether it tells the number, the quantity and the verdict that its cells have."""

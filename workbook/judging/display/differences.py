@@ -25,7 +25,7 @@ TELLING = re.compile(r"[0-9]+|[%‰]|\b(?:OK|FAIL)\b")  # what a translation lea
 
 
 class Subject(NamedTuple):
-    """What has an attribute, in words; of a verdict more differences mislead, of a remark none."""
+    """The owner of an attribute, in words; of a verdict more differences mislead, of a remark none."""
 
     words: str
     is_verdict: bool = False

@@ -80,7 +80,7 @@ def compare_rules(match: Match, groups: list[CellGroup], differences: Difference
 
 
 def rule_words(rule: Rule) -> str:
-    """Return what a conditional format does, but for the cells that its condition reads."""
+    """Return the effect of a conditional format, but for the cells that its condition reads."""
     flat = {name: str(getattr(rule, name) or "") for name in OF_RULE}
     for sign in (rule.colorScale, rule.dataBar, rule.iconSet):
         flat |= flatten(sign.to_tree()) if sign is not None else {}
@@ -125,5 +125,5 @@ def compare_validations(
 
 
 def validation_words(rule: Any) -> str:
-    """Return what a validation demands and says."""
+    """Return the demands and the messages of a validation."""
     return in_words({name: str(getattr(rule, name) or "") for name in OF_VALIDATION})

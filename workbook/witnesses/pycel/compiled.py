@@ -134,7 +134,7 @@ class FormulaStep(NamedTuple):
     sources: Sequence[int]
 
     def compute(self, values: list[Any]) -> Any:
-        """Return what the cell holds; raise what pycel raises, and OverflowError for what no cell can hold."""
+        """Return the content of the cell; raise what pycel raises, and OverflowError for what no cell can hold."""
         arguments.update(zip(self.compiled.dummies, map(values.__getitem__, self.sources), strict=True))
         return as_cell_value(self.compiled.call())
 

@@ -110,7 +110,7 @@ def _searching(function: Callable[..., Any]) -> Any:
 
 
 def _within(most: float, number: Any, function: Callable[..., Any], *arguments: Any) -> Any:
-    """Return what a function gives, or #NUM! where a number is larger than the most of its kind."""
+    """Return the result of a function, or #NUM! where a number is larger than the most of its kind."""
     return function(*arguments) if not isinstance(number, int | float) or abs(number) <= most else NUM_ERROR
 
 

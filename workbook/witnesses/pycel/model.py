@@ -123,7 +123,7 @@ class PycelModel:
         return [self._by_itself(self._given[n], known) for n in wanted]
 
     def _by_itself(self, number: int, values: list[Any]) -> Any:
-        """Return what a formula cell computes of the values known; ranges are entered among these."""
+        """Return the value of a formula cell from the values known; ranges are entered among these."""
         step = self._steps.get(number)
         if step is None:  # it could not be joined
             return self._numbers.values[number]
@@ -181,7 +181,7 @@ class PycelModel:
         self._steps[number] = RangeStep(cells, len(columns))
 
     def _result(self, number: int, values: list[Any]) -> Any:
-        """Return what a step computes in an evaluation of the whole, and note what kept it from a value."""
+        """Return the value of a step in an evaluation of the whole, and note the reason where it has none."""
         step, address, problem = self._steps[number], self._cells.get(number), ""
         result: Any
         if self._cyclic and CYCLE in map(values.__getitem__, step.sources):

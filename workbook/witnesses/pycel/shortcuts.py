@@ -37,7 +37,7 @@ class Range(tuple[tuple[Any, ...], ...]):
 
 
 class Array:
-    """What an operator made of ranges: numbers, or truth values."""
+    """The result of an operator on ranges: numbers, or truth values."""
 
     __slots__ = ("cells",)
 
@@ -95,7 +95,7 @@ def operators() -> Callable[[Any, str, Any], Any]:
 
 
 def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
-    """Return what an operator makes of arrays of one size, or of one and a number; None where that is not plain."""
+    """Return the result of an operator on arrays of equal size, or array and number; None where it is not plain."""
     kinds = [array.dtype for array in (a, b) if isinstance(array, np.ndarray)]
     if len(kinds) == 2 and a.shape != b.shape:
         return None

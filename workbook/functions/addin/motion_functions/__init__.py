@@ -1,1 +1,1 @@
-"""What the functions MOTION.* compute, with ``math`` alone; knows no spreadsheet."""
+"""The computation of the functions MOTION.*, with ``math`` alone; knows no spreadsheet."""

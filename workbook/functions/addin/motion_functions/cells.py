@@ -40,7 +40,7 @@ class Row(NamedTuple):
         return self.code in ("LIN", "DWL")
 
     def met(self, end: Via) -> End:
-        """Return what it has to meet at an end per unit of its duration; a straight line meets nothing."""
+        """Return the rates that it has to meet at an end per unit of its duration; a straight line meets nothing."""
         return REST if self.straight else (end.v * self.duration, end.a * self.duration**2, end.j * self.duration**3)
 
 
@@ -84,7 +84,7 @@ class Motion:
 
 
 def end_condition(rows: Sequence[Row | Via], k: int, side: int) -> Via:
-    """Return what a row has to meet beside it: a straight line, what is prescribed, else rest."""
+    """Return the condition of a row beside it: a straight line, what is prescribed, else rest."""
     asked, place = rows[k], k + side
     near = rows[place] if 0 <= place < len(rows) else None
     if isinstance(asked, Row) and isinstance(near, Via):

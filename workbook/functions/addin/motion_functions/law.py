@@ -56,7 +56,7 @@ class Piece(NamedTuple):
 
     @property
     def turned(self) -> float:
-        """How far the faster sine turns (rad)."""
+        """The angle by which the faster sine turns (rad)."""
         return self.duration * max(abs(self.omega), abs(self.omega2))
 
     def scaled(self, factor: float) -> Piece:
