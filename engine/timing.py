@@ -80,7 +80,7 @@ class Switch:
         return self.cycle if end - begin == self.cycle else (end - begin) % self.cycle
 
 
-SAME = 1e-12  # share of the cycle: edges that are nearer to each other count as one
+SAME = 1e-12  # share of the cycle: edges that are nearer to each other count as the same
 
 
 class SwitchDifference(NamedTuple):

@@ -42,7 +42,7 @@ def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
         return
     import distributed  # noqa: F401 - it sets levels of its own when it is imported
 
-    for name in LOGGERS:  # what matters of what Dask logs is told in a line
+    for name in LOGGERS:  # what matters of what Dask logs is reported in a line
         logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     with local(wanted) if scheduler is None else remote(scheduler) as client:
         yield Workers(client, scheduler or "")

@@ -5,7 +5,7 @@ from typing import Any
 from unicodedata import category
 
 AGREES, DISAGREES, UNREADABLE, FAILS = 0, 1, 2, 3  # exit codes of the command
-MOST = 40  # faults that are told, of thousands
+MOST = 40  # faults that are reported, of thousands
 LONGEST = 60  # characters that a message repeats of what was found
 UNFIT = ("Cc", "Cf", "Cs", "Cn", "Zl", "Zp")
 """categories of Unicode: controls, format marks, surrogates, unassigned, ends of lines and of paragraphs"""
@@ -42,7 +42,7 @@ class MotionbookError(Exception):
 
 
 class InputError(MotionbookError):
-    """Entries that cannot be used; one line each, and of thousands the first."""
+    """Entries that cannot be used; a line each, and of thousands the first."""
 
     def __init__(self, lines: Sequence[str]) -> None:
         shown = [*lines[:MOST], *([f"… and {len(lines) - MOST:,} more faults"] if len(lines) > MOST else [])]

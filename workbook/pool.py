@@ -1,4 +1,4 @@
-"""A pool for tasks, here or over a cluster; the garbage collector paused while books are made."""
+"""A pool for tasks, here or over a cluster; the garbage collector paused while books are built."""
 
 import gc
 import os
@@ -30,7 +30,7 @@ class Pool:
             yield task, function(task, *shared)
 
     def alone(self) -> AbstractContextManager[Self]:
-        """Give a pool for a task whose worker died: a fresh one, unless others use this one too."""
+        """Give a pool for a task whose worker died: a fresh one, unless others use this too."""
         return nullcontext(self)
 
 

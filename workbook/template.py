@@ -15,7 +15,7 @@ from workbook.unfinished_book import with_entries
 
 FOLDER = Path(workbook.__file__).parent.parent / "templates"
 M = TypeVar("M", bound=Machine)
-MOST = 99  # parts of a kind that are told apart by numbers
+MOST = 99  # parts of a kind that are distinguished by numbers
 
 
 class Alternative(NamedTuple, Generic[M]):

@@ -82,7 +82,7 @@ class Results(NamedTuple):
 class Scaling(NamedTuple, Generic[M]):
     """The entries of a kind of machine that only scale its results, and these results.
 
-    ``part`` returns to which part of the machine the entry at a key belongs, empty for all others; one entry of a part
+    ``part`` returns to which part of the machine the entry at a key belongs, empty for all others; an entry of a part
     may differ. ``results`` gives the results of designs that differ in the columns, by the keys of these.
     """
 

@@ -106,7 +106,7 @@ MOST_PHASES = 20
 
 @dataclass(frozen=True)
 class FoundPhase:
-    """A phase found in a cam table, in its units."""
+    """A phase identified in a cam table, in its units."""
 
     law: Law
     begin: float  # x

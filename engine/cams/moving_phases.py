@@ -35,7 +35,7 @@ class EndLine(NamedTuple):
 def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase], bool]:
     """Return the phases, meeting at speed, of a movement between rests or ends of the table; and if all are known.
 
-    They are known if each is a line or one law. A part between lines that follows no law is divided into quintics with
+    They are known if each is a line or a law. A part between lines that follows no law is divided into quintics with
     equal y' and y'' where they meet, or into splines. There are no phases if it takes too many.
     """
     phases: list[FoundPhase] = []

@@ -104,7 +104,7 @@ class TorqueInterval:
         polynomial[0] += level
         sines = [(m * p, w, phi) for p, w, phi in acceleration.sines]
         sines += [(c * p, w, phi) for p, w, phi in velocity.sines] if c else []
-        merged = []  # one sine for each ω
+        merged = []  # a sine for each ω
         for w in dict.fromkeys(w for _, w, _ in sines):
             phasor = sum(p * np.exp(1j * phi) for p, other, phi in sines if other == w)
             merged.append((float(abs(phasor)), w, float(np.angle(phasor))))

@@ -41,7 +41,7 @@ from engine.drive.rate_estimates import (
 
 @dataclass(frozen=True)
 class RateSearch:
-    """A drive at the points of its cycle, at the present rate and at another; limits are told by their names."""
+    """A drive at the points of its cycle, at the present rate and at another; limits are named by their names."""
 
     points: DrivePoints
     speed: float  # largest of the motor (rad/s)

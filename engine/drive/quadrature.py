@@ -169,7 +169,7 @@ class QuadratureCycle:
 
     drive_cycle: DriveCycle
     pieces: Sequence[MotionPiece]  # of its motion
-    near: float  # distance within which cuts count as one, in units of the abscissa
+    near: float  # distance within which cuts count as the same, in units of the abscissa
     inside: Sequence[float] = ()  # further cuts: where the motion turns round, or its acceleration, inside a piece
 
     @cached_property

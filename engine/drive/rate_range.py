@@ -16,7 +16,7 @@ FAR = 1e3  # factor of the present rate up to which, and down to whose inverse, 
 STEP = 0.02  # of the rate, by which they are located
 CLOSE = 1e-10  # relative tolerance of the ends
 WIDENED = 8  # how often a bracket of an end is widened by a step
-NEAR = 1e-9  # share of a cycle within which cuts count as one
+NEAR = 1e-9  # share of a cycle within which cuts count as the same
 
 
 def rate_range(checks: LimitChecks) -> RateRange:

@@ -1,4 +1,4 @@
-"""The motion laws: one class for each family, listed in the catalogue in the order of their numbers in a workbook.
+"""The motion laws: a class for each family, listed in the catalogue in the order of their numbers in a workbook.
 
 :mod:`workbook.laws.pages` holds what a workbook needs of each. Everything else (tables of pieces, drop-downs,
 variations, tests) iterates over the catalogue.

@@ -1,4 +1,4 @@
-"""All zeros of a polynomial plus sines, found down the ladder of its derivatives; extremes of pieces of a law."""
+"""All zeros of a polynomial plus sines, by the ladder of its derivatives; extremes of pieces of a law."""
 
 import itertools
 import math

@@ -162,7 +162,7 @@ class PointInversion(NamedTuple):
 
 
 def point_inversion(law: Law, heights: Array) -> PointInversion:
-    """Return when a law reaches heights: u = 2Δs/(v + √(v² + 2aΔs)) after a point, then one step of Newton's method."""
+    """Return when a law reaches heights: u = 2Δs/(v + √(v² + 2aΔs)) after a point, then a step of Newton's method."""
     points = inversion_points(law)
     k = np.searchsorted(points.s, np.minimum(heights + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE), side="right") - 1
     low, high = (points._replace(xi=points.xi[i], s=points.s[i], v=points.v[i]) for i in (k, k + 1))

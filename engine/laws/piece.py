@@ -132,7 +132,7 @@ class PlacedPiece(NamedTuple):
     """A piece at its place in a law.
 
     The position on it is S0 + u (S1 + polynomial) − Σ P/ω² sin(ωu + φ), the velocity S1 + polynomial −
-    Σ P/ω cos(ωu + φ), summed over its sines: one formula each for every piece of every law.
+    Σ P/ω cos(ωu + φ), summed over its sines: a formula each for every piece of every law.
     """
 
     piece: Piece

@@ -26,7 +26,7 @@ class PieceEnds(NamedTuple):
 
     begin: float
     end: float
-    reached: float  # at the end of the last piece of any duration, up to this one
+    reached: float  # at the end of the last piece of any duration, up to this
     jump: float  # |a| by which the acceleration jumps at the begin; 0 of a piece without duration
 
 

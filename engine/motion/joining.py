@@ -184,7 +184,7 @@ class Joint(NamedTuple):
     """The joint at which a piece of a motion begins. A piece without duration repeats the figures before it."""
 
     x: float  # abscissa
-    piece_count: int  # number of pieces of any duration up to here, this one included
+    piece_count: int  # number of pieces of any duration up to here, this included
     phase: int  # number of the phase of the last of these, from 0
     end: Rates  # at the end of the last of these
     before: int  # number of the phase of the piece before it; −1 for a piece without duration

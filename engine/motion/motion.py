@@ -52,7 +52,7 @@ class Motion:
 
     @classmethod
     def from_edges(cls, edges: ArrayLike, lifts: Sequence[float], laws: Sequence[Law], position: float = 0.0) -> Self:
-        """Return the motion of phases between edges that are kept exactly.
+        """Return the motion of phases between edges that are held exactly.
 
         Parameters
         ----------

@@ -13,7 +13,7 @@ from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
 
-SAME = 1e-12  # share of the cycle: breaks that are nearer to each other count as one
+SAME = 1e-12  # share of the cycle: breaks that are nearer to each other count as the same
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,7 +89,7 @@ class CamProfile:
         travel = self.travel if travel is None else travel
         whole = math.floor(by / total + SAME)
         by -= whole * total
-        c = np.concatenate([self.c, self.c])  # of the cycle before, and of this one
+        c = np.concatenate([self.c, self.c])  # of the cycle before, and of this
         c[:, 0] -= np.repeat([whole + 1, whole], len(self.c)) * travel
         edges, origins = (np.concatenate([x + by - total, x + by]) for x in (self.edges[:-1], self.origins))
         ends = np.append(edges[1:], end + by)

@@ -16,7 +16,7 @@ from engine.motion.motion import Motion
 from engine.motion.phase import MotionValues
 from engine.motion.pieces import MotionPiece, motion_pieces
 
-SAME = 1e-12  # share of the cycle: breaks that are nearer to each other count as one
+SAME = 1e-12  # share of the cycle: breaks that are nearer to each other count as the same
 
 
 class Unshifted(NamedTuple):

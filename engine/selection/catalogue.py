@@ -15,7 +15,7 @@ NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)  # de
 
 @dataclass(eq=False)
 class Motors:
-    """A catalogue of motors: arrays, or one number for all; NaN if not given. Raises ValueError for wrong figures."""
+    """A catalogue of motors: arrays, or a number for all; NaN if not given. Raises ValueError for wrong figures."""
 
     names: tuple[str, ...]
     inertia: Array  # J_M (kg m²)
@@ -55,7 +55,7 @@ class Motors:
 
 @dataclass(eq=False)
 class Reducers:
-    """A catalogue of reducers: arrays, or one number for all; NaN if not given. Raises ValueError for wrong figures."""
+    """A catalogue of reducers: arrays, or a number for all; NaN if not given. Raises ValueError for wrong figures."""
 
     names: tuple[str, ...]
     reduction: Array  # i = ω_M/ω_L

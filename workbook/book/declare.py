@@ -6,7 +6,7 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 
 ====================  ==========================================================
 ``[xi]``              the cell of column ``xi`` in the same row of the same table
-``[xi-1]``            the cell one row above it
+``[xi-1]``            the cell a row above it
 ``[samples.xi]``      the whole column ``xi`` of table ``samples``, absolute
 ``[samples.xi.first]``, ``.last``, ``.3``   its first, last, third cell
 ``[samples.xi.same]``   its cell in the row of the same number
@@ -56,7 +56,7 @@ class Book:
     """columns ``table.column`` that sum up some checks: of each row the places of these among all"""
 
     def sheet(self, title: str, purpose: str) -> Sheet:
-        """Add a sheet behind the ones that are there. Raises ValueError where one of them has its title."""
+        """Add a sheet behind the ones that are there. Raises ValueError where any of them has its title."""
         if any(sheet.title.casefold() == title.casefold() for sheet in self.sheets):
             raise ValueError(f"the sheet {title} is declared twice")
         self.sheets.append(Sheet(self, title, purpose))

@@ -23,7 +23,7 @@ MOST_CELLS = 200_000  # of a range: what is larger is refused
 _SHEET = r"(?:'(?:[^']|'')++'|[\w.]++)!"
 _CELL = r"\$?[A-Za-z]{1,3}\$?[0-9]{1,7}"
 _END = r"(?![\w.(!\\?\[])"
-# one scan: what is repeated is never given back, and a token that none of these is ends it
+# a scan: what is repeated is never given back, and a token that none of these is ends it
 TOKEN = re.compile(
     rf"""
     (?P<function>[^\W\d][\w.]*+\()

@@ -128,7 +128,7 @@ def all_empty(inputs: Sequence[Quantity]) -> str:
 
 
 def guard_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) -> tuple[list[Quantity], Quantity]:
-    """Return a table's messages, a column for each entry and rule, and the check; ``filled``: one row must be."""
+    """Return a table's messages, a column for each entry and rule, and the check; ``filled``: a row must be."""
     table = f"{guard.table}{MESSAGES}"
     first, last = guard.columns[0], guard.columns[-1]
     among = f"[{first}:{last}]"

@@ -170,7 +170,7 @@ class Row(int):
 
 @dataclass
 class Block:
-    """Quantities placed on a sheet: one row of a table each ``size``, or a single cell."""
+    """Quantities placed on a sheet: a row of a table each ``size``, or a single cell."""
 
     name: str
     sheet: Sheet
@@ -253,7 +253,7 @@ class Block:
 
 
 def span(top: int, left: int, bottom: int, right: int, fixed: str = "$") -> str:
-    """Return an A1 range, or one cell where both corners are the same; ``fixed`` stands before columns."""
+    """Return an A1 range, or a cell where both corners are the same; ``fixed`` stands before columns."""
     first = f"{fixed}{get_column_letter(left)}${top}"
     last = f"{fixed}{get_column_letter(right)}${bottom}"
     return first if first == last else f"{first}:{last}"

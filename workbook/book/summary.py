@@ -1,4 +1,4 @@
-"""Sheets that every book has: the first, one printed page for who gets the machine, and Checks with the verdict.
+"""Sheets that every book has: the first, a printed page for who gets the machine, and Checks with the verdict.
 
 On the first, links to every sheet, how to use the book, and its sources follow below, outside what is printed.
 """

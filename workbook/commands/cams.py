@@ -29,7 +29,7 @@ NEAR = 1e-6  # of the cycle: so far the file's may be from the book's
 
 
 def read(file: Path, source: str, output: Path | None, force: bool, tolerance: str | None = None) -> None:
-    """Tell what a controller's file was made of, and write it as a description."""
+    """Tell what a controller's file was built of, and write it as a description."""
     target = target_named(source)
     order, share = parse_tolerance(tolerance) if tolerance is not None else ("y", THINNED)
     if order != "y":
@@ -85,7 +85,7 @@ def compare(
     if switches == (axis is not None):
         raise TargetError("expected either --axis NAME or --switches")
     if switches:
-        read_tracks(file, target)  # what cannot be read is told before the book is verified
+        read_tracks(file, target)  # what cannot be read is reported before the book is verified
     held = dict(map(parse_tolerance, tolerance)) or dict(target.tolerance)
     table = None if switches else read_table(file, target)
     machine, before = open_finished(book)

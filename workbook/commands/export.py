@@ -99,7 +99,7 @@ class Options(NamedTuple):
 
 
 class AxisFile(NamedTuple):
-    """An axis with its file's text, and what was made of it when that was read back."""
+    """An axis with its file's text, and what was built of it when that was read back."""
 
     axis: CamAxis
     text: str

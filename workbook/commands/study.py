@@ -143,7 +143,7 @@ def finished_study(plan: Plan, results: Path) -> Summary | None:
 
 
 def summary_from(plan: Plan, path: Path, own: bool) -> Summary | None:
-    """Return the summary of a study in a file; None where it is another one's, or none."""
+    """Return the summary of a study in a file; None where it is another's, or none."""
     try:
         data = json.loads(read(path) or "{}")
         return Summary.of_data(data) if data.pop("digest", "") == plan.digest else None
@@ -174,6 +174,6 @@ def show(plan: Plan, summary: Summary, results: Path, seconds: float) -> None:
 
 
 def show_judged(judged: BookCheck) -> int:
-    """Print whether a design's book says what the study said; return the exit code."""
+    """Print whether a design's book says what the study states; return the exit code."""
     say(OUT, page.judged_line(judged), "green" if judged.holds else "red")
     return AGREES if judged.holds else DISAGREES

@@ -28,7 +28,7 @@ from workbook.text_files import irregular_kind
 from workbook.writing.output_files import refuse_same_file
 
 VERDICT = "verdict"
-DAILY = "pycel"  # the witness that is asked unless told otherwise
+DAILY = "pycel"  # the witness that is asked unless given otherwise
 
 
 def verify(

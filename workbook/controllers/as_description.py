@@ -34,13 +34,13 @@ NEXT = 1e-9  # of the cycle: phases so near to each other meet
 def phases_of(
     target: Target, table: Table, units: tuple[str, str] = ("", ""), share: float = THINNED
 ) -> IdentifiedMotion:
-    """Return the movements that a table was made of: laws, or splines that are off by at most a share of the reach."""
+    """Return the movements that a table was built of: laws, or splines that are off by at most a share of the reach."""
     rebuilt = next(iter(rules_of(target, table).values())).rebuild(table)
     known = precision(table.y)
     if table.steps[1] != 1.0:
         known = max(known, 0.5 * table.steps[1])
     turns = units[0] == "°" and units[1] in ("mm", "°") and table.x[0] == 0.0 and table.x[-1] == TURN
-    v = None if table.a is None else table.v  # y' alone is nobody's rule: as a rule it was made of differences
+    v = None if table.a is None else table.v  # y' alone is nobody's rule: as a rule it was built of differences
     points = CamPoints(table.x, table.y, v, table.a, known)
     if table.profile is not None and table.steps == (1.0, 1.0):  # polynomials that are exact everywhere
         x = subdivided(table.x, BETWEEN)

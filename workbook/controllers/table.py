@@ -67,7 +67,7 @@ class Rule(NamedTuple):
 
 
 def _clamped(table: Table) -> CamProfile:
-    """Return the clamped spline, which lines part; with slopes that nobody told it goes on as its points do."""
+    """Return the clamped spline, which lines part; with slopes that nobody gave it goes on as its points do."""
     slopes = table.slopes
     if slopes is None:
         points = CamPoints(table.x, table.y, None, None, 0.0)

@@ -23,11 +23,11 @@ BETTER = 0.95  # times the best so far: more points are worth it
 LOST = 0.5  # of its peak: an order that the best misses by so much jumps, and no number of points helps it
 COARSE = 100
 DRAWN = 12
-IDLE = 3  # tries that were not: no more are made
+IDLE = 3  # tries that were not: no more are built
 MOST_TRIED, MOST_EQUAL = 4000, 2000
 WORK = 80_000  # points times rules that are certified for an axis: a second or so
 ORDERS = ("y", "v", "a", "j")  # position, velocity, acceleration and jerk, as tolerances name them
-DIGITS = 13  # of the cycle: so many digits of x are kept, which the breaks of a motion have
+DIGITS = 13  # of the cycle: so many digits of x are held, which the breaks of a motion have
 ROUNDED = 1e-14  # of the largest of a column: what is smaller is none
 BEFORE = 1e-5  # of the cycle: so far before a jump of y' or y'' stands a point of its own
 WITHIN = 1e-3  # of a way from point to point: so near to its ends a break, rounded to 32 bits, may lie
@@ -147,7 +147,7 @@ def reread(target: Target, text: str, table_before: Table) -> Table:
 
 @dataclass
 class Tries:
-    """The tables of an axis that were made for a target, by their number of points; no more than :data:`WORK`."""
+    """The tables of an axis that were built for a target, by their number of points; no more than :data:`WORK`."""
 
     target: Target
     axis: CamAxis

@@ -142,7 +142,7 @@ class Target(ClaimedFormat):
     signs: tuple[str, ...] = ()  # which of separator and decimal may be asked for
     spacing: Spacing = "free"
     plain: tuple[str, ...] = ()  # the rules for a table of x and y only, where a file may have no more
-    tolerance: tuple[tuple[str, float], ...] = (("y", 1e-4), ("a", 0.01))  # of which order, unless told otherwise
+    tolerance: tuple[tuple[str, float], ...] = (("y", 1e-4), ("a", 0.01))  # of which order, unless given otherwise
     exact: Callable[[CamProfile], NDArray[np.bool_]] = lambda of: np.zeros(len(of.origins), dtype=np.bool_)
     """which stretches of a motion need no points within"""
     built: Callable[[CamProfile, Array, tuple[float, float]], Table] | None = None

@@ -226,7 +226,7 @@ def grouped(text: str, names: Sequence[str]) -> list[Array]:
 
 
 def points(text: str, columns: Sequence[Array], count: str = "") -> Table:
-    """Return the table of the columns that were found in a text, as long as ``count`` says where that is assigned."""
+    """Return the table of the columns that stand in a text, as long as ``count`` says where that is assigned."""
     x, y, *rates = columns
     v, a = rates or (None, None)
     table = Table(x, y, v, a)
@@ -245,7 +245,7 @@ def assigned_number(text: str, name: str) -> float | None:
 
 
 def require_count(text: str, name: str, points: int) -> None:
-    """Raise TargetError where a count is told that is not that of the points."""
+    """Raise TargetError where a count is reported that is not that of the points."""
     count = assigned_number(text, name)
     if count is not None and count != points:
         raise TargetError(f"{name} is {count:g}, {points} points follow; expected as many (is the file cut off?)")

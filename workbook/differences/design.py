@@ -24,7 +24,7 @@ from workbook.template_outputs import ExactJudgement
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreement import agreed_values, same_value
 
-LONG = 40  # rows of a table of samples or points: those are compared by the results made of them
+LONG = 40  # rows of a table of samples or points: those are compared by the results built from them
 NAMES = ("name", "axis", "sheet")  # the columns by which the rows of a table are called
 NUMBERED = re.compile(r"(axis|cycle|drive)(\d+)(?=_|$)")  # with what names of blocks begin where each axis has its own
 # what identifies a figure in another book: its axis, its block without the axis' number, column and row
@@ -137,7 +137,7 @@ SMALLEST = 1e-12  # difference of two numbers that are the same: rounding in a f
 
 
 class Change(NamedTuple):
-    """An entry, a result or a check that differs; ``None`` stands for what one side does not have."""
+    """An entry, a result or a check that differs; ``None`` stands for what a side does not have."""
 
     place: str
     label: str

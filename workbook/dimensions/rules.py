@@ -29,7 +29,7 @@ class Term:
     """The knowledge of an expression: dimension and number."""
 
     dimension: Dimension | None = None  # where it is known
-    number: float | None = None  # its value, if it is made of numbers alone
+    number: float | None = None  # its value, if it is built of numbers alone
     free: bool = False  # whether it goes with any dimension in a sum: a number in a formula, a text
     several: tuple[Dimension, ...] = ()  # those of a range of cells of unlike dimensions
 
@@ -45,7 +45,7 @@ FREE, UNKNOWN = Term(free=True), Term()
 
 
 def plain(number: float) -> bool:
-    """Whether a number is a count or converts units: whole, one part of a whole number, or such times π."""
+    """Whether a number is a count or converts units: whole, a part of a whole number, or such times π."""
     sizes = (abs(number), abs(number) / math.pi, abs(number) * math.pi)
     either = [ratio for size in sizes if size for ratio in (size, 1 / size)]
     return not number or any(ratio >= 0.5 and math.isclose(ratio, round(ratio), rel_tol=1e-12) for ratio in either)
@@ -145,7 +145,7 @@ class FormulaChecker:
 
 
 def product(parts: Sequence[Term], signs: Sequence[int]) -> Term:
-    """Return the term of a product, ``signs`` -1 for a divisor; unknown if one of its factors is."""
+    """Return the term of a product, ``signs`` -1 for a divisor; unknown if any of its factors is."""
     dimension = NONE
     for part, sign in zip(parts, signs, strict=True):
         if part.factor is None:

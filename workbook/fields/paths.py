@@ -63,7 +63,7 @@ def get(entry: Any, path: Sequence[str], default: Any = None) -> Any:
 
 
 def has_key(entry: Any, key: str) -> bool:
-    """Whether an entry has another one at a key below it."""
+    """Whether an entry has another at a key below it."""
     return get(entry, split(key), MISSING) is not MISSING
 
 

@@ -1,6 +1,6 @@
 """The functions as names of Excel: LAMBDA formulas of ``formulas.txt``, as Excel shows them and as a file stores them.
 
-What differs from law to law is made from the add-in's table of laws. A file marks what Excel 2007 did not know:
+What differs from law to law is built from the add-in's table of laws. A file marks what Excel 2007 did not know:
 functions by ``_xlfn.``, parameters and variables by ``_xlpm.``, optional ones, shown as ``[name]``, by ``_xlop.``
 (Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
 """

@@ -28,7 +28,7 @@ Verdict = Literal["agrees", "fails", "disagrees", "unreadable", "no machine"]
 
 
 class Target(NamedTuple):
-    """A workbook to verify; ``named`` where it was named itself, not found in a folder."""
+    """A workbook to verify; ``named`` where it was named itself, not met in a folder."""
 
     path: Path
     named: bool
@@ -52,7 +52,7 @@ def no_report(path: Path, reason: str, verdict: Verdict = "unreadable") -> Outco
 
 
 def foreign(path: Path) -> bool:
-    """Whether a file is, by its list of names, a whole workbook without a machine; not where that cannot be told."""
+    """Whether a file is, by its list of names, a whole workbook without a machine; not where that cannot be known."""
     try:
         with zipfile.ZipFile(path) as archive:
             parts = [name for name in archive.namelist() if fnmatch(name, "xl/workbook*.xml")]
@@ -83,7 +83,7 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
         return no_report(path, "there is no such file")
     except OSError as error:
         return no_report(path, f"cannot be read: {error.strerror or error}")
-    except Exception as error:  # one strange file must not take the others' verdicts with it
+    except Exception as error:  # a strange file must not take the others' verdicts with it
         failed = f"({type(error).__name__}: {error})"
         return no_report(path, f"verifying it failed inside motionbook {failed}; please report this")
     if report.findings and all(

@@ -1,4 +1,4 @@
-"""Rows and columns put into a table, or taken out of it: one finding each, and none for what follows from it."""
+"""Rows and columns put into a table, or taken out of it: a finding each, and none for what follows from it."""
 
 from collections import defaultdict
 from collections.abc import Iterator

@@ -53,7 +53,7 @@ class WitnessRun:
 
     @property
     def answered(self) -> bool:
-        """Whether it was asked, and said what cells compute."""
+        """Whether it was asked, and stated what cells compute."""
         return not (self.absent or self.why)
 
 

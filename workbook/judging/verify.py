@@ -71,7 +71,7 @@ def judge(
     file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
     given: Mapping[Address, Any] = MappingProxyType({}), named: Collection[str] = (),
 ) -> None:  # fmt: skip
-    """Enter into ``report`` all that is found in ``file``, whose inputs are ``machine``.
+    """Enter into ``report`` all findings in ``file``, whose inputs are ``machine``.
 
     ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others one.
     """

@@ -113,7 +113,7 @@ def draft(file: BookFile) -> str:
 
 
 def variable_names(file: BookFile, cells: list[Address], taken: tuple[str, ...] = ()) -> dict[Address, str]:
-    """Return a variable for each cell, made of its label, each once."""
+    """Return a variable for each cell, built from its label, each once."""
     names: dict[Address, str] = {}
     count = Counter(taken)
     for cell in cells:

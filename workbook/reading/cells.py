@@ -1,4 +1,4 @@
-"""Cells made from the rows that the guard has read, numbers whatever their format; openpyxl reads the rest."""
+"""Cells built from the rows that the guard has read, numbers whatever their format; openpyxl reads the rest."""
 
 from collections.abc import Sequence
 from typing import Any

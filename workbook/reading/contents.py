@@ -60,7 +60,7 @@ class Contents:
         return grouped_by_pattern(self.formulas.values())
 
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
-        """Return those of the formula ``cells`` on which those ``by`` depend; all if one of these cannot be parsed."""
+        """Return those of the formula ``cells`` on which those ``by`` depend; all if any of these cannot be parsed."""
         left, needed, last = set(cells), set[Address](), set(by)
         while last and left:
             last = left if any(a in self.failed for a in last) else self.read(left, last)

@@ -1,4 +1,4 @@
-"""Workbook files as people leave them: opened, or refused in a line; blocks found by their defined names."""
+"""Workbook files as people leave them: opened, or refused in a line; blocks identified by their defined names."""
 
 import io
 import warnings

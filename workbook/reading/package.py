@@ -85,7 +85,7 @@ def optional_part(what: str, relations: list[Relationship], kind: str, typed_so:
 
 
 def only_part(what: str, targets: list[str], typed_so: list[str], names: set[str]) -> str:
-    """Return the one part that both relationship and content type call by a name; raise Refusal for all else."""
+    """Return the only part that both relationship and content type call by a name; raise Refusal for all else."""
     if len(targets) != 1 or typed_so != targets or targets[0] not in names:
         listed = ", ".join(short(name) for name in dict.fromkeys([*targets, *typed_so])) or "no part"
         raise Refusal(f"{listed} could be its {what} by relationship or content type; expected one by both; {SAVE_AS}")
@@ -116,7 +116,7 @@ def sheet_parts(root: Element, relations: list[Relationship], types: Mapping[str
 
 
 def only_child(root: Element, name: str) -> Element | list[Element]:
-    """Return the one child of this name, wherever it stands below the root; nothing where there is none."""
+    """Return the only child of this name, wherever it stands below the root; nothing where there is none."""
     children = [e for e in root.iter() if tag(e) == name]
     if len(children) > 1 or (children and (children[0] not in list(root) or children[0].tag != f"{MAIN}{name}")):
         raise Refusal(f"damaged: its workbook holds <{name}> more than once, or in another place; {SAVE_AS}")

@@ -1,4 +1,4 @@
-"""Rows and columns inserted into a table or deleted from it, found by row numbers, formulas and headings."""
+"""Rows and columns inserted into a table or deleted from it, sought by row numbers, formulas and headings."""
 
 from collections.abc import Callable, Container, Sequence
 
@@ -9,7 +9,7 @@ from workbook.book.limits import MESSAGES
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile
 
-LOOKED_AT = 30  # rows of a table, where its columns are told apart
+LOOKED_AT = 30  # rows of a table, where its columns are distinguished
 HEADER = 12  # rows above a table in which its headings are looked for
 
 

@@ -1,1 +1,1 @@
-"""Tells what was found: on the terminal, as a page, as JUnit XML."""
+"""Tells the findings: on the terminal, as a page, as JUnit XML."""

@@ -1,4 +1,4 @@
-"""The certificates of an export: in words, as tables of a terminal, as JSON, as one page of HTML with pictures."""
+"""The certificates of an export: in words, as tables of a terminal, as JSON, as a page of HTML with pictures."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -107,7 +107,7 @@ def page(
 
 
 def pictures(axis: CamAxis, certified: CertifiedTable, target: Target) -> Iterator[str]:
-    """Yield pictures: errors over the number of points; the acceleration meant and made by each rule; its errors."""
+    """Yield pictures: errors over the number of points; the acceleration meant and built by each rule; its errors."""
     tried = sorted([*curve(target, axis), certified], key=lambda table: table.points)
     points = np.array([float(table.points) for table in tried])
     drawn = []

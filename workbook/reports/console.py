@@ -150,7 +150,7 @@ def progress(console: Console, words: str, total: int) -> Iterator[Callable[[int
 def show(
     outcomes: Sequence[Outcome], out: Console, err: Console, as_json: bool, alone: bool, everything: bool = False
 ) -> None:
-    """Print a run: in full where one file was named ``alone``, else the summary of all."""
+    """Print a run: in full where a file was named ``alone``, else the summary of all."""
     if not alone and as_json:
         compared = sum(o.report.compared for o in outcomes if o.report)
         files = []
@@ -172,7 +172,7 @@ def show(
 
 
 def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
-    """Print a table of all workbooks, the worst of what was found in each, and the sums."""
+    """Print a table of all workbooks, the worst of the findings in each, and the sums."""
     table = Table("Workbook", *(Column(name, justify="right") for name in ("Formula cells", "Findings")))
     table.add_column("Verdict", no_wrap=True)
     for o in outcomes:
@@ -219,7 +219,7 @@ def show_catalogue(console: Console) -> None:
 
 
 def show_laws(console: Console, rows: Sequence[dict[str, Any]], numbers: Iterable[str], words: Iterable[str]) -> None:
-    """Print a table of the laws with some of their figures, and what is said of them in words."""
+    """Print a table of the laws with some of their figures, and what is stated of them in words."""
     table = Table()
     for heading in ("Code", "Law", *numbers, *(word.replace("_", " ") for word in words)):
         table.add_column(heading, no_wrap=heading != "Law", justify="right" if heading in numbers else "left")

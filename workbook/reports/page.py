@@ -1,4 +1,4 @@
-"""The report of a run: one page of HTML; JUnit XML for CI servers; SARIF 2.1.0 for code hosts.
+"""The report of a run: a page of HTML; JUnit XML for CI servers; SARIF 2.1.0 for code hosts.
 
 Source: OASIS, Static Analysis Results Interchange Format (SARIF) Version 2.1.0, 2020.
 """

@@ -1,4 +1,4 @@
-"""A study as one page of HTML: the front, the best designs, what was fixed, what excludes the others."""
+"""A study as a page of HTML: the front, the best designs, what was fixed, what excludes the others."""
 
 import platform
 import re
@@ -36,7 +36,7 @@ def page(plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None, 
 def front(
     plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None = None, links: Sequence[str] = (), **page: Any
 ) -> str:
-    """Return the results of a study as HTML: the best designs, as links where given, and the bounds that exclude others.
+    """Return the results of a study as HTML: the best designs, as links where given, and the excluding bounds.
 
     What the page has besides is in ``page``.
     """
@@ -103,7 +103,7 @@ def varied_words(dimension: Dimension) -> str:
 
 
 def judged_line(judged: BookCheck) -> str:
-    """Return whether the book of a design says what the study said."""
+    """Return whether the book of a design says what the study states."""
     if judged.differing:
         return f"The book of the design differs from the study: {', '.join(judged.differing)}."
     cells = f"{judged.cells:,} formula cells {'agree' if judged.agrees else 'DISAGREE'}"

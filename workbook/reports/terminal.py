@@ -26,7 +26,7 @@ def shown(text: str, style: str = "") -> Text:
 
 
 def say(console: Console, text: str, style: str = "") -> None:
-    """Print a text as one line, however long."""
+    """Print a text as a line, however long."""
     console.print(shown(text, style), soft_wrap=True)
 
 

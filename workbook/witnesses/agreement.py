@@ -96,7 +96,7 @@ class Evaluation:
             yield name, values
 
     def _values(self, name: str, witness: Witness, address: Address) -> Cells:
-        """Return the values of a witness in the first file that it can open; else in one of what a cell depends on."""
+        """Return the values of a witness in the first file that it can open; else in any of what a cell depends on."""
         for cells in self._left.setdefault(name, files_of(self._file.contents, self._asked)):
             try:
                 return self._computed(witness, cells)

@@ -27,7 +27,7 @@ def formualizer(data: bytes) -> bytes:
 
 
 def ironcalc(path: str, cells: list[tuple[str, int, int]]) -> list[Any]:
-    """Return the values of cells, each told by its sheet, row and column."""
+    """Return the values of cells, each named by its sheet, row and column."""
     from ironcalc import load_from_xlsx
 
     model = load_from_xlsx(path, "en", "UTC", "en")

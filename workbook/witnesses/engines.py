@@ -26,7 +26,7 @@ PLACES = (
     "/Applications/LibreOffice.app/Contents/MacOS/soffice",
     r"C:\Program Files\LibreOffice\program\soffice.com",
 )
-# LibreOffice keeps the values that it finds in a file unless it is told to recalculate always, and follows links to
+# LibreOffice keeps the values that it finds in a file unless it is asked to recalculate always, and follows links to
 # other files and to the web unless it is told never to; settings that a version does not know do no harm
 SETTINGS = (
     ("Calc/Formula/Load", "OOXMLRecalcMode", "0"), ("Calc/Formula/Load", "ODFRecalcMode", "0"),

@@ -125,7 +125,7 @@ def same_book(first: Path, other: Path) -> bool:
 
 
 def same_part(first: bytes, other: bytes) -> bool:
-    """Compare one part: the text around cached results exactly, the results nearly."""
+    """Compare a part: the text around cached results exactly, the results nearly."""
     if first == other:
         return True
     if CACHED.sub(rb"\1", first) != CACHED.sub(rb"\1", other):

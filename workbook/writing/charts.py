@@ -1,6 +1,6 @@
 """XY charts with straight lines, labelled axes and alternative text.
 
-The numbers that a chart shows are kept in it: previews and Protected View draw these, and compute nothing.
+The numbers that a chart shows are stored in it: previews and Protected View draw these, and compute nothing.
 """
 
 import re

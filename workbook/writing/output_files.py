@@ -39,7 +39,7 @@ def refuse_same_file(*paths: Path | None) -> None:
 
 
 def refuse_itself(path: Path | None, source: Path) -> None:
-    """Raise WriteError where what is made of a file would take its place, asked to replace it or not."""
+    """Raise WriteError where what is built of a file would take its place, asked to replace it or not."""
     if path is not None and os.path.realpath(path) == os.path.realpath(source):
         raise WriteError(f"{path}: this is what is read; expected another name for what is made of it")
 

@@ -84,7 +84,7 @@ class Aligned(NamedTuple):
 
 
 class Styles:
-    """Cell styles of a workbook, each made once on a scratch cell, by their numbers in the file."""
+    """Cell styles of a workbook, each built once on a scratch cell, by their numbers in the file."""
 
     def __init__(self, workbook: Workbook) -> None:
         self._workbook, self._scratch = workbook, workbook.create_sheet("scratch")

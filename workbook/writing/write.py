@@ -228,7 +228,7 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
 def pack(
     parts: dict[str, bytes], path: Path, overwrite: bool = False, check: Callable[[Path], None] | None = None
 ) -> None:
-    """Write the parts as one file, as :func:`replace` does."""
+    """Write the parts as a file, as :func:`replace` does."""
 
     def written(beside: Path) -> None:
         beside.write_bytes(archive.zipped(parts, zipfile.ZIP_DEFLATED))

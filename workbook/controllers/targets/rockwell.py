@@ -39,7 +39,7 @@ def real(value: float) -> str:
 
 
 def read(text: str) -> Table:
-    """Return the points of the one tag of type CAM or CAM_PROFILE; raise TargetError where its two forms differ."""
+    """Return the points of the only tag of type CAM or CAM_PROFILE; raise TargetError where its two forms differ."""
     tags, cam = only_tag(text, "CAM", "CAM_PROFILE")
     data = next((data.text or "" for data in cam.iter("Data") if data.get("Format") == "L5K"), "")
     packed = [[field.strip() for field in row.split(",")] for row in ROW.findall(data)[: MOST_POINTS + 1]]
@@ -117,7 +117,7 @@ def profile_table(rows: list[list[str]]) -> Table:
 
 
 def read_switches(text: str) -> list[Track]:
-    """Return the tracks of the one tag of type OUTPUT_CAM."""
+    """Return the tracks of the only tag of type OUTPUT_CAM."""
     _, cam = only_tag(text, "OUTPUT_CAM")
     rows = []
     for k, element in enumerate(cam.iter("Element")):

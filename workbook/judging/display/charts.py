@@ -20,7 +20,7 @@ CM = 360_000  # EMU
 SMALL = 0.4  # of the width or height of a fresh build, below which a chart can hardly be read
 DATA = {"x": ("xVal", "cat"), "y": ("yVal", "val"), "strokes": ("plus",), "name": ("tx",)}  # of a line, by elements
 TEXTS = ("t", "f", "v")  # elements that hold texts and references, which are read apart
-# what is told though a fresh build has none: all else that is added is a program's own way to write what is usual
+# what is reported though a fresh build has none: all else that is added is a program's own way to write what is usual
 T = TypeVar("T")
 ADDED = re.compile(
     r"\b(trendline|upDownBars|dropLines|hiLowLines|dTable|view3D|pivotFmts|userShapes|errBars|dPt.* spPr|dLbl.* tx"

@@ -30,7 +30,7 @@ class Subject(NamedTuple):
     words: str
     is_verdict: bool = False
     is_remark: bool = False
-    group: str = ""  # apart from which its differences are told, such as those of a chart
+    group: str = ""  # apart from which its differences are reported, such as those of a chart
 
 
 class Differences:

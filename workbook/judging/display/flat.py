@@ -1,6 +1,6 @@
 """Attributes of an element of a file and of all within it, as one flat dictionary of normal values.
 
-Fresh builds and files of any program are read by this one reader: what is left of their differences, a reader sees.
+Fresh builds and files of any program are read by this reader: what is left of their differences, a reader sees.
 """
 
 import re

@@ -1,1 +1,1 @@
-"""pycel as a witness: each shape of formula compiled once, cells in an order found without recursion."""
+"""pycel as a witness: each shape of formula compiled once, cells in an order sought without recursion."""
