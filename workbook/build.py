@@ -31,7 +31,7 @@ from workbook.writing.archive import same_book
 from workbook.writing.output_files import refuse_existing
 from workbook.writing.write import save
 
-LARGE = 10_000_000  # bytes of a file: one below is far within the limits of reading
+LARGE = 10_000_000  # bytes of a file: a smaller file is far within the limits of reading
 NUMBERED = re.compile(r"\b[Aa]xis (\d+)(?=:|$)")
 READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "reducers": read_reducers}
 
@@ -69,7 +69,7 @@ def judge_book(machine: Machine, book: Book) -> BookVerdict:
 
 
 def require_readable(draft: Path) -> None:
-    """Raise InputError for a workbook that is larger than what verify would read; a small one needs no look."""
+    """Raise InputError for a workbook that is larger than what verify would read; a small file needs no look."""
     try:
         if (size := draft.stat().st_size) > LARGE:
             with draft.open("rb") as file:
@@ -79,7 +79,7 @@ def require_readable(draft: Path) -> None:
 
 
 def failing_checks(book: Book, exact: ExactJudgement = NOTHING_JUDGED) -> list[str]:
-    """Return a line for each check of a book that fails, axes by their names; then one on all that depends on these."""
+    """Return a line for each check of a book that fails, axes by their names; last all that depends on these."""
     named = [(q, block.size) for block in book.blocks.values() if block.name == "axes" for q in block.quantities]
     names = [str(name) for q, rows in named if q.name == "name" for name in as_rows(q.value, rows, q.name)]
     lines, open_ = [], []
@@ -140,7 +140,7 @@ def read_entered(path: Path) -> tuple[Match, Machine, list[str]]:
 
 
 def regenerate(path: Path, output: Path, overwrite: bool = False) -> BookVerdict:
-    """Build a workbook anew from what was entered into an old one; the notes begin with what is left behind."""
+    """Build a workbook anew from what was entered into an old workbook; the notes begin with what is left behind."""
     match, machine, notes = read_entered(path)
     template = TEMPLATES[machine.template]
     require_possible(template, machine, counted_from_1)

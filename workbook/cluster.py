@@ -1,4 +1,4 @@
-"""A pool of Dask workers, of this machine or a cluster's; Dask is imported only for more than one task."""
+"""A pool of Dask workers, of this machine or a cluster's; Dask is imported only for several tasks."""
 
 import gc
 import logging
@@ -91,7 +91,7 @@ def remote(scheduler: str) -> Iterator[Any]:
                     raise ClusterError(f"--scheduler {scheduler}: the worker {address} has {there}; {expected}")
             yield client
         finally:
-            with suppress(Exception):  # of one that is gone
+            with suppress(Exception):  # of a cluster that is gone
                 client.close(timeout=1)
 
 
@@ -117,7 +117,7 @@ class Workers(Pool):
 
     @contextmanager
     def alone(self) -> Iterator[Self]:
-        """Give one fresh process; of a cluster, which others use too, these workers."""
+        """Give a fresh process; of a cluster, which others use too, these workers."""
         if self.scheduler:
             yield self
             return
@@ -125,7 +125,7 @@ class Workers(Pool):
             yield type(self)(client, "")
 
     def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | WorkerDied]]:
-        """Yield each task with its result; at most one task more than there are workers is handed out."""
+        """Yield each task with its result; at most a task more than there are workers is handed out."""
         from distributed import as_completed
 
         info = self.client.scheduler_info(n_workers=-1)["workers"]

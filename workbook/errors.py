@@ -6,7 +6,7 @@ from unicodedata import category
 
 AGREES, DISAGREES, UNREADABLE, FAILS = 0, 1, 2, 3  # exit codes of the command
 MOST = 40  # faults that are reported, of thousands
-LONGEST = 60  # characters that a message repeats of what was found
+LONGEST = 60  # characters that a message repeats of a wrong value
 UNFIT = ("Cc", "Cf", "Cs", "Cn", "Zl", "Zp")
 """categories of Unicode: controls, format marks, surrogates, unassigned, ends of lines and of paragraphs"""
 

@@ -20,9 +20,9 @@ class WorkerDied:
 
 
 class Pool:
-    """A pool of one: this process, which does one task after the other; a subclass has a cluster's workers."""
+    """A pool of this process alone, which does the tasks in succession; a subclass has a cluster's workers."""
 
-    distant = False  # whether they may be other machines, which do not see this one's files
+    distant = False  # whether they may be other machines, which do not see the files of this machine
 
     def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | WorkerDied]]:
         """Yield each task with the result of ``function(task, *shared)``, in the order in which they finish."""
@@ -30,7 +30,7 @@ class Pool:
             yield task, function(task, *shared)
 
     def alone(self) -> AbstractContextManager[Self]:
-        """Give a pool for a task whose worker died: a fresh one, unless others use this too."""
+        """Give a pool for a task whose worker died: a fresh pool, unless others use this too."""
         return nullcontext(self)
 
 

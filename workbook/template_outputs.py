@@ -22,7 +22,7 @@ from workbook.book.sentence import rounded
 from workbook.fields.units import KW, RPM, shown
 
 M = TypeVar("M")
-Values = NDArray[Any]  # a result of designs: one for all, or one for each
+Values = NDArray[Any]  # a result of designs: for all, or for each
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class JudgedLimit(NamedTuple):
 
     @property
     def ok(self) -> bool:
-        """Whether the sheet's figure and the exact one are both within the limit."""
+        """Whether the sheet's figure and the exact figure are both within the limit."""
         return self.sheet.ok and self.exact.ok
 
     @property

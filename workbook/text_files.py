@@ -22,7 +22,7 @@ def irregular_kind(path: Path) -> str:
 
 
 def require_file(path: Path, expected: str) -> None:
-    """Raise ReadError unless ``path`` is a regular file, or a link to one."""
+    """Raise ReadError unless ``path`` is a regular file, or a link to a file."""
     try:
         kind = irregular_kind(path)
     except (FileNotFoundError, NotADirectoryError) as error:

@@ -1,4 +1,4 @@
-"""The book of an unfinished design: entries as they are, FAIL where one breaks a rule, no value where one is needed.
+"""The book of an unfinished design: entries as they are, FAIL where an entry breaks a rule, no value where needed.
 
 The book is declared for a machine whose entries do. Those that were replaced are put back; the formula cells that hang
 on them have no engine value (None), but for the checks of the rules themselves, and what these come to together.
@@ -65,13 +65,13 @@ class UnfinishedBook:
         """Return the verdicts of the checks of the entries, and the columns that they read."""
         known: dict[Address, Any] = {}
         for guard in self.book.guards:
-            messages, said = self._in_rows(guard) if guard.table else self._beside(guard)
-            known |= messages | self._verdict(guard.check, said)
+            messages, sentence = self._in_rows(guard) if guard.table else self._beside(guard)
+            known |= messages | self._verdict(guard.check, sentence)
         for _, q in self.book.checks:
             where, _, rule = q.rule.partition(":")
             if rule:
-                told = self._told(q, self._key(where), rule, turns)
-                known |= {} if told is None else self._verdict(q.name, told)
+                text = self._told(q, self._key(where), rule, turns)
+                known |= {} if text is None else self._verdict(q.name, text)
         return known
 
     def _beside(self, guard: Guard) -> tuple[dict[Address, Any], str]:

@@ -1,4 +1,4 @@
-"""Points of a cam table: their precision, the rates at its ends; phases found in it, and splines through few points."""
+"""Points of a cam table: their precision, the rates at its ends; its phases, and splines through few points."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ ROUND = 24  # numbers: up to so many may be round by chance
 ROUNDED = 1e-9  # share of the range: least error that a fit may have
 RATES = 1e-5  # share of the peak by which a law's velocity and acceleration may deviate from a table's
 QUINTIC = "PO5"
-LONGER = 2.0  # length over the neighbours' from which one interval alone counts as a dwell, or as a straight line
+LONGER = 2.0  # length over the neighbours' from which a single interval counts as a dwell, or as a straight line
 AT_SPEED = 1e-3  # share of the largest velocity: a slower end is at rest
 SEAM = 1e-2  # share of the largest velocity by which begin and end of a continuous cycle may differ
 
@@ -159,7 +159,7 @@ class FoundPhase:
 def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
     """Return consecutive splines through few points, in succession, that keep to the others.
 
-    A movement that returns is divided farthest from its begin, one that needs more than a hundred points in its middle.
+    A movement that returns is divided farthest from its begin, a movement of more than a hundred points in its middle.
 
     Parameters
     ----------

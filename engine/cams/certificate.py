@@ -12,7 +12,7 @@ from engine.laws.base import Array
 from engine.motion.profile import SAME, CamProfile
 
 DEGREE = 15  # of every polynomial here; a sine over one rad about its middle is one to 1e-13 of its third derivative
-NARROW = 1e-9  # share by which the largest value may exceed the one found
+NARROW = 1e-9  # share by which the largest value may exceed the value that is reached
 ROUNDS = 40  # of halving
 TERMS = range(DEGREE + 1)
 BASIS = np.array([
@@ -172,7 +172,7 @@ def spread(of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: N
     """Return points of a profile: the breaks, and between them equal steps by the error of a rule of interpolation.
 
     A rule by polynomials of degree ``order`` − 1 between points h apart has an error of y'' in proportion to
-    h^(order − 2) max|y^(order)|, and lines one of y to h² max|y''|; the steps of each piece are the longest that keep
+    h^(order − 2) max|y^(order)|, and lines that of y to h² max|y''|; the steps of each piece are the longest that keep
     it below a common level.
 
     Parameters

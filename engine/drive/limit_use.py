@@ -281,7 +281,7 @@ class RateSearch:
 
     @cached_property
     def range(self) -> RateRange:
-        """The range that holds the present rate if one does, else the highest."""
+        """The range that holds the present rate if any does, else the highest."""
         low_limit = max(self.ends, key=lambda name: self.ends[name].low)
         high_limit = min(self.ends, key=lambda name: self.ends[name].high)
         low, high = self.limits_ends

@@ -22,7 +22,7 @@ NEAR = 1e-9  # share by which equal rates may differ
 
 @dataclass(frozen=True)
 class ReducerLimits:
-    """Limits of a reducer, by default infinite. Raises ValueError for one not above 0, or a factor below 1."""
+    """Limits of a reducer, by default infinite. Raises ValueError for a limit not above 0, or a factor below 1."""
 
     peak_torque: float = math.inf  # at its output (Nm), up to ``full_rate``; divided by ``cycle_factor`` beyond
     mean_torque: float = math.inf  # cubic mean at its output, weighted by speed (Nm)
@@ -109,7 +109,7 @@ class LimitChecks:
 
     @property
     def worst(self) -> LimitCheck:
-        """The check whose limit is used most; one with an empty name if there are no limits."""
+        """The check whose limit is used most; a check with an empty name if there are no limits."""
         return max(self.checks, key=lambda check: check.use, default=LimitCheck("", 0.0, math.inf))
 
     @cached_property

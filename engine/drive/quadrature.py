@@ -77,7 +77,7 @@ class LoadPoints:
 
     @property
     def moving(self) -> tuple[Array, Array]:
-        """Velocity and acceleration of the load itself; of one by angle x' φ̇ and x' φ̈ + x'' φ̇² (m/s, m/s²)."""
+        """Velocity and acceleration of the load itself; of a load by angle x' φ̇ and x' φ̈ + x'' φ̇² (m/s, m/s²)."""
         first, second = self.slopes
         return first * self.velocity, first * self.acceleration + second * self.velocity**2
 
@@ -256,7 +256,7 @@ class QuadratureCycle:
         )
 
     def interpolation_at(self, points: Array, places: Array) -> Interpolation:
-        """Return the places between rising points; one within ``near`` of the next point counts as at that point."""
+        """Return the places between rising points; a place within ``near`` of the next point counts as that point."""
         x = points.ravel()
         point = np.searchsorted(x, np.minimum(places + self.near, x[-1] - self.near), side="right") - 1
         return Interpolation(point, (places - x[point]) / (x[point + 1] - x[point]))

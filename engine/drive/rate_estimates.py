@@ -12,7 +12,7 @@ from engine.laws.base import Array
 LEAST_USE = 1e-6  # a smaller growth is rounding: the limit is reached beyond 1,000 times the present rate
 NEVER = 1.0 / LEAST_USE  # of shares, and of squares of a rate's factor: as good as infinite
 TINY = 1e-30  # more than 0, so that a quotient has a value
-NO_LIMIT = 1.0 / TINY  # stands for an infinite one
+NO_LIMIT = 1.0 / TINY  # stands for an infinite rate
 PEAK_TORQUE, REDUCER_TORQUE, SPEEDS = "peak torque", "reducer peak torque", ("motor speed", "reducer input speed")
 TARGET, TARGET_BETWEEN = 0.999, 0.997  # use of a limit at the ends of the range; where peaks lie between points
 HAIR = 1e-6  # by which the range ends before the rate at which a speed is at its limit
@@ -20,7 +20,7 @@ BEYOND, ASTRAY = 0.02, 0.1  # by which the rate that is tried is beyond the esti
 
 
 class Ends(NamedTuple):
-    """The rates (1/s) from and up to which a limit is held; infinite if there is no upper one."""
+    """The rates (1/s) from and up to which a limit is held; infinite if there is no upper rate."""
 
     low: float
     high: float

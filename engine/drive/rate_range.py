@@ -23,7 +23,7 @@ def rate_range(checks: LimitChecks) -> RateRange:
     """Return the speeds of the abscissa (units per s) between which every check holds.
 
     Of several ranges it is that of the cycle's speed if that holds, else the highest. At both ends all checks hold;
-    beyond, at 1 ± 2e-10 times them, the named one does not.
+    beyond, at 1 ± 2e-10 times them, the named check does not.
     """
     factors, holds = located(checks)
     present = checks.drive_cycle.speed
@@ -59,7 +59,7 @@ def located(checks: LimitChecks) -> tuple[Array, NDArray[np.bool_]]:
 
 
 def _end(checks: LimitChecks, inside: float, step: float) -> tuple[float, str]:
-    """Return the speed at which a range ends, near one ``inside`` of it, a step up or down, and the limit there."""
+    """Return the speed at which a range ends, near a speed ``inside`` of it, a step up or down, and the limit there."""
 
     def excess(speed: float) -> float:
         return min(at_speed(checks, speed).worst.use, 2.0) - 1.0

@@ -52,7 +52,7 @@ def extremes(
 
     Returns
     -------
-    tuple of Extremum, one for each sign
+    tuple of Extremum, for each sign
     """
     values = function(samples)
     return tuple(_top(function, sign, samples, sign * values, least) for sign in signs)
@@ -130,7 +130,7 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
 
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
-    """Return every u at which a curve changes its sign beyond rounding, one at most between two zeros of its slope.
+    """Return every u at which a curve changes its sign beyond rounding, at most once between two zeros of its slope.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Reversals of a motion inside one of its pieces: sought at even points, then on a parabola of the velocity.
 
-A piece turns round at most twice: where it first moves both ways, and from where on it moves but one way.
+A piece turns round at most twice: where it first moves both ways, and from where on it moves but a single way.
 :func:`engine.drive.search.sign_changes` is exact, and has every turn.
 """
 

@@ -100,7 +100,7 @@ class Cut:
     """The motion of a tool for a product length L_p (m) at the line speed v_L (m/s), in the order of S5.
 
     ``law`` is superimposed on the line speed. For products longer than ``limit_length`` a drum waits at the law's
-    fastest instant, or reverses, as ``beyond`` says; ``peak`` is the ξ of that instant, by default the exact one.
+    fastest instant, or reverses, as ``beyond`` says; ``peak`` is the ξ of that instant, by default the exact ξ.
     Raises ValueError unless L_p > L_T and v_L > 0, and for a law that moves backwards or does not end at 1 at rest.
     """
 
@@ -152,7 +152,7 @@ class Cut:
     def fastest_line(self, max_speed: float, max_acceleration: float) -> float:
         """Return the line speed (m/s) at which the shaft reaches the first of its limits (rad/s, rad/s²).
 
-        For one product and law, ω grows with v_L and ω̇ with v_L²: S5, eqs. (11), (12) with t_R = (L_p − L_T)/v_L.
+        For a product and a law, ω grows with v_L and ω̇ with v_L²: S5, eqs. (11), (12) with t_R = (L_p − L_T)/v_L.
         """
         v, asked = self.line_speed, self.max_angular_acceleration
         by_speed = v * max_speed / self.max_angular_speed

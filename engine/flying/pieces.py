@@ -89,7 +89,7 @@ class Stretch(NamedTuple):
 
 @dataclass(frozen=True)
 class CutCycle(QuadratureCycle):
-    """The cycle of a cut: each piece of the tool's motion is an interval, also one without duration.
+    """The cycle of a cut: each piece of the tool's motion is an interval, also without duration.
 
     Until ``slowest`` the tool's speed falls, then it rises: the tool turns round twice, or never.
     """

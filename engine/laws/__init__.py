@@ -54,7 +54,7 @@ def family_named(name: str) -> type[Law] | None:
 
 
 def nearest_names(name: str, names: Iterable[str]) -> list[str]:
-    """Return the three of the names that are most like the one given, the likest first."""
+    """Return the three of the names that are most like the given name, the likest first."""
     known = {each.casefold(): each for each in names}
     return [known[each] for each in get_close_matches(name.casefold(), known, n=3, cutoff=0.0)]
 

@@ -51,7 +51,7 @@ class Curve:
         return Curve(c, tuple((p * w, w, phi + math.pi / 2.0) for p, w, phi in self.sines))
 
     def root(self, low: float, high: float) -> float:
-        """Return the zero between two points of different sign, by Newton's method kept within them."""
+        """Return the zero between two points of different sign, by Newton's method within them."""
         rises = self(high) > 0.0
         u = 0.5 * (low + high)
         for _ in range(STEPS):
@@ -109,7 +109,7 @@ PARTS = 256  # of a bracket, in a round
 def narrowed(positive: Callable[[Array], NDArray[np.bool_]], low: Array, high: Array, rounds: int) -> Array:
     """Return the points at which a condition changes within brackets.
 
-    One array of 256 samples costs hardly more than a single one, and narrows a bracket as far as eight halvings. If the
+    An array of 256 samples costs hardly more than a sample, and narrows a bracket as far as eight halvings. If the
     condition changes more than once in a bracket, the first change among its samples counts.
 
     Parameters

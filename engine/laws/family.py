@@ -61,7 +61,7 @@ class Law(ABC):
 
     @cached_property
     def breaks(self) -> tuple[float, ...]:
-        """Every ξ between 0 and 1 at which the formula changes, in order; a piece without duration repeats one."""
+        """Every ξ between 0 and 1 at which the formula changes, in order; a piece without duration repeats a ξ."""
         return tuple(accumulate(piece.duration for piece in self.as_pieces()[:-1]))
 
     def evaluate(self, xi: Real) -> Kinematics[Real]:

@@ -183,7 +183,7 @@ def inverse_by_points(law: Law, heights: Array) -> Array:
     return point_inversion(law, heights).xi
 
 
-JUMP = 1e-9  # of C_v for a jump of v, of C_a for one of a or j: a smaller jump is rounding
+JUMP = 1e-9  # of C_v for a jump of v, of C_a for a jump of a or j: a smaller jump is rounding
 SMOOTH = 3  # order of the highest derivative of s that is examined: v, a and j
 DERIVATIVES = ("position", "velocity", "acceleration", "jerk")  # names of s and its derivatives
 Rates = tuple[float, ...]  # v, a, j

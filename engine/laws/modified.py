@@ -50,7 +50,7 @@ CLASSIC_PULSE = edged(0.25, 0.5, 0.25)
 
 @dataclass(frozen=True)
 class TrapezoidByShare(PulseLaw):
-    """The pulses ¼-½-¼ of the modified trapezoid over λ and over 1 − λ; or one of them cut off at a reversal.
+    """The pulses ¼-½-¼ of the modified trapezoid over λ and over 1 − λ; or either of them cut off at a reversal.
 
     At a reversal the pulse is constant at the law's end, and falls to 0 on a quarter sine at its inner end. Vendors do
     not publish ``edge``; with ½ and λ = ½ both pulses have the same height. Raises ValueError outside the ranges below.

@@ -83,7 +83,7 @@ def require_shares(ends: bool = False, **shares: float) -> None:
 
 
 def seven_durations(given: Sequence[float]) -> tuple[float, ...]:
-    """Return seven shares of sum 1 as floats; raise ValueError for a negative one, or a pulse without duration."""
+    """Return seven shares of sum 1 as floats; raise ValueError for a negative share, or a pulse without duration."""
     durations = tuple(float(d) for d in given)
     if len(durations) != 7:
         raise ValueError(f"{len(durations)} durations are given; expected seven")

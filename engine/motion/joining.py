@@ -67,7 +67,7 @@ class JoinedMotion:
 
 
 def slope(phase: Phase) -> float | None:
-    """Return y' of a phase that is a straight line or a dwell; None of a curved one."""
+    """Return y' of a phase that is a straight line or a dwell; None of a curved phase."""
     if isinstance(phase.law, Dwell):
         return 0.0
     return phase.lift / phase.duration if isinstance(phase.law, StraightLine) else None

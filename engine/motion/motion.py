@@ -195,7 +195,7 @@ def motionlaw(
     Parameters
     ----------
     laws : sequence of str
-        Names of the catalogue, one for each phase.
+        Names of the catalogue, for each phase.
     lifts, durations : sequence of float
         One for each phase, in any unit of y and of the abscissa.
     n : int

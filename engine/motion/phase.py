@@ -100,7 +100,7 @@ class PhaseEnds(NamedTuple):
 
 
 def phases_of(rows: Iterable[tuple[Law, float, float]]) -> list[Phase]:
-    """Return phases of laws, lifts and durations. Raises ValueError with the number of an impossible one, from 1."""
+    """Return phases of laws, lifts and durations. Raises ValueError with the number of an impossible phase, from 1."""
     phases = []
     for number, row in enumerate(rows, 1):
         try:

@@ -37,12 +37,12 @@ class CamProfile:
         return float(end[0] - begin[0])
 
     def index(self, x: Array, left: bool = False) -> NDArray[np.intp]:
-        """Return the number of the piece at each x; at a break the one after it, or with ``left`` the one before it."""
+        """Return the number of the piece at each x; at a break the piece after it, or with ``left`` before it."""
         after = np.searchsorted(self.edges, x, side="left" if left else "right") - 1
         return np.clip(after, 0, len(self.origins) - 1)
 
     def at(self, x: Array, left: bool = False) -> MotionValues[Array]:
-        """Return y, y', y'', y''' at x; at a jump the value after it, or with ``left`` the one before it."""
+        """Return y, y', y'', y''' at x; at a jump the value after it, or with ``left`` before it."""
         return MotionValues(*(math.factorial(n) * row for n, row in enumerate(self.taylor(x, self.index(x, left), 4))))
 
     def taylor(self, x: Array, k: NDArray[np.intp], terms: int) -> Array:

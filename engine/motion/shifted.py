@@ -101,7 +101,7 @@ def least_gap(axes: Sequence[tuple[float, Shifted]], offset: float) -> Gap:
 
 
 class GapLine(NamedTuple):
-    """The gap as offset + factor · y of a first axis, from a position of it on, the part of a second one apart."""
+    """The gap as offset + factor · y of a first axis, from a position of it on, the part of a second axis apart."""
 
     begin: float  # y, in units of the motion
     offset: float  # in the unit of the gap
@@ -144,7 +144,7 @@ def _breaks(axes: Sequence[Shifted]) -> list[float]:
 
 
 def _least(axes: Sequence[tuple[float, Shifted]], offset: float, low: float, high: float) -> Gap:
-    """Return the least gap between two neighbouring breaks, of the sum of the axes as one curve over x − ``low``."""
+    """Return the least gap between two neighbouring breaks, of the sum of the axes as a curve over x − ``low``."""
     curves = [(factor, axis.curve(low, high)) for factor, axis in axes]
     columns = np.zeros(max(len(curve.c) for _, curve in curves))
     for factor, curve in curves:

@@ -140,7 +140,7 @@ class Station:
         return free
 
     def _ways(self, margin: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
-        """Return the tool's angles in and out (rad) for margins (m), and whether the cycle limits one of them."""
+        """Return the tool's angles in and out (rad) for margins (m), and whether the cycle limits any of them."""
         rest, split = np.array(self.remaining_shares(margin)), self.passage.split
         free, most = (
             np.array([[self.left.free_in], [self.left.free_out]]),

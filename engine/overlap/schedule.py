@@ -179,12 +179,12 @@ def size_of_parts(parts: Sequence[ScaledLaw]) -> Callable[[int], float]:
 
 
 def within_turn(angle: Array) -> Array:
-    """Return angles (rad) reduced to a turn; one just below a full turn counts as 0."""
+    """Return angles (rad) reduced to a turn; an angle just below a full turn counts as 0."""
     return angle - FULL_TURN * np.floor(angle / FULL_TURN + BREAK_TOLERANCE)
 
 
 def whole_turn(parts: Sequence[ScaledLaw], position: float = 0.0) -> Motion:
-    """Return the motion of the parts of any duration, which fill one turn; raise ValueError if they take more."""
+    """Return the motion of the parts of any duration, which fill a turn; raise ValueError if they take more."""
     lasting = [part for part in parts if part.duration > 0.0]
     edges = np.cumsum([0.0, *(part.duration for part in lasting)])
     if edges[-1] > FULL_TURN + ANGLE_TOLERANCE:

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 def front(points: ArrayLike) -> NDArray[np.intp]:
     """Return the row numbers of the Pareto-optimal points, of equal ones the first; less is better in each column.
 
-    A point is beaten by one that is nowhere more and somewhere less. They are sorted by the first objective on.
+    A point is beaten by another that is nowhere more and somewhere less. They are sorted by the first objective on.
     Source: V. Pareto, Manuale di economia politica (1906); H. T. Kung, F. Luccio, F. P. Preparata, J. ACM 22 (1975).
     """
     values = np.asarray(points, dtype=np.float64)

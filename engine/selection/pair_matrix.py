@@ -44,7 +44,7 @@ class Pair(NamedTuple):
 
     @property
     def arrays(self) -> PairArrays:
-        """It as the only one of several pairs."""
+        """It as the only pair of several."""
         return PairArrays(*np.array(self)[:, None])
 
 

@@ -42,7 +42,7 @@ class Place(NamedTuple):
     rows: int
     columns: int
     rows_at: tuple[int, ...] = ()  # the offsets of its rows where others lie between them
-    columns_at: tuple[int | None, ...] = ()  # and of its columns; None of one that is gone
+    columns_at: tuple[int | None, ...] = ()  # and of its columns; None of a column that is gone
 
     def cell(self, i: int, j: int) -> Address:
         """Return the address of the cell in row ``i`` and column ``j`` of the block, from 0; column 0 if it is gone."""
@@ -75,7 +75,7 @@ class Fit(NamedTuple):
     added: tuple[int, ...] = ()  # columns of the sheet that lie within
     lost: tuple[tuple[int, int], ...] = ()  # before a row of the sheet: how many rows are gone
     gone: tuple[int, ...] = ()  # the numbers of the columns that are
-    named: Place | None = None  # where the name of a single cell leads that leads to more than one
+    named: Place | None = None  # where the name of a single cell leads that leads to several
 
     @property
     def size(self) -> int:

@@ -5,7 +5,7 @@ stand apart: an engineer reads how the sheet does it, without any Python; and no
 
 ===========  ====================================================================================================
 ``kind``     calc, result, given, constant or check (:mod:`workbook.book.quantity`); entry: given, with its value
-             from the part of a description that :meth:`CellTable.entries` is told
+             from the part of a description that :meth:`CellTable.entries` is given
 ``cell``     its name
 ``formula``  in the notation of :mod:`workbook.book.declare`; of what is given its key in the description; of a
              check its condition, without =

@@ -27,7 +27,7 @@ class Moving(NamedTuple):
 
 
 class Pattern(NamedTuple):
-    """A formula with its row left open; ``formula`` is the one in which it was met first."""
+    """A formula with its row left open; ``formula`` is where it was met first."""
 
     formula: Formula
     arguments: tuple[Area | str | Moving, ...]
@@ -140,7 +140,7 @@ class Reader:
         return self.left.pop(0)
 
     def sees(self, *signs: str) -> bool:
-        """Whether one of these signs comes next."""
+        """Whether any of these signs comes next."""
         return bool(self.left) and self.left[0][0] == "sign" and self.left[0][1] in signs
 
     def level(self, depth: int) -> Node:
@@ -179,7 +179,7 @@ class Reader:
         return node
 
     def arguments(self) -> tuple[Node, ...]:
-        """Return the arguments of a call, whose bracket is open; nothing between commas is an empty one."""
+        """Return the arguments of a call, whose bracket is open; nothing between commas is an empty argument."""
         arguments: list[Node] = []
         while not self.sees(")"):
             arguments.append(Node("other") if self.sees(",") else self.level(0))

@@ -10,9 +10,9 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 ``[samples.xi]``      the whole column ``xi`` of table ``samples``, absolute
 ``[samples.xi.first]``, ``.last``, ``.3``   its first, last, third cell
 ``[samples.xi.same]``   its cell in the row of the same number
-``[c0:c5]``, ``[pieces.c0:c5]``   the same of all columns from one to another, side by side
+``[c0:c5]``, ``[pieces.c0:c5]``   the same of all columns between two, side by side
 ``@stroke``           ``tool2_stroke`` in the scope ``tool2_`` (:meth:`Sheet.scoped`),
-                      by which one function declares the like of several parts
+                      by which a function declares the like of several parts
 ``drive_rate``        anything else is Excel's own text; scalars go by defined name
 ====================  ==========================================================
 """
@@ -56,7 +56,7 @@ class Book:
     """columns ``table.column`` that sum up some checks: of each row the places of these among all"""
 
     def sheet(self, title: str, purpose: str) -> Sheet:
-        """Add a sheet behind the ones that are there. Raises ValueError where any of them has its title."""
+        """Add a sheet behind those that are there. Raises ValueError where any of them has its title."""
         if any(sheet.title.casefold() == title.casefold() for sheet in self.sheets):
             raise ValueError(f"the sheet {title} is declared twice")
         self.sheets.append(Sheet(self, title, purpose))
@@ -74,7 +74,7 @@ class Book:
             yield from block.cells()
 
     def resolve(self, text: str, at: Block, fixed: str = "") -> str:
-        """Turn the reference notation into A1 references, with ``{0}`` for this row and ``{1[n]}`` for one n below.
+        """Turn the reference notation into A1 references, with ``{0}`` for this row and ``{1[n]}`` for n rows below.
 
         ``fixed`` is ``$`` where columns stay the same as the formula is copied to the right. KeyError: no such name.
         """

@@ -1,6 +1,6 @@
 """Find which formula cells of a declared book depend on given cells.
 
-A formula depends on every cell of the ranges that it names, also where a look-up reads one of them.
+A formula depends on every cell of the ranges that it names, also where a look-up reads any of them.
 """
 
 from collections import defaultdict

@@ -51,7 +51,7 @@ class FormulaError(ValueError):
 
 
 class Area(NamedTuple):
-    """A cell or a rectangle of cells; ``single`` where the formula means one cell, not a range of one."""
+    """A cell or a rectangle of cells; ``single`` where the formula means a cell, not a range."""
 
     sheet: str
     top: int
@@ -205,7 +205,7 @@ def number(text: str) -> str:
 
 
 def bounded(area: Area, text: str) -> Area:
-    """Return the area, or refuse one of absurd size."""
+    """Return the area, or refuse an area of absurd size."""
     if area.size > MOST_CELLS:
         raise FormulaError("#REF!", f"{text} is a range of more than {MOST_CELLS:,} cells")
     return area

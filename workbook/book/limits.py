@@ -29,7 +29,7 @@ class Limit(NamedTuple):
     number: bool = True
 
     def holds(self, cell: str, short: bool = False) -> str:
-        """Return the condition that a cell obeys; a ``short`` one lets texts pass: which compare above numbers."""
+        """Return the condition that a cell obeys; a ``short`` condition lets texts pass: they compare above numbers."""
         if not self.number:
             return f'{cell}<>""'
         parts = [f"{cell}{sign}{bound:.12g}" for sign, bound in self.bounds]

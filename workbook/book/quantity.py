@@ -44,7 +44,7 @@ class Quantity(NamedTuple):
     symbol: str = ""
     unit: str = ""
     role: Role = "calculation"
-    formula: str | Sequence[str] | None = None  # one for all rows of a table, or one for each
+    formula: str | Sequence[str] | None = None  # for all rows of a table, or for each
     value: Any = None  # in its unit: what an input or constant holds, or the engine's value of the formula; a row each
     source: str = ""
     key: str = ""  # of an input: its place in the description, with ``*`` for the table's row
@@ -125,7 +125,7 @@ def sentence(q: Quantity) -> Quantity:
 
 
 def sample(q: Quantity) -> Any:
-    """Return the value whose size sets the format of all cells of a quantity: the only one, or the greatest."""
+    """Return the value whose size sets the format of all cells of a quantity: the only value, or the greatest."""
     if q.format or isinstance(q.value, str) or not hasattr(q.value, "__len__"):
         return q.value
     values = list(q.value)
@@ -212,7 +212,7 @@ class Block:
         return span(top, first, bottom, last, fixed)
 
     def ends(self, quantity: str) -> tuple[int, int]:
-        """Return the sheet's numbers of the first and the last of some columns (``c0:c5``), of one twice the same."""
+        """Return the sheet's numbers of the first and the last of columns (``c0:c5``), of a column twice the same."""
         first, _, last = quantity.partition(":")
         return self.columns[first], self.columns[last or first]
 

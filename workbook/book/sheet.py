@@ -143,7 +143,7 @@ class Sheet:
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
 
         A table of inputs gets messages to its right on entries beyond their limits or against ``rules``, and a check
-        below that counts them. A row without any entry shows nothing, of other tables one for which ``blank`` holds.
+        below that counts them. A row without any entry shows nothing, of other tables a row for which ``blank`` holds.
         """
         if size > LONG and not self.print_rows:
             above = self.section if self.row < self.section + 4 else self.row
@@ -209,7 +209,7 @@ class Sheet:
         block.workings = block.workings or workings
 
     def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
-        """Place a table of a single column beside one without equations: as many as a size says, each with its name."""
+        """Place a table of a column beside a table without equations: as many as a size says, each with its name."""
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
         self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
         self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))

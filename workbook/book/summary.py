@@ -75,7 +75,7 @@ class Summary(NamedTuple):
 
 
 def summary(book: Book) -> Summary:
-    """Return the counts of the checks and their joint verdict; one that is unfinished leaves these open."""
+    """Return the counts of the checks and their joint verdict; an unfinished check leaves these open."""
     judged = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
     verdicts, sentences = [verdict for verdict, _ in judged], [sentence for _, sentence in judged]
     known = verdicts.index(None) if None in verdicts else len(verdicts)
@@ -178,7 +178,7 @@ TO_MEND = 6  # checks that fail which the sheet has room for; all of them stand 
 
 
 IDENTIFIED = {"number": "Machine number", "revision": "Revision", "author": "Author", "date": "Date"}
-"""entries that tell one machine, and one state of its design, from others"""
+"""entries that tell a machine, and a state of its design, from others"""
 
 
 def summary_sheet(book: Book, machine: Any, purpose: str, key_results: list[Quantity]) -> Sheet:

@@ -207,7 +207,7 @@ def plan_export(
 
 
 def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
-    """Return the angles of the motors' shafts of axes; raise TargetError for one without a drive that was named."""
+    """Return the angles of the motors' shafts of axes; raise TargetError for an axis without a drive that was named."""
     turned: list[CamAxis] = []
     for axis in axes:
         if axis.shaft is None:

@@ -60,7 +60,7 @@ def inputs(book: Path, output: Path | None, force: bool) -> None:
 
 
 def regenerate(book: Path, output: Path, force: bool) -> int:
-    """Build a workbook anew from what was entered into an old one and what its engineer added; return the exit code."""
+    """Build a workbook anew from the entries of an old book and what its engineer added; return the exit code."""
     refuse_itself(output, book)
     refuse_suffix(output)
     refuse_existing(output, force)
@@ -124,7 +124,7 @@ def new_template(name: str, folder: Path | None) -> None:
 
 
 def renamed(text: str, name: str) -> str:
-    """Return a text on the hoist as one on another machine."""
+    """Return a text on the hoist as a text on another machine."""
     return text.replace("hoist", name).replace("Hoist", name.title().replace("_", ""))
 
 

@@ -13,7 +13,7 @@ from workbook.oracle.cells import draft
 from workbook.oracle.declarations import load_oracle
 from workbook.oracle.judge import FIRST, Judge, OracleReport, describe
 from workbook.reading.files import BookFile, open_book
-from workbook.reports import differences as told
+from workbook.reports import differences as difference_reports
 from workbook.reports import page
 from workbook.reports.page import figure
 from workbook.reports.terminal import ERR, OUT, print_or_write, say, say_json, show_table, shown
@@ -33,13 +33,13 @@ def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) ->
         kinds = f"{old} is of the template {before.machine.template}, {new} of {after.machine.template}"
         raise InputError([f"{kinds}; expected two of one template"])
     differences = compare(before, after)
-    page.write(html, lambda: told.page(before, after, differences), force)
+    page.write(html, lambda: difference_reports.page(before, after, differences), force)
     if as_json:
-        say_json(told.data(differences))
+        say_json(difference_reports.data(differences))
     elif differences.same:
         say(OUT, "The same machine")
     else:
-        told.show(OUT, differences)
+        difference_reports.show(OUT, differences)
     return AGREES if differences.same else DISAGREES
 
 

@@ -23,7 +23,7 @@ from workbook.studies.summary import Summary
 from workbook.writing.output_files import refuse_existing, replace, write_text
 
 SHORT, LONG = 4.0, 5.0
-"""seconds: a study that takes fewer is worked out by this process alone; one that takes more is announced"""
+"""seconds: a study that takes fewer is worked out by this process alone; a longer study is announced"""
 UNITS = ((86400.0, "days"), (3600.0, "hours"), (60.0, "minutes"))
 
 
@@ -31,7 +31,7 @@ def study(
     path: Path, output: Path | None, scheduler: str | None, jobs: int | None, resume: bool, pick: int | None,
     unverified: bool, force: bool,
 ) -> int:  # fmt: skip
-    """Run a study, or pick a design of one that was run; return the exit code."""
+    """Run a study, or pick a design of a study that was run; return the exit code."""
     plan = read_study(path)
     book = output if pick is not None else None
     results = Path(f"{path.stem}.csv") if output is None or book is not None else output

@@ -144,7 +144,7 @@ def require_end(phases: Sequence[FoundPhase], closes: bool, begin: float) -> Non
 
 
 def boundary_rates(phases: Sequence[FoundPhase], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
-    """Return y' and y'' of a phase where another curved one, or none, ends: as machines have them, of s in m or rad."""
+    """Return y' and y'' of a phase where another curved phase, or none, ends: as machines have them, s in m or rad."""
     before = phases[k - 1]
     meets = k == 0 or phases[k].begin - before.end <= near
     if not meets or {"LIN", Spline.code} & {phases[k].law.code, before.law.code if k else ""}:
@@ -161,7 +161,7 @@ def rounded(x: float) -> float:
 
 
 def law_entry(phase: FoundPhase, k: int) -> tuple[str, dict[str, Any]]:
-    """Return the name of a movement's law in a description, and its entry there where it needs one."""
+    """Return the name of a movement's law in a description, and its entry there where needed."""
     if isinstance(phase.law, Spline):
         points = [{"at": at, "s": s} for at, s in phase.law.points]
         first, last = phase.law.slopes

@@ -102,12 +102,12 @@ def require_count(target: Target, n: int) -> None:
 
 
 def before_jumps(target: Target, of: CamProfile) -> Array:
-    """Return points just before each jump: of a target whose points have one y' and one y'', which serve both sides."""
+    """Return points just before each jump: of a target whose points have a y' and a y'', which serve both sides."""
     return jumps(of) - BEFORE * of.total if "y''" in target.columns else np.empty(0)
 
 
 def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
-    """Return how many steps each stretch needs: one where it is exact, else those of the rule."""
+    """Return how many steps each stretch needs: 1 where it is exact, else those of the rule."""
     return np.where(target.exact(of), 1, RULES[target.rules[0]].least)
 
 
@@ -166,7 +166,7 @@ class Tries:
 
 
 def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> CertifiedTable:
-    """Return the table of the fewest points within the tolerance, else the best: of several one that keeps y and v."""
+    """Return the table of the fewest points within the tolerance, else the best, of several that with right y and v."""
     tries = Tries(target, axis)
     best = search_table(tries, tolerance)
     if best.excess(tolerance) <= 1.0:

@@ -185,7 +185,7 @@ def tracks_of_rows(text: str, rows: Iterable[Sequence[float]]) -> list[Track]:
     listed = []
     for number, times in sorted(spans.items()):
         on = sorted(times)
-        if len(on) > 1 and on[0][0] == 0.0 and on[-1][1] == CYCLE:  # one that goes on past the end of the cycle
+        if len(on) > 1 and on[0][0] == 0.0 and on[-1][1] == CYCLE:  # a time that goes on past the end of the cycle
             on = [*on[1:-1], (on[-1][0], on[0][1])]
         name = names.get(number, f"Track {number}").removesuffix(NEVER)
         try:
@@ -219,7 +219,7 @@ def text_of(path: Path, target: Target) -> str:
 
 
 def parse_table(text: str, target: Target) -> Table:
-    """Return the table of a text; raise TargetError for none, a part of one, and numbers by which fits overflow."""
+    """Return the table of a text; raise TargetError for none, a part of a table, and numbers by which fits overflow."""
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is refused by point
         table = target.read(text)
     for name, column in table.columns.items():

@@ -81,7 +81,7 @@ class Key(NamedTuple):
 
 
 class Section(NamedTuple):
-    """A table of a description, with its keys in their order; of a table of several kinds, those of one ``kind``."""
+    """A table of a description, with its keys in their order; of a table of several kinds, those of a ``kind``."""
 
     path: str
     about: str
@@ -122,7 +122,7 @@ class ModelWalk:
         known = [model.model_fields for model in models]
         fields = {name: field for name, field in known[0].items() if all(name in own for own in known)}
         below = [(name, tables_of(field)) for name, field in fields.items()]
-        plain = tuple(self._key(join(path, name), fields[name]) for name, models in below if not models)
+        plain = tuple(self._key(join(path, name), fields[name]) for name, nested in below if not nested)
         by_kind = kinds(models)
         if by_kind:
             which = join(path, KIND)
@@ -133,14 +133,14 @@ class ModelWalk:
             own = [(name, field) for name, field in model.model_fields.items() if name not in fields]
             keys = tuple(self._key(join(path, name), field, kind) for name, field in own)
             yield Section(path, doc_line(model), (model,), keys, kind)
-        for name, found in below:
-            if found and issubclass(found[0], Laws):
+        for name, nested in below:
+            if nested and issubclass(nested[0], Laws):
                 yield from self._laws(join(path, name))
-            elif found:
+            elif nested:
                 annotated, constraints = unwrap(fields[name].annotation, fields[name].metadata)
                 many = f": {expectation(annotated, constraints)}" if get_origin(annotated) is list else ""
-                about = doc_line(found[0].__base__ if found[1:] else found[0])
-                yield from self.sections(found, join(path, name) + (".*" if many else ""), about + many)
+                about = doc_line(nested[0].__base__ if nested[1:] else nested[0])
+                yield from self.sections(nested, join(path, name) + (".*" if many else ""), about + many)
 
     def _example(self, path: str, kind: str = "") -> Any:
         """Return the value of a key in the first description that has it, in a table of a kind."""
@@ -225,7 +225,7 @@ def toml(value: Any) -> str:
 
 
 def default_of(key: Key) -> str:
-    """Return the default of an optional key as a text; nothing for a required one."""
+    """Return the default of an optional key as a text; nothing for a required key."""
     if key.required:
         return ""
     if key.rows and key.default:

@@ -1,4 +1,4 @@
-"""The content of a description, for people and for editors: the page of documentation and JSON Schemas, by one walk."""
+"""Content of a description, for people and editors: the page of documentation and JSON Schemas, by a single walk."""
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
@@ -155,7 +155,7 @@ def md_table(lines: Iterable[tuple[str, ...]]) -> str:
 
 
 def key_lines(path: str, keys: Iterable[Key]) -> Iterator[tuple[str, ...]]:
-    """Yield a line for each key, and below a list one for each entry of its rows."""
+    """Yield a line for each key, and below a list a line for each entry of its rows."""
     for key in keys:
         shown = key.path.removeprefix(f"{path}.")
         example = "" if key.rows or key.example is None else code(toml(key.example))

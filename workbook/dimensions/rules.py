@@ -13,7 +13,7 @@ from workbook.book.formula import Area, FormulaError
 from workbook.dimensions.units import NONE, Dimension, dimension_of, dimension_text, is_either, powers
 from workbook.reading.contents import Contents
 
-# functions whose arguments, and result, have one dimension
+# functions whose arguments, and result, have the same dimension
 LIKE = frozenset(["ABS", "AVERAGE", "CEILING", "FLOOR", "IFERROR", "IFNA", "INT", "LARGE", "MAX", "MEDIAN", "MIN",
     "MOD", "MROUND", "N", "SMALL", "STDEV", "SUM", "TRUNC"])  # fmt: skip
 FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])  # those whose result has that of the first
@@ -222,7 +222,7 @@ class UnitWalk:
         return self.areas[argument]
 
     def range(self, area: Area) -> Term:
-        """Return the term of a range: unknown where that of one of its cells is."""
+        """Return the term of a range: unknown where that of any of its cells is."""
         terms = [self.cell(cell) for cell in area.cells()]
         if any(term.dimension is None and not term.free for term in terms):
             return UNKNOWN

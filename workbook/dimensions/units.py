@@ -52,7 +52,7 @@ def parse_unit(unit: str) -> Any:
 
 
 def is_either(unit: str) -> bool:
-    """Whether a unit is one or another, such as ``mm, °`` or ``kg or price``."""
+    """Whether a unit is this or another, such as ``mm, °`` or ``kg or price``."""
     return ", " in unit or " or " in unit
 
 

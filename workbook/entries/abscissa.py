@@ -101,7 +101,7 @@ class Abscissa:
         return f"{cell}/omega^{order}" if self.measured else cell
 
     def from_rad(self, order: int) -> str:
-        """Return the end of a formula that turns a derivative by rad into one by what is shown."""
+        """Return the end of a formula that turns a derivative by rad into a derivative by what is shown."""
         if self.measured:
             return f"*omega^{order}" if order else ""
         return ("", "*PI()/180", "*(PI()/180)^2")[order]

@@ -16,7 +16,7 @@ from workbook.fields.types import LARGEST, SMALLEST, DesignError, DesignFaultsEr
 M = TypeVar("M", bound=Machine)
 BEYOND = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
 MOST_ROUNDS = 24
-Where = Callable[[str], str]  # how an entry is told of, by its key
+Where = Callable[[str], str]  # how an entry is named, by its key
 
 
 class RefusedError(Exception):
@@ -75,7 +75,7 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
     key, rule = keys_of(model, fault["loc"])
     cause = fault.get("ctx", {}).get("error")
     if isinstance(cause, DesignFaultsError):
-        return [of_rule(key, error) for error in cause.found]
+        return [of_rule(key, error) for error in cause.faults]
     if key.startswith("sizes") or fault["type"] == "extra_forbidden":
         return None
     (kind, constraints), value, beyond = rules.field_at(model, rule), fault["input"], fault["type"] in BEYOND
@@ -92,7 +92,7 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
 
 
 def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
-    """Return a line for a fault of a rule or of pydantic's: where, what was found, what is expected."""
+    """Return a line for a fault of a rule or of pydantic's: where, the value, what is expected."""
     if isinstance(fault, Fault):
         return f"{where(fault.key)}: {fault.message}"
     key, rule = keys_of(model, fault["loc"])

@@ -46,7 +46,7 @@ class Replaced(NamedTuple):
 
 
 class Design(NamedTuple):
-    """The entries of an unfinished design, by key, and its faults; nothing of a finished one."""
+    """The entries of an unfinished design, by key, and its faults; nothing of a finished design."""
 
     replaced: dict[str, Replaced]
     faults: tuple[Fault, ...] = ()

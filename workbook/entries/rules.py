@@ -38,7 +38,7 @@ def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
 
 
 def tables(kind: Any) -> tuple[type[BaseModel], ...]:
-    """Return the models that a table may be of: one, several of a table of different kinds, none of an entry."""
+    """Return the models that a table may be of: several of a table of different kinds, none of an entry."""
     models = kind if isinstance(kind, tuple) else (kind,)
     return models if all(isinstance(model, type) and issubclass(model, BaseModel) for model in models) else ()
 
@@ -157,7 +157,7 @@ def takes_law(constraints: list[Any]) -> bool:
 
 
 def is_table(kind: Any) -> bool:
-    """Whether a list is one of rows, each of several entries and none of them a table again."""
+    """Whether a list is a table of rows, each of several entries and none of them a table again."""
     rows = tables(get_args(kind)[0])
     entries = [unwrap(entry.annotation, [])[0] for row in rows for entry in row.model_fields.values()]
     return bool(rows) and not any(get_origin(entry) is list or tables(entry) for entry in entries)

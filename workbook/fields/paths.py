@@ -70,7 +70,7 @@ def has_key(entry: Any, key: str) -> bool:
 def reach(data: Any, path: Sequence[str], grow: bool = True) -> tuple[Any, Any]:
     """Return the table or list that holds the entry at a path, and its key there; make tables and rows on the way.
 
-    Where rows are not to ``grow``, one that is missing raises LookupError.
+    Where rows are not to ``grow``, a missing row raises LookupError.
     """
     held: Any = data
     key: Any = ""

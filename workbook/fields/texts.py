@@ -59,18 +59,18 @@ def place_of(name: str, names: Iterable[str]) -> int:
 
 
 def nearest_names(name: str, names: Sequence[str]) -> list[str]:
-    """Return the three of the names that are most like the one given, the likest first."""
+    """Return the three of the names that are most like the given name, the likest first."""
     known = {each.casefold(): each for each in names}
     return [known[each] for each in get_close_matches(name.casefold(), known, n=3, cutoff=0.0)]
 
 
 def lookup_key(name: str) -> str:
-    """Return a text for all names that some program could take for one: by case, dots of an i, width, ß and ss."""
+    """Return a text for all names that some program could take for the same: by case, dots of an i, width, ß and ss."""
     return normalize("NFKC", normalize("NFKC", name).upper().casefold()).replace("\u0307", "")
 
 
 def require_distinct(names: Iterable[str], kind: str, key: str) -> None:
-    """Raise EntryError, at ``key`` with the number of the entry, for a name that a look-up takes for one before it."""
+    """Raise EntryError, at ``key`` with the number of the entry, for a name that a look-up takes for another before."""
     seen: dict[str, str] = {}
     for i, each in enumerate(names):
         first = seen.get(lookup_key(each))

@@ -22,7 +22,7 @@ class EntryError(ValueError):
 
 
 def not_tiny(value: float) -> float:
-    """Return a number; raise EntryError for one so near to 0 that products of it are 0 or lose their digits."""
+    """Return a number; raise EntryError for a number so near to 0 that products of it are 0 or lose their digits."""
     if 0 < abs(value) < TINIEST:
         raise EntryError("", f"found {value:g}; expected 0, or at least {TINIEST:g} in size")
     return value
@@ -55,11 +55,11 @@ class DesignError(EntryError):
 
 
 class DesignFaultsError(ValueError):
-    """All that does not go together below one model."""
+    """All that does not go together below a model."""
 
     def __init__(self, faults: list[DesignError]) -> None:
         super().__init__("; ".join(map(str, faults)))
-        self.found = faults
+        self.faults = faults
 
 
 class Model(BaseModel):

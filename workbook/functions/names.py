@@ -113,7 +113,7 @@ class Term:
 
 
 def term(value: Any) -> Term:
-    """Return a number as a term: a fraction, or one of π or π²; terms as they are."""
+    """Return a number as a term: a fraction, or a multiple of π or π²; terms as they are."""
     if isinstance(value, Term):
         return value
     for power, pi in enumerate(PI):
@@ -124,7 +124,7 @@ def term(value: Any) -> Term:
 
 
 def fraction(value: Fraction, pi: str = "") -> Term:
-    """Return a fraction, or one of a power of π, as a term."""
+    """Return a fraction, or a multiple of a power of π, as a term."""
     if value < 0:
         return Term(f"0 - {fraction(-value, pi).text}", True) if pi else Term(f"-{fraction(-value).text}", True)
     over = f" / {value.denominator}" if value.denominator > 1 else ""

@@ -77,7 +77,7 @@ class Comparison:
         formulas = set(match.file.contents.formula_cells)
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
         self.values: Cells = {}  # of the first witness that computed any
-        self._first_wrong: set[Address] = set()  # by that one
+        self._first_wrong: set[Address] = set()  # by that witness
         report.cells |= Counter(pair.address.sheet for pair in match.pairs if pair.declared_formula)
 
     def ask(self, witness: Witness) -> None:
@@ -166,7 +166,7 @@ class Comparison:
             return []
         try:
             machines = template.variants(machine)
-        except ValidationError:  # numbers so large that no neighbour of theirs is one
+        except ValidationError:  # numbers so large that no neighbour of theirs is a number
             self.report.notes.append("the values entered leave no room for other ones: compared at these alone")
             return []
         known = {(f.sheet, f.cell) for f in self.report.findings}
@@ -184,7 +184,7 @@ class Comparison:
 
 
 def differs(right: ExpectedValues, address: Address, value: Any) -> bool:
-    """Whether a value is not the engine's, where the engine has one."""
+    """Whether a value is not the engine's, where the engine has any."""
     expected = right.get(address)
     return expected is not None and not difference(value, expected, right.peak(address)) <= TOLERANCE
 

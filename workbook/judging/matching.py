@@ -78,7 +78,7 @@ class Match:
         return {pair.address: n for n, pair in enumerate(self.pairs)}
 
     def same_shape(self, pair: Pair) -> bool:
-        """Whether a formula of the file is the declared one, wherever rows, columns or sheets have moved to."""
+        """Whether a formula of the file is as declared, wherever rows, columns or sheets have moved to."""
         if pair.held == pair.cell.content:
             return True
         return self.same_formula(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet)

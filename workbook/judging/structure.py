@@ -25,7 +25,7 @@ LAST_DIGITS = 1e-14  # LibreOffice keeps 15 digits of a number when it saves
 def check_structure(match: Match, report: Report) -> set[Address]:
     """Enter missing blocks, and formulas and constants that are not the declared ones; return those formulas."""
     for block, place in match.misfits:
-        if place is not None and block.is_table:  # told with what was inserted or is gone
+        if place is not None and block.is_table:  # reported with what was inserted or is gone
             continue
         expected = f"{block.size} rows by {len(block.quantities)} columns"
         size = f"{place.rows} rows by {place.columns} columns" if place else None
@@ -179,7 +179,7 @@ def mislabelled_cells(match: Match) -> Iterator[Finding]:
 
 
 def is_declared_cell(match: Match, block: Block, place: Place) -> bool:
-    """Whether a cell is the declared one though its label differs: by its formula, or its symbol and unit."""
+    """Whether a cell is as declared though its label differs: by its formula, or its symbol and unit."""
     pair = next((p for p in match.pairs if p.cell.block is block), None)
     if pair is not None and pair.declared_formula:
         return is_formula(pair.held) and match.same_shape(pair)
@@ -224,7 +224,7 @@ def exchanged_tables(match: Match) -> Iterator[Finding]:
 
 
 def has_own_heading(match: Match, block: Block, place: Place) -> bool:
-    """Whether the heading that is declared for a block is the one that is nearest above it in the file."""
+    """Whether the heading that is declared for a block is the nearest above it in the file."""
     headings = {text.text: text.row for text in block.sheet.texts if text.style == "heading"}
     above = [(row, text) for text, row in headings.items() if row < block.row]
     held_texts = ((r, cell.value) for (r, _), cell in match.file.workbook[place.sheet]._cells.items()

@@ -73,7 +73,7 @@ def judge(
 ) -> None:  # fmt: skip
     """Enter into ``report`` all findings in ``file``, whose inputs are ``machine``.
 
-    ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others one.
+    ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others any.
     """
     match, machine = match_layout(file, template, machine)
     report.findings += layout_findings(match)
@@ -147,7 +147,7 @@ def check_results(match: Match, computed: Cells) -> list[Check]:
 
 
 def cell_text(pair: Pair | None, computed: Cells) -> str:
-    """Return the text that a cell computes, or that the engine has for it; nothing of an unfinished one."""
+    """Return the text that a cell computes, or that the engine has for it; nothing of an unfinished cell."""
     if pair is None or (pair.declared_formula and pair.cell.expected is None):
         return ""
     value = computed.get(pair.address)

@@ -51,7 +51,7 @@ def value_right_of(file: BookFile, label: Address) -> Address | None:
 
 
 def label_of(file: BookFile, cell: Address) -> str:
-    """Return the text left of a cell, else the one above it, else nothing."""
+    """Return the text left of a cell, else the text above it, else nothing."""
     left = [cell._replace(column=column) for column in range(cell.column - 1, max(0, cell.column - NEAR), -1)]
     above = [cell._replace(row=row) for row in range(cell.row - 1, max(0, cell.row - NEAR), -1)]
     texts = (file.contents.constants.get(at) for at in [*left, *above])

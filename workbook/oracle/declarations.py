@@ -167,7 +167,7 @@ def cases(inputs: Sequence[Input], entered: Case, number: int, seed: int = 0) ->
 
 
 def options(entry: Input) -> Sequence[Any]:
-    """Return the choices of an input, or the ends of its range; nothing of one that stays as it is."""
+    """Return the choices of an input, or the ends of its range; nothing of an input that stays as it is."""
     if entry.choices:
         return entry.choices
     return [] if entry.low is None or entry.high is None else [entry.low, entry.high]

@@ -32,7 +32,7 @@ FIRST = "pycel"  # the evaluator whose values everything else is asked of
 
 @dataclass(frozen=True)
 class Fault:
-    """A fault of a cell: its kind, the value and the expected one, and the inputs at which they differ."""
+    """A fault of a cell: its kind, the value and the expected value, and the inputs at which they differ."""
 
     cell: Address
     kind: str
@@ -224,7 +224,7 @@ class Judge:
         return [*(cell for cell, _ in self.outputs), *columns]
 
     def covered(self, tried: list[Case]) -> dict[Address, Coverage]:
-        """Return the class of each formula cell: a step is one whose change alters a compared cell at some case."""
+        """Return the class of each formula cell: a step is a cell whose change alters a compared cell at some case."""
         coverage: dict[Address, Coverage] = dict.fromkeys(self.formulas, "unaccounted")
         coverage |= {cell: "compared" for cell in self.targets if cell in coverage}
         left = self.file.contents.needed(self.file.contents.formula_cells, self.targets)

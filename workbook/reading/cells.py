@@ -17,7 +17,7 @@ from workbook.reading.contents import Cells, plain_value
 from workbook.reading.guard import Inspected
 from workbook.reading.rows import MAIN, RawCell, Rows
 
-MOST_DIGITS = 300  # of a whole number; one of more may be larger than any that a cell can hold
+MOST_DIGITS = 300  # of a whole number; a number of more may be larger than any that a cell can hold
 TEXTS = {"str": "s", "inlineStr": "s"}  # types of values that openpyxl has as one, that of shared texts
 
 
@@ -28,10 +28,10 @@ def fill_sheet(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
     shared: dict[str, Translator] = {}
     for held in rows.written:
         place = held[:2]
-        cell: Any = cells.get(place)  # one of a comment, a link, or a range that is merged
+        cell: Any = cells.get(place)  # a cell of a comment, a link, or a range that is merged
         if isinstance(cell, MergedCell):
             continue
-        if cell is None:  # made in a third of the time of its initializer, which copies the style: nobody changes it
+        if cell is None:  # built in a third of the time of its initializer, which copies the style: nobody changes it
             cell = cells[place] = Cell.__new__(Cell)
             cell.parent, (cell.row, cell.column), cell._hyperlink, cell._comment = sheet, place, None, None
         cell._style = styles[held.style]

@@ -45,7 +45,7 @@ class Contents:
         return [*self.formulas, *self.failed]
 
     def read(self, cells: Collection[Address], by: Collection[Address] | None = None) -> set[Address]:
-        """Return those of ``cells`` to which some formula refers, or one of the formulas in the cells ``by``."""
+        """Return those of ``cells`` to which some formula refers, or any of the formulas in the cells ``by``."""
         wanted: dict[tuple[str, int], list[int]] = {}
         for sheet, row, column in sorted(cells):
             wanted.setdefault((sheet, column), []).append(row)
@@ -133,7 +133,7 @@ def referenced_cells(formulas: Patterns, wanted: Mapping[tuple[str, int], list[i
 
 
 def merged_rows(areas: Iterable[Area]) -> dict[tuple[str, int, int], list[tuple[int, int]]]:
-    """Return areas by sheet and columns, as ranges of rows merged where they overlap: running sums become one."""
+    """Return areas by sheet and columns, as ranges of rows merged where they overlap, as in running sums."""
     merged: dict[tuple[str, int, int], list[tuple[int, int]]] = {}
     for sheet, top, left, bottom, right, _ in sorted(areas):
         rows = merged.setdefault((sheet, left, right), [])

@@ -46,7 +46,7 @@ def parse_toml(text: str, path: Path) -> dict[str, Any]:
         return tomllib.loads(text)
     except RecursionError as error:
         raise ReadError(f"{path}: not valid TOML for a description: values are nested too deep") from error
-    except ValueError as error:  # one of TOML's, or a whole number of too many digits
+    except ValueError as error:  # an error of TOML's, or a whole number of too many digits
         message = decimal_comma(text, error) or str(error).partition(";")[0]
         raise ReadError(f"{path}: not valid TOML: {message}") from error
 
@@ -101,7 +101,7 @@ def require_possible(template: Template[M], machine: M, where: Where) -> None:
 
 
 def cell_key(key: str, named: dict[str, str]) -> str:
-    """Return a key below a law's name with the one that its cells have."""
+    """Return a key below a law's name with the name that its cells have."""
     for name, below in named.items():
         begin = f"laws.{key_of(name)}"
         if key == begin or key.startswith(f"{begin}."):

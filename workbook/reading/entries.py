@@ -1,4 +1,4 @@
-"""The input cells of a workbook as a machine description, checked by the same models as one in TOML."""
+"""The input cells of a workbook as a machine description, checked by the same models as a file of TOML."""
 
 from collections.abc import Callable, Collection, Iterator
 from typing import Any

@@ -77,7 +77,7 @@ class BookFile:
         return bool(self.workbook.properties.modified == BUILT)
 
     def cell(self, address: Address) -> Cell | MergedCell | None:
-        """Return a cell, with its looks; None for one that the file does not have."""
+        """Return a cell, with its looks; None where the file has none."""
         return self._sheets[address.sheet].get((address.row, address.column))
 
     @cached_property
@@ -87,7 +87,7 @@ class BookFile:
 
     @cached_property
     def _sheets(self) -> dict[str, dict[tuple[int, int], Cell | MergedCell]]:
-        """The cells that the file has: asking openpyxl for another would make one."""
+        """The cells that the file has: asking openpyxl for another would create it."""
         return {sheet.title: sheet._cells for sheet in self.workbook.worksheets}
 
 
@@ -108,7 +108,7 @@ def open_book(path: Path) -> BookFile:
 def load_workbook(path: Path, inspected: Inspected) -> Workbook:
     """Let openpyxl read a file that passed the guard, but for rows and drawings; raise ReadError where it cannot."""
     try:
-        with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints one of its complaints
+        with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints a complaint
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
             reader = ExcelReader(str(path), keep_links=False)
             reader.archive.close()
@@ -189,7 +189,7 @@ def cells_read(formulas: Patterns) -> int:
 
 
 def areas_read(formulas: Patterns) -> Iterator[tuple[Area, int]]:
-    """Yield the areas that formulas read, each with how often it is read, or one of its size."""
+    """Yield the areas that formulas read, each with how often it is read, or an area of its size."""
     patterns, others = formulas
     yield from ((a, 1) for formula in others for a in formula.arguments if isinstance(a, Area))
     for pattern, rows in patterns:

@@ -51,7 +51,7 @@ def find_parts(parts: Mapping[str, Element], names: Iterable[str]) -> tuple[str,
 
 
 def content_types(root: Element, names: set[str]) -> dict[str, str]:
-    """Return the content type of each part; Refusal where one is declared twice, or has a type of another case."""
+    """Return the content type of each part; Refusal where a part is declared twice, or has a type of another case."""
     overrides = [
         (e.get("PartName", "").removeprefix("/"), e.get("ContentType", "")) for e in root if tag(e) == "Override"
     ]
@@ -67,7 +67,7 @@ def content_types(root: Element, names: set[str]) -> dict[str, str]:
 
 
 def relationships(parts: Mapping[str, Element], of: str) -> list[Relationship]:
-    """Return the relationships of a part, or of the package; Refusal where two have one name."""
+    """Return the relationships of a part, or of the package; Refusal where two have the same name."""
     name = join(dirname(of), "_rels", f"{basename(of)}.rels")
     links = []
     for e in (e for e in parts.get(name, ()) if tag(e) == "Relationship"):
@@ -93,7 +93,7 @@ def only_part(what: str, targets: list[str], typed_so: list[str], names: set[str
 
 
 def of_type(types: Mapping[str, str], endings: tuple[str, ...]) -> list[str]:
-    """Return the parts with a content type of one of these endings."""
+    """Return the parts with a content type of any of these endings."""
     return [name for name, kind in types.items() if kind.endswith(endings)]
 
 
@@ -182,7 +182,7 @@ def drawing_anchors(parts: Mapping[str, Element], sheet: str) -> list[Anchor]:
 
 def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
     """Yield the anchors of a drawing that hold what hides; ``charts`` are the roots to which its links lead."""
-    for element in root.iter():  # one that newer programs alone know stands within an alternative
+    for element in root.iter():  # what newer programs alone know stands within an alternative
         if not tag(element).endswith("Anchor"):
             continue
         held = {tag(child): child for child in element}

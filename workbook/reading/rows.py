@@ -62,7 +62,7 @@ class Totals:
             raise Refusal(f"holds more than {MOST_OUTSIDE:,} XML elements and attributes besides its cells")
 
     def reference(self, *key: str) -> None:
-        """Note a reference to a part; refuse a second one."""
+        """Note a reference to a part; refuse a second."""
         if key in self.referred:
             raise Refusal(f"refers twice to {short(key[-1])} as a part of its own; once is expected")
         self.referred.add(key)
@@ -94,7 +94,7 @@ def tag(element: Element) -> str:
 
 
 def text_of(element: Element, name: str, part: str) -> str:
-    """Return the text of an element of this name; raise Refusal where it is longer than one may be."""
+    """Return the text of an element of this name; raise Refusal where it is longer than allowed."""
     text = element.text or ""
     if len(text) > MOST_LONG.get(name, len(text)):
         raise Refusal(f"{part} holds a text of more than {MOST_LONG[name]:,} characters in one <{name}>")
@@ -116,7 +116,7 @@ class RawCell(NamedTuple):
     style: int  # its number
     kind: str  # the type of its value: n, s, str ...
     value: str | None
-    how: dict[str, str] | None  # the attributes of its formula, where it has one
+    how: dict[str, str] | None  # the attributes of its formula, if any
     formula: str
 
 
@@ -151,7 +151,7 @@ class Rows:
         return max(self.last_row * self.last_column, len(self.written))
 
     def begin(self, attributes: dict[str, str]) -> None:
-        """Begin a row, numbered or next to the one before."""
+        """Begin a row, numbered or next to the row before."""
         number = attributes.get("r")
         try:
             self.row = self.row + 1 if number is None else int(float(number))
@@ -199,7 +199,7 @@ class Rows:
                 self.require_within(part)
 
     def _place(self, at: str | None) -> None:
-        """Place a cell, named or next to the one before."""
+        """Place a cell, named or next to the cell before."""
         row, column = cell_position(at, PLAIN) if at else (self.row, self.column + 1)
         if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
             raise Refusal(f"{self.name} reaches beyond the last cell of a sheet, XFD1048576")
@@ -212,7 +212,7 @@ class Rows:
         self.last_row, self.last_column = max(row, self.last_row), max(column, self.last_column)
 
     def _text(self, element: Element, before: str | None) -> str | None:
-        """Return a text that is written in its cell, the one before it where there is none; keep the fonts within."""
+        """Return a text that is written in its cell, the text before it where there is none; keep the fonts within."""
         refuse_two_texts(element, self.name)
         if fonts := list(element.iter(f"{MAIN}rPr")):
             self.fonts[self.row, self.column] = fonts

@@ -1,4 +1,4 @@
-"""One pass over the XML of a workbook's part: counts, lengths, rows one cell after the other, and no entities."""
+"""One pass over the XML of a workbook's part: counts, lengths, rows cell by cell, and no entities."""
 
 import re
 from collections.abc import Iterator

@@ -130,7 +130,7 @@ def row_referred_to(file: BookFile, place: Place, r: int) -> int | None:
 
 
 def numbering_column(block: Block) -> int | None:
-    """Return the column in which a table numbers its rows, if it has one."""
+    """Return the column in which a table numbers its rows, if any."""
     for j, q in enumerate(block.quantities):
         if q.role not in ("input", "check") and q.formula is None and block.size > 1:
             values = as_rows(q.value, block.size, block.name)
@@ -146,7 +146,7 @@ def holds_formula(file: BookFile, address: Address) -> bool:
 
 
 def matched_columns(file: BookFile, block: Block, place: Place) -> list[int | None]:
-    """Return for each declared column its number in the place, None where it is gone; their order is kept."""
+    """Return for each declared column its number in the place, None where it is gone; their order stays."""
     names = {column: {t.text for t in block.sheet.texts if t.column == column and 0 < block.row - t.row <= 4 and t.text}
              for column in block.columns.values()}  # fmt: skip
     ups = range(1, min(HEADER, place.row))

@@ -101,7 +101,7 @@ def page(
     claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
     return document(title, rendered(
         "reports/cams.html", title=title, version=workbook.__version__, target=target,
-        claims=claims, found=axes, advice=advice,
+        claims=claims, axes=axes, advice=advice,
         headings=HEADINGS, rows=rows, placing=placing_line, pictures=pictures, switched=SWITCHED, switches=switches,
     ))  # fmt: skip
 

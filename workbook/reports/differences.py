@@ -32,7 +32,7 @@ def row(change: Change) -> list[str]:
 
 
 def figure(value: Any) -> str:
-    """Return a value as people write it; a dash for an empty one and for what is no number."""
+    """Return a value as people write it; a dash for an empty value and for what is no number."""
     return "–" if value in (None, "") or value != value else f"{value:.7g}" if isinstance(value, float) else str(value)
 
 
@@ -56,8 +56,8 @@ def page(old: Design, new: Design, differences: Differences) -> str:
     """Return the page of all differences, with the motions of both sides over one another."""
     title = f"{old.path.name} and {new.path.name}"
     return document(title, rendered(
-        "reports/differences.html", title=title, old=old, new=new, found=differences, kinds=KINDS, lines=LINES, row=row,
-        headings=HEADINGS, signed=signed, drawn=diagrams(old, new),
+        "reports/differences.html", title=title, old=old, new=new, differences=differences, kinds=KINDS, lines=LINES,
+        row=row, headings=HEADINGS, signed=signed, drawn=diagrams(old, new),
     ))  # fmt: skip
 
 

@@ -176,7 +176,7 @@ def path(x: Array, y: Array) -> str:
 
 
 def picture(title: str, labels: tuple[str, str], across: Scale, up: Scale, **drawn: Any) -> str:
-    """Return a picture of what is drawn between two axes; no numbers stand at one that has no name."""
+    """Return a picture of what is drawn between two axes; no numbers stand at an axis without a name."""
     given = {"title": title, "labels": labels, "across": across, "up": up, "width": WIDTH, "height": HEIGHT}
     return rendered("reports/picture.svg", **given, **({"curves": (), "handles": {}, "dragged": ()} | drawn))
 

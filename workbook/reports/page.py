@@ -130,7 +130,7 @@ def require_writable(path: Path | None, suffixes: Sequence[str], overwrite: bool
 
 
 def write(path: Path | None, text: Callable[[], str], overwrite: bool) -> None:
-    """Write a report where one was asked for, whole or not at all; raise WriteError where that cannot be."""
+    """Write a report where it was asked for, whole or not at all; raise WriteError where that cannot be."""
     if path is not None:
         write_text(path, text(), overwrite)
 
@@ -153,7 +153,7 @@ def junit(outcomes: Sequence[Outcome], when: datetime) -> str:
 
 
 def cases(outcome: Outcome) -> list[Case]:
-    """Return a case for each sheet of a workbook and one for its own checks, or one for a book that was not read."""
+    """Return a case for each sheet of a workbook and for its own checks, or a case for a book that was not read."""
     report, case_list = outcome.report, list[Case]()
     if report is None:
         tag = "skipped" if outcome.verdict == "no machine" else "error"  # it was rightly passed over

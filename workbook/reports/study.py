@@ -46,7 +46,7 @@ def front(
     css = ["" if isinstance(value, str) else ' class="number"' for value in first]
     drawn = picture(plan.study, shown, named, links) if shown and len(plan.study.goals) > 1 else ""
     return rendered(
-        "reports/study.html", plan=plan, found=summary, named=named, judged=judged, links=links, picture=drawn,
+        "reports/study.html", plan=plan, summary=summary, named=named, judged=judged, links=links, picture=drawn,
         columns=list(zip(heads, css, strict=False)), shown_best=shown, names=names, unranked=unranked, parted=breakable,
         judged_line=judged_line, excluding=excluding, heading=heading, figure=figure, **{"plan_page": False} | page,
     )  # fmt: skip

@@ -17,7 +17,7 @@ ENOUGH = 2  # evaluators that must agree
 DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
 MOST = 160  # characters of why a witness failed
 UNKNOWN = (None, "#NAME?")  # what a witness has for a function that it does not know
-UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}  # and what one has for more that it cannot take
+UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}  # and what a witness has for more that it cannot take
 ELSEWHERE = frozenset([  # functions that read other cells than those they name, or more of these than their values
     "INDIRECT", "OFFSET", "CELL", "INFO", "SHEET", "SHEETS", "FORMULATEXT", "ISFORMULA", "SUBTOTAL", "AGGREGATE",
     "GETPIVOTDATA", "EVALUATE",
@@ -34,7 +34,7 @@ def agreed_values(
 
 
 class Evaluation:
-    """The values of a file by one witness after the other, each asked only where it is needed."""
+    """The values of a file by the witnesses in succession, each asked only where it is needed."""
 
     def __init__(self, file: BookFile, asked: Collection[Address], names: Iterable[str]) -> None:
         self._file, self._names = file, list(names)
@@ -117,7 +117,7 @@ class Evaluation:
 
 
 def files_of(contents: Contents, asked: Collection[Address]) -> Iterator[Collection[Address]]:
-    """Yield formula cells for files until a witness can open one: all, though they take long, if more is read."""
+    """Yield formula cells for files until a witness can open a file: all, though they take long, if more is read."""
     if reads_elsewhere(contents, asked):
         yield contents.formula_cells
         asked = [cell for cell in asked if not reads_elsewhere(contents, {cell})]
@@ -133,7 +133,7 @@ def reads_elsewhere(contents: Contents, asked: Collection[Address]) -> bool:
 
 
 def same_value(value: Any, other: Any, zero: float = ZERO) -> bool:
-    """Whether two values are one but for rounding; numbers also by a difference of ``zero``."""
+    """Whether two values are the same but for rounding; numbers also by a difference of ``zero``."""
     if is_number(value) and is_number(other):
         return math.isclose(value, other, rel_tol=DEVIATION, abs_tol=zero)
     return type(value) is type(other) and bool(value == other)
@@ -156,7 +156,7 @@ def needs_intersection(formula: str) -> bool:
 
 
 def is_range(word: str) -> bool:
-    """Whether a reference means more cells than one."""
+    """Whether a reference means several cells."""
     first, _, last = word.rpartition("!")[2].replace("$", "").upper().partition(":")
     return last not in ("", first)
 

@@ -1,4 +1,4 @@
-"""An evaluator in a process of its own: one that dies, or that does not end, takes nothing with it.
+"""An evaluator in a process of its own: a process that dies, or that does not end, takes nothing with it.
 
 Run as a script it reads a request from stdin, an evaluator's name and what it is given, and writes to stdout whether it
 answers, and the values, or else why there are none. Both are pickles.
@@ -82,6 +82,6 @@ def answer(name: str, *given: Any) -> tuple[bool, Any]:
 
 
 if __name__ == "__main__":
-    with os.fdopen(os.dup(1), "wb") as told:
+    with os.fdopen(os.dup(1), "wb") as answers:
         os.dup2(2, 1)  # what an evaluator prints is no answer
-        pickle.dump(answer(*pickle.load(sys.stdin.buffer)), told)
+        pickle.dump(answer(*pickle.load(sys.stdin.buffer)), answers)

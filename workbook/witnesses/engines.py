@@ -27,7 +27,7 @@ PLACES = (
     r"C:\Program Files\LibreOffice\program\soffice.com",
 )
 # LibreOffice keeps the values that it finds in a file unless it is asked to recalculate always, and follows links to
-# other files and to the web unless it is told never to; settings that a version does not know do no harm
+# other files and to the web unless it is asked never to; settings that a version does not know do no harm
 SETTINGS = (
     ("Calc/Formula/Load", "OOXMLRecalcMode", "0"), ("Calc/Formula/Load", "ODFRecalcMode", "0"),
     ("Calc/Content/Update", "Link", "2"), ("Common/Security/Scripting", "BlockUntrustedRefererLinks", "true"),
@@ -41,7 +41,7 @@ PROFILE = """<?xml version="1.0" encoding="UTF-8"?>
 
 
 class Formualizer(Witness):
-    """formualizer, in Rust, the fast one: evaluates a copy of the file, and reads the results back."""
+    """formualizer, in Rust, the fastest: evaluates a copy of the file, and reads the results back."""
 
     name = "formualizer"
 

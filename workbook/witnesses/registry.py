@@ -1,4 +1,4 @@
-"""The witnesses by name, each loaded where it is made; the slowest before the one that only reads."""
+"""The witnesses by name, each loaded where it is needed; the slowest before the reader of saved results."""
 
 from __future__ import annotations
 

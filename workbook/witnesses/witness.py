@@ -25,7 +25,7 @@ CYCLE = "#CYCLE!"  # what a witness has for a cell that computes from itself, or
 
 
 class Witness:
-    """An evaluator of workbooks, independent of the others; one with ``kept`` is always asked: it reads saved ones."""
+    """An evaluator of workbooks, independent of the others; with ``kept`` it is always asked: it reads saved values."""
 
     name: str
     kept = False
@@ -143,7 +143,7 @@ def copy_contents(file: BookFile, own: Collection[Address], given: Mapping[Addre
 
 
 def names_of_cells(names: Mapping[str, DefinedName], file: BookFile) -> DefinedNameDict:
-    """Return those of the names that lead to cells in the book, or are called like one that does."""
+    """Return those of the names that lead to cells in the book, or are called like a name that does."""
     usable = {
         name: DefinedName(name, attr_text=defined.attr_text) for name, defined in names.items() if name in file.places
     }

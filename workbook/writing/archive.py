@@ -81,7 +81,7 @@ def with_relative_targets(name: str, part: str) -> str:
 
 
 def with_part(parts: dict[str, bytes], name: str, part: bytes, kind: str = "") -> dict[str, bytes]:
-    """Return the parts with one more of the workbook, of this name and kind of relationship."""
+    """Return the parts with a further part of the workbook, of this name and kind of relationship."""
     whole = parts | {f"xl/{name}.xml": part}
     for where, entry in (
         ("[Content_Types].xml", TYPE.format(name, kind or name)),

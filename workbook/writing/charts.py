@@ -33,7 +33,7 @@ LOG_BASE = 10
 SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW = 1.5  # cm for the labels of the abscissa and its title
 NAMES = 3.0  # cm left of the plot, where the lines have their names there
-LEGEND, LONG_LEGEND, LONG = 0.7, 1.6, 6  # cm for a legend, for one of more lines than so many
+LEGEND, LONG_LEGEND, LONG = 0.7, 1.6, 6  # cm for a legend, for a legend of more lines than so many
 NO_LINE = GraphicalProperties(ln=LineProperties(noFill=True))
 GRIDLINES = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
 TITLE, AXIS_TITLE = (ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)) for size in (1300, 1000))
@@ -113,7 +113,7 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
 
 
 def lane_labels(series: Series, book: Book, ink: str) -> DataLabelList:
-    """Return the labels of a line: its name, left of its first point; of one that crosses the lanes behind its last."""
+    """Return the labels of a line: its name, left of its first point; where it crosses the lanes behind its last."""
     text = CharacterProperties(sz=1000, b=True, solidFill=ink)
     look = RichText(p=[Paragraph(pPr=ParagraphProperties(defRPr=text), endParaRPr=text)])
     shown = dict.fromkeys(("showLegendKey", "showVal", "showCatName", "showPercent", "showBubbleSize"), False)

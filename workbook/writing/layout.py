@@ -91,7 +91,7 @@ def lines_of(text: str, points: float, room: float) -> int:
 
 
 def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
-    """Return the width of each column that has one of its own, in digits."""
+    """Return the width of each column that has its own, in digits."""
     known_widths: dict[int, float] = WIDTHS | sheet.widths
     taken = taken_rows(sheet)
     for block in sheet.blocks:
@@ -148,7 +148,7 @@ WIDE, BESIDE = 5.25, 3.75  # of a column in points: each digit of its width, and
 ROW = 15.0  # points of a row, and of a row that a chart is high
 TALL = {"title": 24.0, "heading": 18.0}
 SPARE = 0.96  # share of a page that is filled at most: programs differ in how high rows are
-PAGE, SECTION, FIGURES, TABLE, CHART = 20, 4, 3, 60, 200  # costs of a further page, and of cutting one of these
+PAGE, SECTION, FIGURES, TABLE, CHART = 20, 4, 3, 60, 200  # costs of a further page, and of cutting any of these
 CLOSE = 3  # rows of a section, and of a table, that its heading keeps to
 
 

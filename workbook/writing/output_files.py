@@ -21,7 +21,7 @@ def refuse_existing(path: Path, overwrite: bool) -> None:
         above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
         if above is not None and not os.path.isdir(above):
             raise WriteError(f"{path}: cannot be written: {above} is no folder") from None
-        return  # or a link to a file that is not there yet, when told to write
+        return  # or a link to a file that is not there yet, when asked to write
     except (OSError, ValueError) as error:
         raise write_error(path, error) from error
     if kind:

@@ -1,4 +1,4 @@
-"""Write a declared book to a file, the same bytes each time, with what an engineer has added to an older one."""
+"""Write a declared book to a file, the same bytes each time, with what an engineer has added to an older book."""
 
 import io
 import zipfile
@@ -55,7 +55,7 @@ NO_ADDITIONS = Additions()
 
 def save(book: Book, model: type[BaseModel], path: Path, overwrite: bool = False,
          check: Callable[[Path], None] | None = None, own: Additions = NO_ADDITIONS) -> None:  # fmt: skip
-    """Save a book, and what an engineer had added to an older one; ``check`` may refuse the draft of the file."""
+    """Save a book, and what an engineer had added to an older book; ``check`` may refuse the draft of the file."""
     refuse_existing(path, overwrite)
     pack(parts(book, model, own=own), path, overwrite, check)
 

@@ -28,7 +28,7 @@ def elements(table: Table) -> list[tuple[str, str, int]]:
 
 
 def parted(handed: SwitchExport) -> list[tuple[int, float, float]]:
-    """Return the times; one past the end of the cycle as two, as left must be below right."""
+    """Return the times; a time past the end of the cycle as two, as left must be below right."""
     return [(track, low, high) for track, begin, end in handed.times
             for low, high in ([(begin, end)] if begin < end else [(begin, handed.cycle), (0.0, end)])]  # fmt: skip
 

@@ -64,7 +64,7 @@ class Spot(NamedTuple):
 
 
 class CellGroup(NamedTuple):
-    """Cells of a column, one below the other: the column of a block, or a text that says what a cell is."""
+    """Cells of a column, from top to bottom: the column of a block, or a text that says what a cell is."""
 
     pairs: list[Pair]
     label: Label | None = None

@@ -146,7 +146,7 @@ def is_same_line(match: Match, fresh: Flat, held: Flat) -> bool:
 
 
 def is_same_data(match: Match, fresh: Area | str, held: Area | str) -> bool:
-    """Whether two texts or ranges are one; a text that follows a cell is written out where LibreOffice saves it."""
+    """Whether two texts or ranges are the same; a text that follows a cell is written out as LibreOffice saves it."""
     return match.same(fresh, held) or (isinstance(fresh, Area) and held == str(match.declared_value(fresh.first)))
 
 
@@ -199,12 +199,12 @@ def compare_parts(
 
 
 def text_words(match: Match, text: Area | str) -> str:
-    """Return a text of a fresh build; of one that follows a cell, the cell's."""
+    """Return a text of a fresh build; of a text that follows a cell, the cell's."""
     return str(match.declared_value(text.first)) if isinstance(text, Area) else text
 
 
 def held_text(match: Match, text: Area | str) -> str:
-    """Return a text of a file; of one that follows a cell, what was saved in the cell."""
+    """Return a text of a file; of a text that follows a cell, what was saved in the cell."""
     if not isinstance(text, Area):
         return text
     return str(match.file.saved.get(text.first) or match.file.value(text.first) or "")

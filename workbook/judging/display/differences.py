@@ -1,4 +1,4 @@
-"""Differences between a file and a fresh build of the same inputs, those alike told in a line, and which mislead."""
+"""Differences between a file and a fresh build of the same inputs, the alike in a line, and which mislead."""
 
 import re
 from collections.abc import Container, Mapping
@@ -49,7 +49,7 @@ class Differences:
             self.add(at, subject, name, expected, held, misleads(subject, name, str(held)))
 
     def add(self, at: Address, subject: Subject, attribute: str, expected: Any, held: Any, misleads: bool) -> None:
-        """Enter a difference; one that misleads a reader is a finding."""
+        """Enter a difference; what misleads a reader is a finding."""
         kind = SHOWN if misleads else NOTICE
         key = at.sheet, kind, attribute, str(expected), str(held), subject.group
         first, words, count = self._groups.get(key, (at, subject.words, 0))
@@ -79,12 +79,12 @@ def text_misleads(expected: str, held: str, others: Container[str]) -> bool:
 
 
 def is_same_unit(unit: str, other: str) -> bool:
-    """Whether two units are one, however they are spelled."""
+    """Whether two units are the same, however they are spelled."""
     return unit.split() == other.split() or (unit_size(unit) is not None and unit_size(unit) == unit_size(other))
 
 
 def is_unit(text: str) -> bool:
-    """Whether a text reads as a unit, or as a figure with one."""
+    """Whether a text reads as a unit, or as a figure with its unit."""
     return bool(TELLING.search(text)) or unit_size(text) is not None
 
 

@@ -1,4 +1,4 @@
-"""Attributes of an element of a file and of all within it, as one flat dictionary of normal values.
+"""Attributes of an element of a file and of all within it, as a flat dictionary of normal values.
 
 Fresh builds and files of any program are read by this reader: what is left of their differences, a reader sees.
 """

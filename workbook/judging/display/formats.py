@@ -17,7 +17,7 @@ LANGUAGE = re.compile(r"\$([^-\]]*)(?:-(?!F800|F400)(?:0?[01])?[0-9A-F]{0,6})?",
 
 
 def format_by_number(workbook: Any, number: int) -> str:
-    """Return the number format of a number; one that programs define by their language is named as such."""
+    """Return the number format of a number; a format that programs define by their language is named as such."""
     formats, held = workbook._number_formats, number - BUILTIN_FORMATS_MAX_SIZE
     if held >= 0:
         return str(formats[held]) if held < len(formats) else f"undefined format {number}"

@@ -37,7 +37,7 @@ class PlacedRule(NamedTuple):
     ranges: list[tuple[int, int, int, int]]  # left, top, right, bottom
 
     def covers(self, column: int, first: int, last: int) -> bool:
-        """Whether one of its ranges covers rows of a column, from ``first`` to ``last``."""
+        """Whether any of its ranges covers rows of a column, from ``first`` to ``last``."""
         return any(
             left <= column <= right and top <= first and last <= bottom for left, top, right, bottom in self.ranges
         )
@@ -96,7 +96,7 @@ def rule_words(rule: Rule) -> str:
 
 
 def is_same_condition(match: Match, rule: Rule, held: PlacedRule, group: CellGroup) -> bool:
-    """Whether a rule of a file holds for the same values as one of a fresh build."""
+    """Whether a rule of a file holds for the same values as a rule of a fresh build."""
     texts, block = [str(text).removeprefix("=") for text in held.rule.formula], group.pairs[0].cell.block
     if rule.type != "expression":
         return bool(texts == rule.formula)

@@ -70,7 +70,7 @@ def describe_texts(sheet: Sheet) -> Iterator[tuple[Text, Block]]:
 def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
     """Yield where the texts of a sheet stand: all of a line above a table, and of a column beside cells, moved alike.
 
-    They are the nearest in which most of these texts stand, so that a right text elsewhere excuses no wrong one.
+    They are the nearest in which most of these texts stand, so that a right text elsewhere excuses no wrong text.
     """
     lines = defaultdict[tuple[str, int], list[tuple[Text, Block]]](list)
     for text, block in describe_texts(sheet):

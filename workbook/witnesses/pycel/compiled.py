@@ -103,7 +103,7 @@ def last_of_operand(tokens: Sequence[Token], first: int) -> int:
 
 
 def lazy_if(node: FunctionNode) -> str:
-    """Return Python for an IF of two values, of which only the one that counts is worked out."""
+    """Return Python for an IF of two values, of which only that which counts is worked out."""
     test, *values = (child.emit for child in node.children)
     return f"chosen(if_, {test}, {', '.join(f'lambda: {value}' for value in values)})"
 
@@ -122,7 +122,7 @@ def _compiled(shape: str) -> Compiled:
         raise FormulaError("#NAME?", f"pycel has no function {', '.join(sorted(missing)).upper()}")
     for name in new:
         _space[name] = shortcuts.with_shortcut(name, _space[name])
-    exec(code, _space)  # noqa: S102 - what pycel made of a shape: check() let no word of the file's own pass
+    exec(code, _space)  # noqa: S102 - what pycel wrote of a shape: check() let no word of the file's own pass
     dummies = tuple(match[0] for match in DUMMY.finditer(shape))
     return Compiled(functions[0], dummies, frozenset(ADDRESS_ASKED.findall(formula.python_code)))
 
@@ -182,14 +182,14 @@ class Numbering:
         return self._columns.setdefault((sheet, column), {})
 
     def cell(self, address: Address, value: Any = None) -> int:
-        """Return the number of a cell; a new one, with ``value``, for what has none."""
+        """Return the number of a cell; a new number, with ``value``, for what has none."""
         number = self.column(address.sheet, address.column).setdefault(address.row, len(self.values))
         if number == len(self.values):
             self.values.append(value)
         return number
 
     def other(self, key: Hashable, value: Any = None) -> int:
-        """Return the number of a range or text; a new one, with ``value``, for what has none."""
+        """Return the number of a range or text; a new number, with ``value``, for what has none."""
         number = self._others.setdefault(key, len(self.values))
         if number == len(self.values):
             self.values.append(value)
@@ -197,7 +197,7 @@ class Numbering:
 
 
 def evaluation_order(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[int, int]]:
-    """Return keys so that each follows those keys that it needs; for each in a cycle, one that it needs there."""
+    """Return keys so that each follows those keys that it needs; for each in a cycle, a key that it needs there."""
     cyclic: dict[int, int] = {}
     order, met_again = depth_first(needs)
     if met_again:
@@ -213,7 +213,7 @@ def evaluation_order(needs: dict[int, Sequence[int]]) -> tuple[list[int], dict[i
 
 
 def depth_first(needs: Mapping[int, Sequence[int]]) -> tuple[list[int], bool]:
-    """Return keys, each after those that it needs, and whether one needs itself, in a fifth of graphlib's time."""
+    """Return keys, each after those that it needs, and whether any needs itself, in a fifth of graphlib's time."""
     order: list[int] = []
     done: dict[int, bool] = {}  # of the keys that were begun
     met_again = False

@@ -29,7 +29,7 @@ class ArrayCells:
 
 
 def cross(*arrays: Any) -> None:
-    """Count the array of all ``arrays`` before it is made: of a column and a row of 10,000 cells it has 100 million."""
+    """Count the array of all ``arrays`` before it exists: of a column and a row of 10,000 cells it has 100 million."""
     sizes = [(len(array), len(array[0])) for array in arrays if isinstance(array, tuple)]
     if len(set(sizes)) > 1:
         count_cells(max(rows for rows, _ in sizes) * max(columns for _, columns in sizes))
@@ -90,7 +90,7 @@ def product(*factors: Any) -> Any:
 
 
 def sumproduct(*arrays: Any) -> Any:
-    """Return a number of Python's: pycel's ROUND and others fail on NumPy's; a single cell is a range of one."""
+    """Return a number of Python's: pycel's ROUND and others fail on NumPy's; a single cell is a range."""
     result = excellib.sumproduct(*(array if is_array_arg(array) else ((array,),) for array in arrays))
     return result if isinstance(result, str) else result.item()
 

@@ -53,9 +53,9 @@ def require_working() -> None:
 
 
 class PycelModel:
-    """A workbook's formulas, or those of ``cells``, joined once; ``problems`` says why one is an error or #CYCLE!.
+    """A workbook's formulas, or those of ``cells``, joined once; ``problems`` says why a cell is an error or #CYCLE!.
 
-    ``given`` are the cells whose values :meth:`each` is told.
+    ``given`` are the cells whose values :meth:`each` is given.
     """
 
     def __init__(

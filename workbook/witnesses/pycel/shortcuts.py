@@ -27,7 +27,7 @@ class Range(tuple[tuple[Any, ...], ...]):
 
     @functools.cached_property
     def cells(self) -> NDArray[Any] | None:
-        """The numbers, made an array once for all formulas that read the range."""
+        """The numbers, as an array once for all formulas that read the range."""
         if len(self) * len(self[0]) < SMALLEST or not all(NUMBERS.issuperset(map(type, row)) for row in self):
             return None
         try:
@@ -181,7 +181,7 @@ COUNTED |= dict.fromkeys(("match", "vlookup", "hlookup", "lookup"), count_search
 
 
 def with_shortcut(name: str, function: Function) -> Function:
-    """Return a function of pycel as formulas call it: with its shortcut, if it has one, counted, and for arrays."""
+    """Return a function of pycel as formulas call it: with its shortcut, if any, counted, and for arrays."""
     way, count = SHORTCUTS.get(name), COUNTED.get(name)
 
     def call(*arguments: Any) -> Any:
