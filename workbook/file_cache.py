@@ -51,9 +51,9 @@ def folder() -> Path:
 @cache
 def program_digest() -> str:
     """Return a digest of this program: its modules by name, size and time of change, and Python."""
-    digest = hashlib.sha256(f"{sys.version} {platform.machine()}".encode())
+    state = hashlib.sha256(f"{sys.version} {platform.machine()}".encode())
     for room in ("engine", "workbook"):
         for path in sorted((SOURCES / room).rglob("*.py")):
             known = path.stat()
-            digest.update(f"{path.relative_to(SOURCES)} {known.st_size} {known.st_mtime_ns}".encode())
-    return digest.hexdigest()
+            state.update(f"{path.relative_to(SOURCES)} {known.st_size} {known.st_mtime_ns}".encode())
+    return state.hexdigest()

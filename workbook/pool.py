@@ -22,7 +22,7 @@ class WorkerDied:
 class Pool:
     """A pool of this process alone, which does the tasks in succession; a subclass has a cluster's workers."""
 
-    distant = False  # whether they may be other machines, which do not see the files of this machine
+    distant = False  # whether they may be other machines, without the files of this
 
     def each(self, function: Callable[..., R], tasks: Iterable[T], *shared: Any) -> Iterator[tuple[T, R | WorkerDied]]:
         """Yield each task with the result of ``function(task, *shared)``, in the order in which they finish."""

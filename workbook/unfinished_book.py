@@ -176,5 +176,5 @@ class UnfinishedBook:
             look = number_format(q, sample(q)) if q.formula is not None else q.format
             changed = q._replace(value=values if block.is_table else values[0], format=look)
             block.quantities = (*block.quantities[:j], changed, *block.quantities[j + 1 :])
-        quantities = {block.quantities[0].name: block.quantities[0] for block in self.book.blocks.values()}
-        self.book.checks = [(s, q._replace(value=quantities[q.name].value)) for s, q in self.book.checks]
+        own = {block.quantities[0].name: block.quantities[0] for block in self.book.blocks.values()}
+        self.book.checks = [(s, q._replace(value=own[q.name].value)) for s, q in self.book.checks]

@@ -203,26 +203,26 @@ def _thinned(of: CamPoints, slopes: tuple[float, float], most: float) -> FoundPh
     """Return the spline through as few points as keep the others within ``most``; None if it takes more than 100."""
     begin, end = float(of.x[0]), float(of.x[-1])
     lift, span = float(of.y[-1] - of.y[0]), end - begin
-    corners = np.array([0, len(of.x) - 1])
-    missed = _misses(of, corners, slopes)
+    ends = np.array([0, len(of.x) - 1])
+    missed = _misses(of, ends, slopes)
     while missed.max() > most:
-        worst = [int(a + missed[a : b + 1].argmax()) for a, b in pairwise(corners.tolist())]
-        more = [k for k in worst if missed[k] > most and k not in corners]
-        corners = np.unique([*corners, *more])
-        if not more or len(corners) > MOST or np.diff(of.x[corners]).min() < NARROWEST * span:
+        worst = [int(a + missed[a : b + 1].argmax()) for a, b in pairwise(ends.tolist())]
+        more = [k for k in worst if missed[k] > most and k not in ends]
+        ends = np.unique([*ends, *more])
+        if not more or len(ends) > MOST or np.diff(of.x[ends]).min() < NARROWEST * span:
             return None
-        missed = _misses(of, corners, slopes)
-    for k in corners[1:-1].tolist():
-        fewer = corners[corners != k]
+        missed = _misses(of, ends, slopes)
+    for k in ends[1:-1].tolist():
+        fewer = ends[ends != k]
         if _misses(of, fewer, slopes).max() <= most:
-            corners = fewer
-    inner = corners[1:-1]
+            ends = fewer
+    inner = ends[1:-1]
     points = zip(((of.x[inner] - begin) / span).tolist(), ((of.y[inner] - of.y[0]) / lift).tolist(), strict=True)
     first, last = (slope * span / lift for slope in slopes)
     law = Spline(((0.0, 0.0), *points, (1.0, 1.0)), (first, last))
-    return FoundPhase(law, begin, end, float(of.y[0]), lift, float(_misses(of, corners, slopes).max()), known=False)
+    return FoundPhase(law, begin, end, float(of.y[0]), lift, float(_misses(of, ends, slopes).max()), known=False)
 
 
-def _misses(of: CamPoints, corners: NDArray[np.intp], slopes: tuple[float, float]) -> Array:
+def _misses(of: CamPoints, ends: NDArray[np.intp], slopes: tuple[float, float]) -> Array:
     """Return the deviation of each point from the spline through those that are ``corners``."""
-    return np.abs(spline(of.x[corners], of.y[corners], slopes).at(of.x).y - of.y)
+    return np.abs(spline(of.x[ends], of.y[ends], slopes).at(of.x).y - of.y)

@@ -134,7 +134,7 @@ def _rolled(of: CamPoints, k: int) -> CamPoints:
 def _phases(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     """Return the phases of each movement of a table."""
     laws = [family() for family in CATALOGUE if family not in (Dwell, PieceLaw)]
-    laws = [candidate for candidate in laws if abs(candidate.start.v) <= AT_SPEED]  # of a stroke from rest to rest
+    laws = [some for some in laws if abs(some.start.v) <= AT_SPEED]  # of a stroke from rest to rest
     phases: list[FoundPhase] = []
     for begin, end in true_runs(~_dwelling(of)):
         if not np.ptp(of.y[begin : end + 1]):
@@ -159,13 +159,13 @@ def _laid(
     meeting, known = phases_at_speed(whole, rebuilt)
     if not known and any(resting):
         strokes = zip(resting, edges, strict=True)
-        by_stroke = [[phase] if phase else _thinned(of.part(*edge), rebuilt) for phase, edge in strokes]
-        if all(by_stroke):
-            return [phase for phases in by_stroke for phase in phases]
+        parts = [[phase] if phase else _thinned(of.part(*edge), rebuilt) for phase, edge in strokes]
+        if all(parts):
+            return [phase for phases in parts for phase in phases]
     if meeting:
         return meeting
-    fifth_order = _found(law("PO5"), whole, np.array([*whole.x[[0, -1]], whole.y[0], np.ptp(whole.y)]))
-    return [replace(fifth_order, fits=False, known=False)]
+    quintic = _found(law("PO5"), whole, np.array([*whole.x[[0, -1]], whole.y[0], np.ptp(whole.y)]))
+    return [replace(quintic, fits=False, known=False)]
 
 
 def _thinned(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:

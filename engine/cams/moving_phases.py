@@ -73,10 +73,10 @@ def _edge_places(
     for k in range(0, len(edges), 2):
         begin, end = edges[k : k + 2]
         if end - begin == 1 and places[k + 1] - places[k] <= widest:
-            before, other = (_beside(of, rebuilt, runs, edge) for edge in (begin, end))
-            turn = before.v - other.v
-            across = before.x + (other.y - before.y - other.v * (other.x - before.x)) / turn if turn else np.nan
-            if not (before.fixed or other.fixed) and places[k] <= across <= places[k + 1]:
+            near, other = (_beside(of, rebuilt, runs, edge) for edge in (begin, end))
+            turn = near.v - other.v
+            across = near.x + (other.y - near.y - other.v * (other.x - near.x)) / turn if turn else np.nan
+            if not (near.fixed or other.fixed) and places[k] <= across <= places[k + 1]:
                 places[k] = places[k + 1] = across
     return places
 

@@ -212,12 +212,12 @@ class Drivetrain:
         """Return the coefficients of all shafts but the load's, from the motor's, by the factor of each stage."""
         m = self.drive.mechanism
         last = m.last - 1
-        coefficients = [TorqueCoefficients(factors[last], m.on_shaft(last), m.friction_on(last))]
+        rows = [TorqueCoefficients(factors[last], m.on_shaft(last), m.friction_on(last))]
         for k in reversed(range(last)):
-            stage, behind = m.stages[k], coefficients[0]
+            stage, behind = m.stages[k], rows[0]
             through = factors[k] / stage.ratio
             turns = math.prod(later.ratio for later in m.stages[k:last])
             own = TorqueCoefficients(0.0, m.on_shaft(k) * turns, m.friction_on(k))
-            coefficients.insert(0, TorqueCoefficients(*(through * a + b for a, b in zip(behind, own, strict=True))))
+            rows.insert(0, TorqueCoefficients(*(through * a + b for a, b in zip(behind, own, strict=True))))
         first = TorqueCoefficients(0.0, self.drive.motor_inertia * self.gear, self.drive.no_load)
-        return [TorqueCoefficients(*map(sum, zip(coefficients[0], first, strict=True))), *coefficients[1:]]
+        return [TorqueCoefficients(*map(sum, zip(rows[0], first, strict=True))), *rows[1:]]

@@ -103,13 +103,13 @@ def profile_of(pieces: Sequence[MotionPiece], end: float) -> CamProfile:
     lasting = [piece for piece in pieces if piece.duration > 0.0]
     ends = [*(piece.begin for piece in lasting[1:]), np.inf]
     least = SAME * abs(end - lasting[0].begin)
-    lasting_pieces = [piece for piece, after in zip(lasting, ends, strict=True) if after - piece.begin > least]
-    c, sines = np.array([piece.c for piece in lasting_pieces]), np.array([piece.sines for piece in lasting_pieces])
+    parts = [piece for piece, after in zip(lasting, ends, strict=True) if after - piece.begin > least]
+    c, sines = np.array([piece.c for piece in parts]), np.array([piece.sines for piece in parts])
     sines[sines[:, :, 0] == 0.0] = 0.0
     sines = sines[:, sines.any(axis=(0, 2))]
-    edges = np.array([*(piece.begin for piece in lasting_pieces), end])
+    edges = np.array([*(piece.begin for piece in parts), end])
     last = int(np.flatnonzero(c.any(axis=0)).max(initial=0))
-    return CamProfile(edges, np.array([piece.origin for piece in lasting_pieces]), c[:, : last + 1], sines)
+    return CamProfile(edges, np.array([piece.origin for piece in parts]), c[:, : last + 1], sines)
 
 
 def profile_of_motion(motion: Motion) -> CamProfile:

@@ -25,7 +25,7 @@ class Dependence:
             at = Address(title, cell.row, cell.column)
             if cell.quantity.formula is not None:
                 formula = readers[title].read(cell.content, cell.row)
-                for area in {argument for argument in formula.arguments if isinstance(argument, Area)}:
+                for area in {part for part in formula.arguments if isinstance(part, Area)}:
                     if area.size == 1:
                         self._by_cell[area.first].append(at)
                     else:

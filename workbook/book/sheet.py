@@ -181,11 +181,11 @@ class Sheet:
     def _free(self, block: Block, wide: int, runs: int) -> int:
         """Return the first column right of a table with ``wide`` free behind ``runs`` for texts, not printed if any."""
         top, end = block.row - 4, block.row + block.size
-        blocks = (block for block in self.blocks if block.row - 4 < end and top < block.row + block.size)
+        others = (other for other in self.blocks if other.row - 4 < end and top < other.row + other.size)
         charts = (
             range(left, left + width) for _, row, left, width, height in self.charts if row < end and top < row + height
         )
-        taken = {column for columns in (*(block.columns.values() for block in blocks), *charts) for column in columns}
+        taken = {column for columns in (*(other.columns.values() for other in others), *charts) for column in columns}
         behind, printed = max(block.columns.values()) + 1 + runs, self.print_columns + 1
         free = [c for c in range(behind, max(taken | {printed}) + 2 + runs) if not taken & set(range(c, c + wide))]
         return next((c for c in free if printed <= c <= MOST_COLUMNS + 1 - wide), free[0])

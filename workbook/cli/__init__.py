@@ -54,5 +54,5 @@ def fault_of(error: Exception) -> str:
             Path.cwd().stat()
         except OSError:
             return "the folder in which this runs is no longer there; go to another one"
-    message = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
-    return f"motionbook failed inside ({message[:200]}); please report this"
+    text = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
+    return f"motionbook failed inside ({text[:200]}); please report this"

@@ -67,11 +67,11 @@ def read_switches(file: Path, source: str, output: Path | None) -> None:
     """Tell the switches of a controller's file as entries of a machine's description."""
     if output is not None:
         raise TargetError("switches alone are no machine; expected no -o: paste what is printed into a description")
-    switches, rows = read_tracks(file, target_named(source)), []
-    say(ERR, f"{len(switches)} switches, {sum(len(switch.on) for switch in switches)} times of being on")
-    for switch in switches:
-        times = ", ".join(f"[{begin:.9g}, {end:.9g}]" for begin, end in switch.on)
-        name = json.dumps(visible(switch.name)[:LONGEST_NAME], ensure_ascii=False)
+    lanes, rows = read_tracks(file, target_named(source)), []
+    say(ERR, f"{len(lanes)} switches, {sum(len(lane.on) for lane in lanes)} times of being on")
+    for lane in lanes:
+        times = ", ".join(f"[{begin:.9g}, {end:.9g}]" for begin, end in lane.on)
+        name = json.dumps(visible(lane.name)[:LONGEST_NAME], ensure_ascii=False)
         rows.append(f"[[switches]]\nname = {name}\non = [{times}]\n")
     say_data("\n".join(rows))
 

@@ -190,7 +190,7 @@ def plan_export(
     """
     template = TEMPLATES[machine.template]
     known, lanes = template.axes(machine), template.switches(machine) if switches or everything else []
-    called = dict(zip((shape.name for shape in known), slugs([shape.name for shape in known]), strict=True))
+    called = dict(zip((of.name for of in known), slugs([of.name for of in known]), strict=True))
     axes = [] if switches else choose_axes(known, axis, machine.template)
     if switches:
         switch_format(asked.target, lanes)
@@ -208,7 +208,7 @@ def plan_export(
 
 def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
     """Return the angles of the motors' shafts of axes; raise TargetError for an axis without a drive that was named."""
-    turned: list[CamAxis] = []
+    drives: list[CamAxis] = []
     for axis in axes:
         if axis.shaft is None:
             message = f"{axis.name} has no drive, and so no motor's shaft"
@@ -217,10 +217,10 @@ def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
             say(ERR, f"{message}: it is left out", "yellow")
             continue
         try:
-            turned.append(axis.shaft())
+            drives.append(axis.shaft())
         except ValueError as error:
             raise TargetError(f"{axis.name}: its mechanism cannot do this motion: {error}") from None
-    return turned
+    return drives
 
 
 def show_certificates(files: Sequence[AxisFile], turned: SwitchFile | None, asked: Options, as_json: bool) -> bool:
@@ -280,11 +280,11 @@ def slugs(names: Sequence[str]) -> list[str]:
 def export_axis(machine: str, axis: CamAxis, name: str, asked: Options, mark: Sequence[str], path: Path) -> AxisFile:
     """Return the text of the file of a machine's axis, and the certificate of what a reader of its own finds in it."""
     target = asked.target
-    certified = (automatic(target, axis, asked.tolerance) if asked.points is None
+    best = (automatic(target, axis, asked.tolerance) if asked.points is None
             else certify_table(target, tabulate(target, axis, asked.points), axis.profile))  # fmt: skip
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
     lines = (f"{machine}, axis {axis.name}: {target.title}",
-             header(certified.points, " or ".join(certified.certificates), equal, units), *mark,
+             header(best.points, " or ".join(best.certificates), equal, units), *mark,
              *(f"untested: {claim.what} ({claim.source})" for claim in target.untested))  # fmt: skip
-    text = target.write(CamExport(certified.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs))
-    return AxisFile(axis, text, certify_table(target, reread(target, text, certified.table), axis.profile), path)
+    text = target.write(CamExport(best.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs))
+    return AxisFile(axis, text, certify_table(target, reread(target, text, best.table), axis.profile), path)

@@ -30,8 +30,8 @@ def build(machine: Path | None, output: Path | None, motors: Path | None, reduce
     refuse_suffix(target)
     with ERR.status(shown(f"Building {target} …")):
         described = making.read_description(source, motors, reducers)
-        verdict = making.judge_book(described, making.write_book(described, target, overwrite=force))
-    return show_built(target, verdict)
+        report = making.judge_book(described, making.write_book(described, target, overwrite=force))
+    return show_built(target, report)
 
 
 def show_built(target: Path, verdict: making.BookVerdict) -> int:

@@ -88,7 +88,7 @@ def run_study(
         except KeyboardInterrupt:
             say(ERR, f"Interrupted. {parts.folder}: {parts.held}")
             raise
-        names = ["design", *(dimension.label for dimension in plan.space.dimensions), *plan.study.names, *ENDS]
+        names = ["design", *(row.label for row in plan.space.dimensions), *plan.study.names, *ENDS]
         rows = [parts.rows(number) for number in sorted(parts.complete())]
         replace(results, lambda draft: join(names, rows, draft, results.suffix.lower()), over)
     seconds = time.perf_counter() - begin

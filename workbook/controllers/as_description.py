@@ -92,36 +92,34 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
         expected = f"{' or '.join(ENTERED)} over {', '.join(MEASURES)}"
         raise TargetError(f"it is in {y} over {x}; expected an axis in {expected}")
     movements = read.phases
-    for phase in movements:
-        if not phase.fits:
-            raise TargetError(f"from {phase.begin:.9g} to {phase.end:.9g} it keeps to no law, and splines through some "
+    for p in movements:
+        if not p.fits:
+            raise TargetError(f"from {p.begin:.9g} to {p.end:.9g} it keeps to no law, and splines through some "
                               "points are too far from the others; --tolerance y=1% allows more")  # fmt: skip
     laws: dict[str, Any] = {}
-    if any(not phase.rests for phase in movements):
+    if any(not p.rests for p in movements):
         laws["LIN"] = {"family": "LIN"}
     phases: list[dict[str, Any]] = []
     begin, end = float(table.x[0]), float(table.x[-1])
     near, reached = NEXT * (end - begin), begin
-    for k, phase in enumerate(movements):
-        name, law = law_entry(phase, k)
+    for k, p in enumerate(movements):
+        name, law = law_entry(p, k)
         laws |= law
-        start = phase.begin if phase.begin - reached > near else reached
-        reached = phase.end
+        start = p.begin if p.begin - reached > near else reached
+        reached = p.end
         places = {"start": rounded(start - begin), "stop": rounded(reached - begin)}
-        phases.append({"law": name, "lift": phase.lift, **places, **boundary_rates(movements, k, near, units)})
+        phases.append({"law": name, "lift": p.lift, **places, **boundary_rates(movements, k, near, units)})
     phases = phases or [{"law": "DWL", "lift": 0.0, "start": 0.0, "stop": rounded(end - begin)}]
-    travel = math.fsum(phase.lift for phase in movements)
-    closes = abs(travel) <= NEXT * max((abs(phase.lift) for phase in movements), default=1.0)
+    travel = math.fsum(p.lift for p in movements)
+    closes = abs(travel) <= NEXT * max((abs(p.lift) for p in movements), default=1.0)
     if movements and end - reached <= near:
         require_end(movements, closes, near + begin)
-    jumps = any(
-        phase.law.code == Spline.code for phase in movements
-    )  # the acceleration of a spline begins and ends with one
+    jumps = any(p.law.code == Spline.code for p in movements)  # the acceleration of a spline begins and ends with one
     axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": "velocity" if jumps else "acceleration",
             "closes": "position" if closes else "feed" if read.delay else "open", "shift": rounded(read.delay),
             "position": float(movements[0].y if movements else table.y[0]), "phases": phases}  # fmt: skip
     master = {"cycle": rounded(end - begin), "unit": units[0]}
-    points = max((len(phase.law.points) for phase in movements if isinstance(phase.law, Spline)), default=0)
+    points = max((len(p.law.points) for p in movements if isinstance(p.law, Spline)), default=0)
     rows = {"points": points, "phases": len(phases)}
     sizes = {name: count for name, count in rows.items() if count > getattr(Sizes(), name)}  # usually there is room
     return {"template": "machine", "title": title, "laws": laws, "sizes": sizes, "master": master, "axes": [axis]}

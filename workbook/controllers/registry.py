@@ -21,8 +21,8 @@ MODULES = ("br", "codesys", "columns", "mitsubishi", "rockwell", "siemens", "twi
 
 def targets() -> list[Target]:
     """Return every target, in the order of the register."""
-    families = [import_module(f"workbook.controllers.targets.{module}").TARGETS for module in MODULES]
-    return sorted((family for some in families for family in some), key=lambda family: TARGETS.index(family.name))
+    rows = [import_module(f"workbook.controllers.targets.{module}").TARGETS for module in MODULES]
+    return sorted((row for some in rows for row in some), key=lambda row: TARGETS.index(row.name))
 
 
 def target(name: str) -> Target:

@@ -71,8 +71,8 @@ def _clamped(table: Table) -> CamProfile:
     slopes = table.slopes
     if slopes is None:
         points = CamPoints(table.x, table.y, None, None, 0.0)
-        first, other = (points.rate_at(side)[0] if points.moves_at(side) else 0.0 for side in (0, -1))
-        slopes = first, other
+        near, other = (points.rate_at(side)[0] if points.moves_at(side) else 0.0 for side in (0, -1))
+        slopes = near, other
     if table.straight is None or not table.straight.any():
         return interpolation.spline(table.x, table.y, slopes)
     return interpolation.parted_spline(table.x, table.y, slopes, table.straight)

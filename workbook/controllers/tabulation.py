@@ -81,15 +81,15 @@ def tabulate(target: Target, axis: CamAxis, n: int) -> Table:
     return table_at(target, of, np.union1d(x, before), units)
 
 
-def placed_otherwise(target: Target, axis: CamAxis, certified: CertifiedTable) -> CertifiedTable | None:
+def placed_otherwise(target: Target, axis: CamAxis, tried: CertifiedTable) -> CertifiedTable | None:
     """Return the table of as many points at equal steps, or of a table at equal steps as many on the breaks.
 
     There is none of segments, and of too few points for the breaks.
     """
     other = replace(target, spacing="free" if target.spacing == "equal" else "equal", counts=())
-    if target.spacing == "breaks" or certified.points < fewest_points(other, axis.profile):
+    if target.spacing == "breaks" or tried.points < fewest_points(other, axis.profile):
         return None
-    return certify_table(other, tabulate(other, axis, certified.points), axis.profile)
+    return certify_table(other, tabulate(other, axis, tried.points), axis.profile)
 
 
 def require_count(target: Target, n: int) -> None:
@@ -139,10 +139,10 @@ def fewest_points(target: Target, of: CamProfile) -> int:
     return max(target.points[0], needed)
 
 
-def reread(target: Target, text: str, table_before: Table) -> Table:
+def reread(target: Target, text: str, old: Table) -> Table:
     """Return the table that an independent reader gives of the file, with the written slopes where these go beside."""
     table = parse_table(text, target)
-    return table if table.slopes or not table_before.slopes else replace(table, slopes=table_before.slopes)
+    return table if table.slopes or not old.slopes else replace(table, slopes=old.slopes)
 
 
 @dataclass
@@ -159,9 +159,9 @@ class Tries:
         if n not in self.tables:
             if self.spent > WORK:
                 return None
-            certified = certify_table(self.target, tabulate(self.target, self.axis, n), self.axis.profile)
-            self.spent += (n + len(self.axis.profile.edges)) * len(certified.certificates)
-            self.tables[n] = certified
+            tried = certify_table(self.target, tabulate(self.target, self.axis, n), self.axis.profile)
+            self.spent += (n + len(self.axis.profile.edges)) * len(tried.certificates)
+            self.tables[n] = tried
         return self.tables[n]
 
 

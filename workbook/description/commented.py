@@ -39,8 +39,8 @@ class DescriptionWriter:
 
     def tables(self, title: str, path: str, data: Mapping[str, Any], many: bool = False) -> Iterator[str]:
         """Yield a table, and those below it."""
-        own = [section for section in self.known if section.path == path and section.kind in ("", data.get(KIND))]
-        entries = [(key, section.kind) for section in own for key in section.keys if key.name in data]
+        own = [part for part in self.known if part.path == path and part.kind in ("", data.get(KIND))]
+        entries = [(key, part.kind) for part in own for key in part.keys if key.name in data]
         lines = [f"[[{title}]]" if many else f"[{title}]"] if title else []
         lines += [f"family = {toml(data['family'])}"] if path.startswith("laws.") and "family" in data else []
         lines += [line for key, kind in entries for line in self.entry(key, kind, data[key.name])]

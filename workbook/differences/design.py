@@ -123,7 +123,7 @@ def read_design(path: Path) -> Design:
     match, _ = match_layout(file, entries.template, machine)
     report = Report(file.path, entries.template.name, findings=[*entries.moved, *layout_findings(match)])
     check_structure(match, report)
-    edited = [f"{finding.sheet}!{finding.cell} ({finding.what}): {finding.computed}" for finding in report.findings]
+    edited = [f"{cell.sheet}!{cell.cell} ({cell.what}): {cell.computed}" for cell in report.findings]
     ours = {pair.address.sheet for pair in match.pairs}
     own = [f"the sheet {title!r}" for title in file.workbook.sheetnames if title not in ours]
     formulas = file.contents.formulas

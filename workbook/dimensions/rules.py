@@ -226,8 +226,8 @@ class UnitWalk:
         terms = [self.cell(cell) for cell in area.cells()]
         if any(term.dimension is None and not term.free for term in terms):
             return UNKNOWN
-        dimensions = tuple(dict.fromkeys(term.dimension for term in terms if term.dimension is not None))
-        return Term(dimensions[0]) if len(dimensions) == 1 else Term(several=dimensions) if dimensions else FREE
+        known = tuple(dict.fromkeys(term.dimension for term in terms if term.dimension is not None))
+        return Term(known[0]) if len(known) == 1 else Term(several=known) if known else FREE
 
     def cell(self, cell: Address) -> Term:
         """Return the term of a cell; texts and empty cells go with any."""

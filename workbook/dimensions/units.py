@@ -31,8 +31,8 @@ def dimension_of(unit: str) -> Dimension | None:
 
 def size_of(unit: str) -> tuple[Dimension, float] | None:
     """Return the dimension of a unit and its size in SI; None where it is not known."""
-    quantity = parse_unit(unit)
-    return None if quantity is None else (quantity.dimensionality, float(f"{quantity.magnitude:.12g}"))
+    size = parse_unit(unit)
+    return None if size is None else (size.dimensionality, float(f"{size.magnitude:.12g}"))
 
 
 @cache

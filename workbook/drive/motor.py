@@ -58,7 +58,7 @@ def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTH
     return cell("@ok_curve", not falls or spare >= 0.0, of=of, says=says)
 
 
-def within_reducer(of: str, *limits: ReducerLimit, mends: CheckSentence = NOTHING) -> list[Quantity]:
+def within_reducer(of: str, *rows: ReducerLimit, mends: CheckSentence = NOTHING) -> list[Quantity]:
     """Return the checks of a reducer's limits."""
     units = {"torque": "Nm", "mean torque": "Nm", "speed": "rpm"}
     names = {"torque": "peak", "mean torque": "mean", "speed": "speed"}
@@ -73,7 +73,7 @@ def within_reducer(of: str, *limits: ReducerLimit, mends: CheckSentence = NOTHIN
             cell=cell,
             says=exceeding(cell, limit, units[what], value, most).then(mends),
         )
-        for what, cell, limit, ok, value, most in limits
+        for what, cell, limit, ok, value, most in rows
     ]
 
 

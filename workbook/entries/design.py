@@ -175,15 +175,13 @@ def refilled(held: Any, example: Any) -> Any:
 
 
 def differing(
-    model: type[BaseModel], entered: dict[str, Any], complete: dict[str, Any], replaced: dict[str, int]
+    model: type[BaseModel], entered: dict[str, Any], whole: dict[str, Any], replaced: dict[str, int]
 ) -> dict[str, Replaced]:
     """Return by key the entries below the places that were replaced, where they differ."""
     by_path: dict[str, Replaced] = {}
     for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
         place = split(path)
-        old, new = (
-            {join(way): value for way, value in leaves(get(data, place), place)} for data in (entered, complete)
-        )
+        old, new = ({join(way): value for way, value in leaves(get(data, place), place)} for data in (entered, whole))
         for key in new | old:
             absent = old.get(key, {}) == {}
             was = None if absent else old[key]

@@ -39,8 +39,8 @@ def field_at(model: type[BaseModel], key: str) -> tuple[Any, list[Any]]:
 
 def tables(kind: Any) -> tuple[type[BaseModel], ...]:
     """Return the models that a table may be of: several of a table of different kinds, none of an entry."""
-    models = kind if isinstance(kind, tuple) else (kind,)
-    return models if all(isinstance(model, type) and issubclass(model, BaseModel) for model in models) else ()
+    own = kind if isinstance(kind, tuple) else (kind,)
+    return own if all(isinstance(model, type) and issubclass(model, BaseModel) for model in own) else ()
 
 
 def kinds(kind: Any) -> dict[str, type[BaseModel]]:
@@ -59,7 +59,7 @@ def kinds_at(model: type[BaseModel], path: Sequence[str]) -> dict[str, type[Base
 
 def fields(kind: Any) -> dict[str, FieldInfo]:
     """Return the entries of a table, of whatever kind it is."""
-    return {name: field for model in reversed(tables(kind)) for name, field in model.model_fields.items()}
+    return {name: field for own in reversed(tables(kind)) for name, field in own.model_fields.items()}
 
 
 def unwrap(annotation: Any, constraints: list[Any]) -> tuple[Any, list[Any]]:
@@ -87,11 +87,11 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     elif is_free_text(model, q):
         rule = DataValidation("textLength", operator="between", formula1="1", formula2=str(longest(constraints)))
     else:
-        by_sign = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
-        low, high = by_sign.get(">=", by_sign.get(">", -1e300)), by_sign.get("<", by_sign.get("<=", 1e300))
+        ends = {SIGNS[type(c)]: astuple(c)[0] for c in reversed(constraints) if type(c) in SIGNS}
+        low, high = ends.get(">=", ends.get(">", -1e300)), ends.get("<", ends.get("<=", 1e300))
         rule = DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
-        if ">" in by_sign and high == 1e300:
-            rule = DataValidation("decimal", operator="greaterThan", formula1=repr(by_sign[">"]))
+        if ">" in ends and high == 1e300:
+            rule = DataValidation("decimal", operator="greaterThan", formula1=repr(ends[">"]))
     rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
     rule.allow_blank = "*" in q.key
     rule.promptTitle = rule.errorTitle = clip(q.label, 32)

@@ -184,8 +184,9 @@ def functions(sheet: Sheet, shown: PageInputs) -> None:
 
 def results(shown: PageInputs) -> list[Any]:
     """Return the engine's value of each function for the entries, #NUM! where there is none."""
-    law, motion, k = shown.chosen_law.evaluate(shown.xi), shown.motion.at(shown.x), shown.chosen_law.coefficients
-    xi = "#NUM!" if shown.law == "DWL" else inverse(shown.chosen_law, shown.s)
+    chosen, motion = shown.chosen_law, shown.motion.at(shown.x)
+    law, k = chosen.evaluate(shown.xi), chosen.coefficients
+    xi = "#NUM!" if shown.law == "DWL" else inverse(chosen, shown.s)
     jerk = k.cj if math.isfinite(k.cj) else "#NUM!"
     reduced = math.fsum(Part("", shaft.inertia, speed_ratio=shaft.ratio).reflected for shaft in shown.shafts)
     value, duration = np.array([(place.value, place.duration) for place in shown.profile]).T

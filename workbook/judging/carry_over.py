@@ -105,4 +105,4 @@ def carried_content(contents: Contents, cell: Cell, known: set[str]) -> Any:
 def own_names(match: Match) -> list[DefinedName]:
     """Return the names that are someone's own."""
     declared, held = {name.casefold() for name, _ in match.declared.names()}, match.file.workbook.defined_names.items()
-    return [defined for name, defined in held if name.casefold() not in declared and not name.startswith("_xl")]
+    return [own for name, own in held if name.casefold() not in declared and not name.startswith("_xl")]

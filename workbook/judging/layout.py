@@ -61,9 +61,7 @@ def layout_findings(match: Match) -> Iterator[Finding]:
             gone[fit.place.sheet, row, count].append(block)
         for j in fit.gone:
             columns[fit.place.sheet, fit.before(j)].append((block, block.quantities[j].label))
-    for _, run in groupby(
-        enumerate(sorted(inserted)), key=lambda numbered: (numbered[1][0], numbered[1][1] - numbered[0])
-    ):
+    for _, run in groupby(enumerate(sorted(inserted)), key=lambda pair: (pair[1][0], pair[1][1] - pair[0])):
         rows = [row for _, row in run]
         (sheet, first), (_, last) = rows[0], rows[-1]
         change = f"row {first} was inserted" if first == last else f"rows {first} to {last} were inserted"

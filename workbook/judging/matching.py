@@ -165,10 +165,10 @@ class Match:
         for line, texts in enumerate(self._heading(self.declared.blocks[name])):
             for up in range(1, min(MOST_BETWEEN, place.row - line)):
                 held = self._line_held(place, up + line)
-                if any(text and text == other for text, other in zip(texts, held, strict=True)):
+                if any(cell and cell == other for cell, other in zip(texts, held, strict=True)):
                     return up
         above = range(1, min(MOST_BETWEEN, place.row))
-        return next((up for up in above if any(isinstance(text, str) for text in self._line_held(place, up))), 1)
+        return next((up for up in above if any(isinstance(cell, str) for cell in self._line_held(place, up))), 1)
 
     def _heading(self, block: Block) -> list[list[str | None]]:
         """Return the lines of a block's heading as declared, from the one just above it."""

@@ -154,7 +154,7 @@ class Report:
 
     def tells(self, ran: WitnessRun) -> bool:
         """Whether a finding says that a witness could not answer."""
-        return any(finding.kind == "witness" and finding.cell == ran.name for finding in self.findings)
+        return any(f.kind == "witness" and f.cell == ran.name for f in self.findings)
 
     def add(
         self, pair: Pair, kind: str, computed: Any, expected: Any, deviation: float = math.inf, by: str = "",

@@ -118,11 +118,11 @@ def load_oracle(path: Path) -> Oracle:
     oracle = oracles[0]
     oracle.names = {name: value for name, value in variables.items() if isinstance(value, Input)}
     declared: list[Output | Table] = [*oracle.outputs, *oracle.tables]
-    for output in declared:
-        named = isinstance(output, Output) and output.inputs is not None
-        if unknown := [name for name in parameters(output) if name not in oracle.names and not named]:
+    for row in declared:
+        named = isinstance(row, Output) and row.inputs is not None
+        if unknown := [name for name in parameters(row) if name not in oracle.names and not named]:
             expected = ", ".join(oracle.names) or "none is declared"
-            raise ReadError(f"{path}: {output.of.__name__}({unknown[0]}): no input is called so; expected {expected}")
+            raise ReadError(f"{path}: {row.of.__name__}({unknown[0]}): no input is called so; expected {expected}")
     if not oracle.outputs and not oracle.tables:
         raise ReadError(f"{path}: no output is declared; expected @{next(iter(variables), 'oracle')}.output(CELL)")
     return oracle
@@ -160,7 +160,7 @@ def cases(inputs: Sequence[Input], entered: Case, number: int, seed: int = 0) ->
     if varied and len(tried) < number:
         points = qmc.Sobol(len(varied), scramble=True, seed=seed).random_base2((number - len(tried) - 1).bit_length())
         tried += [
-            entered | {entry: value_at(entry, float(share)) for entry, share in zip(varied, point, strict=True)}
+            entered | {key: value_at(key, float(share)) for key, share in zip(varied, point, strict=True)}
             for point in points
         ]
     return tried[:number]

@@ -96,7 +96,7 @@ class Judge:
     def other_findings(self) -> Iterator[Fault]:
         """Yield stale saved values, unread inputs, other units beside cells, numbers in place of formulas, gaps."""
         inputs = list(self.cells.values())
-        macros = {entry: self.file.saved.get(cell) for entry, cell in self.cells.items() if entry.macro}
+        macros = {x: self.file.saved.get(cell) for x, cell in self.cells.items() if x.macro}
         values = self.values(self.entered | macros)
         for cell, saved in self.file.saved.items():
             computed = values.get(cell)
@@ -144,9 +144,9 @@ class Judge:
     def entered(self) -> Case:
         """The inputs as the workbook has them; of a macro the number that was saved, else the low end of its range."""
         saved, constants = self.file.saved, self.file.contents.constants
-        macros = {entry: saved.get(cell) for entry, cell in self.cells.items() if entry.macro}
-        numbers = {entry: value if is_number(value) else entry.low for entry, value in macros.items()}
-        return {entry: constants.get(cell) for entry, cell in self.cells.items()} | numbers
+        macros = {x: saved.get(cell) for x, cell in self.cells.items() if x.macro}
+        numbers = {x: value if is_number(value) else x.low for x, value in macros.items()}
+        return {x: constants.get(cell) for x, cell in self.cells.items()} | numbers
 
     def deviating(self, tried: Sequence[Case], witnesses: Sequence[str], notes: list[str]) -> Iterator[Fault]:
         """Yield the outputs that are not what the oracle says, each at the first case and by the first witness."""

@@ -160,8 +160,8 @@ class Entries:
                                   if value is None and self._must_be_there(q.key)]  # fmt: skip
             else:
                 where = f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1}"
-                message = f"of the table {block.name}, but below it; fill it, or move up what is below"
-                self._between.append(f"{where} {message}")
+                text = f"of the table {block.name}, but below it; fill it, or move up what is below"
+                self._between.append(f"{where} {text}")
 
     def _look_below(self, block: Block, last: list[Address]) -> None:
         """Note what stands in a table's columns directly under its last row, where nothing reads it."""

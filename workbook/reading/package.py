@@ -186,11 +186,11 @@ def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
         if not tag(element).endswith("Anchor"):
             continue
         held = {tag(child): child for child in element}
-        if any(part.get("hidden") in ("1", "true") for part in element.iter() if tag(part) == "cNvPr"):
+        if any(x.get("hidden") in ("1", "true") for x in element.iter() if tag(x) == "cNvPr"):
             continue
-        if not any(tag(part) in OPAQUE and not see_through(part) for part in element.iter()):
+        if not any(tag(x) in OPAQUE and not see_through(x) for x in element.iter()):
             continue
-        ids = [value for part in element.iter() if tag(part) == "chart" for value in part.attrib.values()]
+        ids = [value for x in element.iter() if tag(x) == "chart" for value in x.attrib.values()]
         yield Anchor(
             corner(held["from"]) if "from" in held else Corner(0, 0, *two_numbers(held.get("pos"), "x", "y")),
             corner(held["to"]) if "to" in held else None,

@@ -84,7 +84,7 @@ def own_rows(file: BookFile, block: Block, place: Place) -> tuple[Sequence[int],
         return (own if 2 * len(own) > place.rows else rows), []
     first = as_rows(block.quantities[j].value, block.size, block.name)[0]
     held_there = (file.value(place.cell(r, j)) for r in rows)
-    numbers = [int(value) if type(value) in (int, float) and value % 1 == 0 else None for value in held_there]
+    numbers = [int(x) if type(x) in (int, float) and x % 1 == 0 else None for x in held_there]
     if numbers == list(range(first, first + place.rows)):
         return rows, []
     empty = [not any(holds_formula(file, place.cell(r, k)) for k in formulas) for r in rows]

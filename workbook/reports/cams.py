@@ -120,9 +120,9 @@ def pictures(axis: CamAxis, certified: CertifiedTable, target: Target) -> Iterat
     x = np.linspace(begin, end, SAMPLES)
     meant = axis.profile.at(x)
     rebuilt = {name: rule.rebuild(certified.table).at(x) for name, rule in rules_of(target, certified.table).items()}
-    drawn = [Line("meant", x, meant.y2), *(Line(name, x, curves.y2) for name, curves in rebuilt.items())]
+    drawn = [Line("meant", x, meant.y2), *(Line(name, x, rates.y2) for name, rates in rebuilt.items())]
     yield plot(f"{axis.name}: acceleration over the cycle", (axis.x_unit, axis.units[2]), drawn)
     for k, word in ((0, "position"), (2, "acceleration")):
-        errors = [Line(name, x, curves[k] - meant[k]) for name, curves in rebuilt.items()]
+        errors = [Line(name, x, rates[k] - meant[k]) for name, rates in rebuilt.items()]
         title = f"{axis.name}: error of the {word} over the cycle"
         yield plot(title, (axis.x_unit, axis.units[k]), errors)

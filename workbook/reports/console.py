@@ -88,10 +88,10 @@ def show_report(report: Report, console: Console, everything: bool = False) -> N
 
 def verdict(report: Report) -> list[str]:
     """Return in lines what came of the cells, of the witnesses that were not asked, and of the machine's own checks."""
-    words = "every one computes what the engine computes" if report.agrees else report.findings_words
+    text = "every one computes what the engine computes" if report.agrees else report.findings_words
     lines = [f"Not on this machine: {w.name}" for w in report.witnesses if w.absent]
     lines += [f"Not compared by {w.name}: {w.why}" for w in report.witnesses if w.why and not report.tells(w)]
-    lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {words}.")
+    lines.append(f"{report.compared:,} of {report.declared:,} formula cells compared by {report.witness}: {text}.")
     for c in report.failing[:MOST]:
         lines.append(f"{c.found}  {c.sheet}!{c.cell}  {c.what}" + (f": {c.says}" if c.says else ""))
     if len(report.failing) > MOST:
@@ -117,18 +117,18 @@ def show_findings(report: Report, console: Console, everything: bool) -> None:
         say(console, f"Cells that are wrong only because of these: {counted}; --all lists them")
 
 
-def differing(computed: Any, expected: Any) -> tuple[Any, Any]:
+def differing(held: Any, expected: Any) -> tuple[Any, Any]:
     """Return two long formulas without what both begin and end with, ``…`` in its place; others as they are."""
-    both = computed, expected
+    both = held, expected
     if not all(isinstance(text, str) and text.startswith("=") for text in both) or max(map(len, both)) <= LONG:
         return both
-    same = alike(computed, expected)
-    end = min(alike(computed[::-1], expected[::-1]), min(map(len, both)) - same)
+    same = alike(held, expected)
+    end = min(alike(held[::-1], expected[::-1]), min(map(len, both)) - same)
     begin = max(0, same - AROUND)
-    while begin and WORD.match(computed[begin - 1]) and WORD.match(computed[begin]):  # not within a name
+    while begin and WORD.match(held[begin - 1]) and WORD.match(held[begin]):  # not within a name
         begin -= 1
     before, after = "…" if begin else "", "…" if end > AROUND else ""
-    return (f"{before}{computed[begin : len(computed) - end + AROUND]}{after}",
+    return (f"{before}{held[begin : len(held) - end + AROUND]}{after}",
             f"{before}{expected[begin : len(expected) - end + AROUND]}{after}")  # fmt: skip
 
 
@@ -190,9 +190,9 @@ def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
             say(console, f"{o.path}: and {len(lines) - WORST:,} more; verify it alone, or add --report")
     compared = sum(o.report.compared for o in outcomes if o.report)
     count = Counter[str](outcome.verdict for outcome in outcomes)
-    parts = [f"{count[verdict]} {words.several}" for verdict, words in VERDICTS.items() if count[verdict]]
+    texts = [f"{count[verdict]} {words.several}" for verdict, words in VERDICTS.items() if count[verdict]]
     verified = sum(outcome.report is not None for outcome in outcomes)
-    say(console, f"{compared:,} formula cells compared in {verified} workbooks: {', '.join(parts)}.")
+    say(console, f"{compared:,} formula cells compared in {verified} workbooks: {', '.join(texts)}.")
 
 
 def catalogue() -> list[dict[str, Any]]:

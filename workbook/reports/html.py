@@ -160,9 +160,9 @@ def plot(
                 for place in zip(across.at(line.x), up.at(line.y), strict=True)],
         names=[(line.name, WIDTH - RIGHT + 8, height + 4, colour)
                for line, colour, height in zip(lines, colours, heights, strict=True)],
-        handles={handle.line: handle.attributes for handle in handles if handle.x is None},
-        dragged=[(across.at(handle.x), up.at(np.interp(handle.x, of[handle.line].x, of[handle.line].y)), handle)
-                 for handle in handles if handle.x is not None],
+        handles={grip.line: grip.attributes for grip in handles if grip.x is None},
+        dragged=[(across.at(grip.x), up.at(np.interp(grip.x, of[grip.line].x, of[grip.line].y)), grip)
+                 for grip in handles if grip.x is not None],
     )  # fmt: skip
 
 

@@ -182,8 +182,8 @@ def sarif(outcomes: Sequence[Outcome]) -> str:
     for outcome in outcomes:
         if outcome.verdict == "unreadable":
             results.append(result(outcome, "unreadable", "error", outcome.reason))
-        for finding in outcome.report.findings if outcome.report else ():
-            results.append(result(outcome, finding.kind, "error", line(finding), f"{finding.sheet}!{finding.cell}"))
+        for f in outcome.report.findings if outcome.report else ():
+            results.append(result(outcome, f.kind, "error", line(f), f"{f.sheet}!{f.cell}"))
         for check in outcome.report.failing if outcome.report else ():
             results.append(result(outcome, "design", "warning", check.line, f"{check.sheet}!{check.cell}"))
     run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}

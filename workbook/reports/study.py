@@ -95,11 +95,11 @@ def heading(name: str, named: Mapping[str, Label]) -> str:
     return f"{name}: {label.words}" + (f" [{label.unit}]" if label.unit else "")
 
 
-def varied_words(dimension: Dimension) -> str:
+def varied_words(row: Dimension) -> str:
     """Return over what something varied."""
-    words = f"{dimension.low:g} to {dimension.high:g}" + (f" in {dimension.steps} values" if dimension.steps else "")
-    words = ", ".join(map(figure, dimension.values[:MOST])) if dimension.values else words
-    return words + (f"; its room from {spell(dimension.takes)}" if dimension.takes else "")
+    words = f"{row.low:g} to {row.high:g}" + (f" in {row.steps} values" if row.steps else "")
+    words = ", ".join(map(figure, row.values[:MOST])) if row.values else words
+    return words + (f"; its room from {spell(row.takes)}" if row.takes else "")
 
 
 def judged_line(judged: BookCheck) -> str:
@@ -107,5 +107,5 @@ def judged_line(judged: BookCheck) -> str:
     if judged.differing:
         return f"The book of the design differs from the study: {', '.join(judged.differing)}."
     cells = f"{judged.cells:,} formula cells {'agree' if judged.agrees else 'DISAGREE'}"
-    words = f"The book of the design: {cells}; its results are the study's to {judged.deviation:.1e}."
-    return words + (f" Its checks that FAIL: {', '.join(judged.failing)}." if judged.failing else "")
+    line = f"The book of the design: {cells}; its results are the study's to {judged.deviation:.1e}."
+    return line + (f" Its checks that FAIL: {', '.join(judged.failing)}." if judged.failing else "")

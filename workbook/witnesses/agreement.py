@@ -17,7 +17,7 @@ ENOUGH = 2  # evaluators that must agree
 DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
 MOST = 160  # characters of why a witness failed
 UNKNOWN = (None, "#NAME?")  # what a witness has for a function that it does not know
-UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}  # and what a witness has for more that it cannot take
+UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}  # and what it has for more that it cannot take
 ELSEWHERE = frozenset([  # functions that read other cells than those they name, or more of these than their values
     "INDIRECT", "OFFSET", "CELL", "INFO", "SHEET", "SHEETS", "FORMULATEXT", "ISFORMULA", "SUBTOTAL", "AGGREGATE",
     "GETPIVOTDATA", "EVALUATE",

@@ -22,7 +22,7 @@ def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     Table(x, x)  # says which x does not rise
     both = of.at(x[:-1]), of.at(x[1:], left=True)
     offset = float(both[0].y[0])
-    begin, end = ([(ends.y - offset) / dy, ends.y1 * dx / dy, ends.y2 * dx**2 / dy] for ends in both)
+    begin, end = ([(end.y - offset) / dy, end.y1 * dx / dy, end.y2 * dx**2 / dy] for end in both)
     coefficients = texts.REAL.rounded(quintics_between(x / dx, begin, end))
     coefficients[0, 0] = 0.0
     return table(coefficients, texts.DINT.rounded(x / dx), steps, offset)

@@ -53,11 +53,9 @@ def table(ratios: Array, steps: tuple[float, float], offset: float) -> Table:
 
 def write_ratios(handed: CamExport) -> str:
     """Return comments, the resolution, and a ratio a line; that at the begin is 0 and is not written."""
-    handed_table = handed.table
-    head = remarks(
-        *handed.header, stands(float(handed_table.y[0]), handed.units[1]), counts(handed_table.steps, handed.units)
-    )
-    ratios = (handed_table.y[1:] - handed_table.y[0]) / handed_table.steps[1]
+    given = handed.table
+    head = remarks(*handed.header, stands(float(given.y[0]), handed.units[1]), counts(given.steps, handed.units))
+    ratios = (given.y[1:] - given.y[0]) / given.steps[1]
     return f"{head}{len(ratios)}\r\n" + as_lines([ratios], number=DINT)
 
 

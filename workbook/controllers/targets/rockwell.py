@@ -81,9 +81,9 @@ def only_tag(text: str, *kinds: str) -> tuple[list[Element], Element]:
 
 def require_dimensions(cam: Element, count: int) -> None:
     """Raise TargetError where a tag tells of another number of elements."""
-    dimensions = cam.get("Dimensions", "")
-    if dimensions.isascii() and dimensions.isdecimal() and int(dimensions[:9]) != count:
-        raise TargetError(f"Dimensions is {dimensions[:9]}, {count} elements follow; expected as many")
+    size = cam.get("Dimensions", "")
+    if size.isascii() and size.isdecimal() and int(size[:9]) != count:
+        raise TargetError(f"Dimensions is {size[:9]}, {count} elements follow; expected as many")
 
 
 def numbers(k: int, row: list[str]) -> list[float]:

@@ -162,7 +162,7 @@ def seven_stages(d: Sequence[float], lift: float, begin: End, end: End, straight
     first, slid = s_a / m, s_d / n
     top = (lift - v0 * (sum(d[:3]) - first) - v1 * slid) / (first + d[3] + sum(d[4:]) - slid)
     up, down = (top - v0) / m, (v1 - top) / n
-    return Law([*(piece.scaled(up) for piece in rise), Piece(d[3]), *(piece.scaled(down) for piece in fall)], v0)
+    return Law([*(x.scaled(up) for x in rise), Piece(d[3]), *(x.scaled(down) for x in fall)], v0)
 
 
 def pulse(d: Sequence[float], straight: bool) -> list[Piece]:
