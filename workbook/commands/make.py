@@ -104,7 +104,7 @@ def new(template: str, output: Path | None, force: bool) -> None:
 
 
 def new_template(name: str, folder: Path | None) -> None:
-    """Write a package with a template of one's own: the hoist, called otherwise."""
+    """Write a package with a template of the engineer's own: the hoist, called otherwise."""
     if not NAME.fullmatch(name) or iskeyword(name):
         raise InputError([f"NAME: found {name!r}; expected small letters, digits and _, beginning with a letter"])
     if name in TEMPLATES:

@@ -114,7 +114,7 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
     closes = abs(travel) <= NEXT * max((abs(p.lift) for p in movements), default=1.0)
     if movements and end - reached <= near:
         require_end(movements, closes, near + begin)
-    jumps = any(p.law.code == Spline.code for p in movements)  # the acceleration of a spline begins and ends with one
+    jumps = any(p.law.code == Spline.code for p in movements)  # the acceleration of a spline begins and ends so
     axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": "velocity" if jumps else "acceleration",
             "closes": "position" if closes else "feed" if read.delay else "open", "shift": rounded(read.delay),
             "position": float(movements[0].y if movements else table.y[0]), "phases": phases}  # fmt: skip

@@ -121,7 +121,7 @@ class SentBook(NamedTuple):
 
 
 def packed_book(target: Target) -> SentBook:
-    """Return a workbook as it is handed out; one that cannot be read goes by its path, and the worker says so."""
+    """Return a workbook as it is handed out; a file that cannot be read goes by its path, and the worker says so."""
     path, data = target.path.absolute(), None
     with suppress(OSError):
         data = path.read_bytes() if path.is_file() and path.stat().st_size <= LARGEST else None
@@ -141,7 +141,7 @@ def verify_sent(book: SentBook, witnesses: Sequence[str]) -> Outcome:
 
 
 def exit_code(outcomes: Iterable[Outcome]) -> int:
-    """Return the gravest: 2 where one cannot be read or none was verified, 1 for cells, 3 for a design, 0 for none."""
+    """Return the gravest: 2 where any cannot be read or none was verified, 1 for cells, 3 for a design, 0 for none."""
     verdicts = {outcome.verdict for outcome in outcomes}
     if "unreadable" in verdicts or not verdicts - {"no machine"}:
         return UNREADABLE
@@ -188,7 +188,7 @@ def verify_many(
     targets: Sequence[Target], witnesses: Sequence[str] = ("pycel",), pool: Pool = THIS_PROCESS,
     done: Callable[[Outcome], object] = lambda outcome: None,
 ) -> list[Outcome]:  # fmt: skip
-    """Verify workbooks by a pool, one whose worker dies once more by a fresh one; call ``done`` as each is finished."""
+    """Verify workbooks by a pool, once more by a fresh pool where a worker dies; call ``done`` as each is finished."""
     outcomes: dict[Target, Outcome] = {}
 
     def keep(target: Target, outcome: Outcome) -> None:

@@ -34,7 +34,7 @@ def difference(computed: Any, expected: Any, peak: float) -> float:
 
 
 def is_error(value: Any) -> bool:
-    """Whether a value is one of a spreadsheet's errors."""
+    """Whether a value is an error of spreadsheets."""
     return isinstance(value, str) and value.startswith("#")
 
 
@@ -63,8 +63,8 @@ class ExpectedValues:
         return self.peaks[self._match.numbers[address]]
 
 
-LONG, SPREAD = 12, 6  # of tables of so many rows, one row in so many is looked at, at one of the other inputs
-SHARE = 3  # of shorter tables and single cells, every cell at one in so many of the other inputs
+LONG, SPREAD = 12, 6  # of tables of so many rows, a row in so many is looked at, at any of the other inputs
+SHARE = 3  # of shorter tables and single cells, every cell at each in so many of the other inputs
 NO_EVIDENCE = "as built: no evidence of its own"
 
 

@@ -24,7 +24,7 @@ SPARE = "no row between the table's own: delete it, and enter what it should hol
 def match_layout(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[Match, Machine]:
     """Match the file with its declaration; return also the machine by whose sizes most tables are as declared.
 
-    Where a row is gone from one of several tables of the same size, the others tell what that was.
+    Where a row is gone from any of several tables of the same size, the others tell what that was.
     """
     best, given = Match(file, template.declare(machine)), machine
     for size, more in product(template.sizes, NEAR):
@@ -43,7 +43,7 @@ def match_layout(file: BookFile, template: AnyTemplate, machine: Machine) -> tup
 
 
 def misfit_score(match: Match) -> int:
-    """Return how many tables are not as declared, the larger ones twice; one in the rows of another is as that is."""
+    """Return how many tables are not as declared, the larger twice; a table in the rows of another is as that is."""
     apart = (block for block, place in match.misfits if place is not None and block.lead is None)
     return sum(1 if match.size_of(block) < block.size else 2 for block in apart)
 

@@ -139,7 +139,7 @@ class Match:
         return declared.single == held.single and all(map(self._same_cell, ours, theirs))
 
     def _same_cell(self, declared: Index, held: Index) -> bool:
-        """Whether two cells are one; in a table that has lost rows also by a row's number, and if each is the last."""
+        """Whether two cells match; in a table that has lost rows also by a row's number, and if each is the last."""
         if declared == held:
             return True
         (name, i, j), (other, h, k) = declared, held
@@ -160,7 +160,7 @@ class Match:
         return cell_index(places, self._header_above)
 
     def _header_above(self, name: str) -> int:
-        """Return how many rows above a block its header stands: a line with one of its texts, else the next text."""
+        """Return how many rows above a block its header stands: a line with any of its texts, else the next text."""
         place = self.file.places[name]
         for line, texts in enumerate(self._heading(self.declared.blocks[name])):
             for up in range(1, min(MOST_BETWEEN, place.row - line)):
@@ -171,7 +171,7 @@ class Match:
         return next((up for up in above if any(isinstance(cell, str) for cell in self._line_held(place, up))), 1)
 
     def _heading(self, block: Block) -> list[list[str | None]]:
-        """Return the lines of a block's heading as declared, from the one just above it."""
+        """Return the lines of a block's heading as declared, from the line just above it."""
         columns = block.columns.values()
         return [[self._texts.get((block.sheet.title, block.row - up, column)) for column in columns] for up in HEAD]
 

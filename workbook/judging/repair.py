@@ -74,7 +74,7 @@ def as_text(held: Any) -> str:
 
 
 def usable_name(text: str, others: set[str]) -> str:
-    """Return a name as look-ups find it again: itself where they do, trimmed, or one that is none of the others."""
+    """Return a name as look-ups find it again: itself where they do, trimmed, or a name that is none of the others."""
     name = "".join("_" if sign in PATTERN else sign for sign in text.strip())
     changed = name != text.strip()
     while NO_NAME.fullmatch(name) or (changed and name in others):
@@ -130,7 +130,7 @@ def is_empty_row(notice: Finding) -> bool:
 def refuse_cut_cells(file: BookFile, layout: Book) -> None:
     """Raise ReadError where cells of a table were cut and pasted elsewhere: what, from where, to where.
 
-    Formulas follow the cells that they read: one that has the declared shape and leads out of all tables, at a place
+    Formulas follow the cells that they read: a cell that has the declared shape and leads out of all tables, at a place
     whose own cell is empty, says where that is now.
     """
     match = Match(file, layout)

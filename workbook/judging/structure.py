@@ -80,7 +80,7 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
             if name.casefold() in declared:  # formulas of the sheet take it for the book's of the same name
                 yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
     for name, fit in match.file.fits.items():
-        if fit.named is not None:  # of a single cell, that leads to more than one
+        if fit.named is not None:  # of a single cell, that leads to several
             yield finding(fit.place, name, range_of(fit.named), range_of(fit.place))
     for misled in (column_name_findings, stray_blocks, mislabelled_cells, displaced_texts, exchanged_tables):
         yield from misled(match)

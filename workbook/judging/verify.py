@@ -35,7 +35,7 @@ from workbook.witnesses.witness import CellWitness, Witness, evaluation_copy, na
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     """Verify a workbook by the witnesses of these names, or by ``all`` that are on this machine.
 
-    Raises ReadError or InputError for a book that cannot be read or a witness that is unknown, WitnessError for one
+    Raises ReadError or InputError for a book that cannot be read or a witness that is unknown, WitnessError for any
     that is asked by name and is not on this machine.
     """
     names, absent = available_witnesses(witnesses)

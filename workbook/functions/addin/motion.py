@@ -24,10 +24,10 @@ def failure(number: int) -> float:
 
 def inverse(law: str, s: float, parameters: Cells) -> float:
     """Return the ξ at which a law first reaches s."""
-    found = named(law, parameters)
-    if found.coefficients.v_min < -BACKWARDS:
+    chosen = named(law, parameters)
+    if chosen.coefficients.v_min < -BACKWARDS:
         raise Refused(NUM)
-    return found.xi_at(s)
+    return chosen.xi_at(s)
 
 
 FUNCTIONS: dict[str, Callable[..., float]] = {

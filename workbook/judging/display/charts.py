@@ -184,7 +184,7 @@ def compare_parts(
     texts: set[str],
     differences: Differences,
 ) -> None:
-    """Enter what of a chart, or of one of its lines, is not as in a fresh build; ``texts`` are those of the others."""
+    """Enter what of a chart, or of any of its lines, is not as in a fresh build; ``texts`` are those of the others."""
     for key in [*fresh, *(key for key in held if key not in fresh and ADDED.search(key))]:
         ours, theirs = fresh.get(key, usual_value(key)), held.get(key, usual_value(key))
         if is_same_data(match, ours, theirs) or is_same(key, ours, theirs):

@@ -45,7 +45,7 @@ class Row(NamedTuple):
 
 
 class Motion:
-    """Phases one after the other, from position 0: from x = 0, or from a rest that goes on before and after."""
+    """Phases in succession, from position 0: from x = 0, or from a rest that goes on before and after."""
 
     def __init__(self, rows: Sequence[Row | Via], rests_from: float | None = None) -> None:
         met = [(end_condition(rows, k, -1), end_condition(rows, k, 1)) for k in range(len(rows))]
@@ -101,7 +101,7 @@ def end_condition(rows: Sequence[Row | Via], k: int, side: int) -> Via:
 
 
 def number(cell: Cell, words: Mapping[str, float] = {}) -> float:
-    """Return the number in a cell, 0 of an empty one, or what one of these words stands for; refuses another text."""
+    """Return the number in a cell, 0 of an empty cell, or what any of these words stands for; refuses another text."""
     if isinstance(cell, str):
         cell = words.get(cell.strip().lower(), cell or 0.0)
     if isinstance(cell, str):
@@ -123,8 +123,8 @@ def parameters(code: str, given: Cells) -> Rows:
         return OWN if code == "OWN" else ((0.0,),)
     if code != "OWN":
         return rows(given, TURNS)
-    found = rows(given)
-    return tuple(row for row in found if any(row)) or found[:1]  # blank rows are no pieces, and would fill the cache
+    filled = rows(given)
+    return tuple(row for row in filled if any(row)) or filled[:1]  # blank rows are no pieces, and would fill the cache
 
 
 def named(name: Cell, given: Cells) -> Law:
@@ -159,13 +159,13 @@ def rested(table: tuple[tuple[Cell, ...], ...]) -> Motion:
     starts, stops = [number(row[0]) for row in table], [number(row[1]) for row in table]
     length = stops[-1] - starts[0]
     begin, end = starts[0] - length, stops[-1] + length
-    found = []
+    phases = []
     for done, start, stop, row in zip([begin, *stops], [*starts, end], [*stops, end], [*table, ()]):
         if abs(start - done) > AGREES * abs(length):
-            found.append(phase(("DWL", start - done, 0.0)))
+            phases.append(phase(("DWL", start - done, 0.0)))
         if row:
-            found.append(phase((row[3], stop - start, row[2], *row[4:])))
-    return Motion(found, begin)
+            phases.append(phase((row[3], stop - start, row[2], *row[4:])))
+    return Motion(phases, begin)
 
 
 def phase(row: tuple[Cell, ...]) -> Row:
@@ -177,11 +177,11 @@ def phase(row: tuple[Cell, ...]) -> Row:
         given = tuple(row[start : start + OWN_WIDTH] for start in range(3, len(row) - OWN_WIDTH + 1, OWN_WIDTH))
         if not given:
             raise Refused(VALUE)
-    found = parameters(code, given)
-    law(code, found)  # refuses a code and parameters before all else
+    given_numbers = parameters(code, given)
+    law(code, given_numbers)  # refuses a code and parameters before all else
     if duration <= 0.0 or (code == "DWL" and lift):
         raise Refused(NUM)
-    return Row(code, found, duration, lift)
+    return Row(code, given_numbers, duration, lift)
 
 
 def single(cells: Cells) -> float:

@@ -14,7 +14,7 @@ TOLERANCE = 2e-9  # a ξ this near to a break counts as on it
 OUTSIDE = 1e-12  # by so much of its range an argument may lie outside it
 ENDING = 1e-14  # of the lift: so near to its end a law has reached it
 MOST = 1e3  # rad of a sine within a piece: beyond, a cell would keep Calc waiting
-JUMP = 1e-9  # of the largest acceleration: a smaller one is rounding
+JUMP = 1e-9  # of the largest acceleration: a smaller jump is rounding
 
 # Gauss-Legendre with five nodes (Abramowitz & Stegun, 25.4.29), as (node, weight) on −1 … 1
 NEAR, FAR = math.sqrt(5 - 2 * math.sqrt(10 / 7)) / 3, math.sqrt(5 + 2 * math.sqrt(10 / 7)) / 3
@@ -85,16 +85,16 @@ class Piece(NamedTuple):
 
     def derivative(self, order: int, u: float) -> float:
         """Return a(u), or its derivative of an order."""
-        found = 0.0
+        value = 0.0
         for i in range(5, order - 1, -1):
-            found = found * u + self.powers[i] * math.factorial(i) / math.factorial(i - order)
+            value = value * u + self.powers[i] * math.factorial(i) / math.factorial(i - order)
         for amplitude, omega, phase in self.sines:
-            found += amplitude * omega**order * math.sin(omega * u + phase + order * math.pi / 2)
-        return found
+            value += amplitude * omega**order * math.sin(omega * u + phase + order * math.pi / 2)
+        return value
 
     def around(self, order: int) -> list[float]:
         """Return the ends, and where between them a, or its derivative of an order, changes its sign."""
-        cells, found = GRID + int(16 * self.turned), [0.0, self.duration]
+        cells, places = GRID + int(16 * self.turned), [0.0, self.duration]
         edges = [k * self.duration / cells for k in range(cells + 1)]
         above = [self.derivative(order, u) > 0.0 for u in edges]
         for k in range(cells):
@@ -103,8 +103,8 @@ class Piece(NamedTuple):
                 for _ in range(60):
                     middle = (low + high) / 2
                     low, high = (middle, high) if (self.derivative(order, middle) > 0.0) == above[k] else (low, middle)
-                found.append((low + high) / 2)
-        return found
+                places.append((low + high) / 2)
+        return places
 
     @property
     def squared(self) -> float:
@@ -159,7 +159,7 @@ class Coefficients(NamedTuple):
 
 
 class Law:
-    """A law over ξ in [0, 1] from s = 0, of pieces one after the other; ``begin`` is the velocity at its begin."""
+    """A law over ξ in [0, 1] from s = 0, of pieces in succession; ``begin`` is the velocity at its begin."""
 
     def __init__(self, pieces: Sequence[Piece], begin: float = 0.0) -> None:
         self.stages: list[Stage] = []
@@ -177,7 +177,7 @@ class Law:
             raise Refused(NUM)
         inside = min(max(xi, 0.0), 1.0)
         reached = min(inside + TOLERANCE, 1.0 - TOLERANCE)
-        stage = self.stages[bisect_right([one.x0 for one in self.stages], reached) - 1]
+        stage = self.stages[bisect_right([piece.x0 for piece in self.stages], reached) - 1]
         u = inside - stage.x0
         return (*stage.state(u), stage.piece.derivative(0, u), stage.piece.derivative(1, u))
 
@@ -187,7 +187,7 @@ class Law:
             raise Refused(NUM)
         if s <= 0.0 or s >= self.end * (1.0 - ENDING):
             return 0.0 if s <= 0.0 else 1.0
-        return self.stages[max(bisect_left([one.s0 for one in self.stages], s) - 1, 0)].xi_at(s)
+        return self.stages[max(bisect_left([piece.s0 for piece in self.stages], s) - 1, 0)].xi_at(s)
 
     @cached_property
     def coefficients(self) -> Coefficients:

@@ -34,7 +34,7 @@ class Domain(NamedTuple):
 
 
 class LawForm(NamedTuple):
-    """A law: its parameters as delivered, and one of its three forms.
+    """A law: its parameters as delivered, and its form, of three.
 
     ``stages`` gives the durations of the edge up, the constant and the edge down of the first pulse, of the uniform
     velocity, and of the second pulse in the order of time; edges are quarters of a sine, or ``straight``. ``half``
@@ -64,7 +64,7 @@ def shared(share: Any, rise: Sequence[Any], fall: Sequence[Any], cruise: Any = 0
 
 
 def cut(share: Any, turn: Any, whole: Sequence[Any], rest: Sequence[Any]) -> Sequence[Any]:
-    """Return the durations of two pulses, of which the one where the motion turns round has the stages ``rest``."""
+    """Return the durations of two pulses, of which that where the motion turns round has the stages ``rest``."""
     rise, fall = ([turning(turn, end, *both) for both in zip(rest, whole)] for end in (-1.0, 1.0))
     return shared(share, rise, fall)
 
@@ -148,7 +148,7 @@ def require(possible: bool) -> None:
 
 
 def seven_stages(d: Sequence[float], lift: float, begin: End, end: End, straight: bool) -> Law:
-    """Return the law whose two pulses meet at one velocity V, and which gains the lift H.
+    """Return the law whose two pulses meet at the same velocity V, and which gains the lift H.
 
     Refuses durations that do not fill the rise, and pulses of no duration. For unit acceleration the pulses gain m and
     n and travel S_a and S_d from rest, over T₁ and T₂: then A = (V − v0)/m, B = (V − v1)/n and
@@ -184,7 +184,7 @@ def reached(pieces: Sequence[Piece]) -> tuple[float, float]:
 
 
 def polynomial(half: Sequence[float], share: float, lift: float, begin: End, end: End) -> Law:
-    """Return a symmetric polynomial of a share, or, of the share ½, the one between ends."""
+    """Return a symmetric polynomial of a share, or, of the share ½, that between ends."""
     if begin == end == REST:
         halves = (half, share), (mirrored(half), 1.0 - share)
         c = [{f"c{i}": 2.0 * lift * value / d ** (i + 1) for i, value in enumerate(half)} for half, d in halves]
