@@ -61,6 +61,13 @@ class LoadPoints:
         return replace(self, velocity=velocity, acceleration=acceleration, dwell=self.dwell / factor)
 
     @property
+    def empty(self) -> "LoadPoints":
+        """The points without process forces."""
+        train = replace(self.train, windows=())
+        steady, moving = (np.full(self.x.shape, train.force(way).level) for way in (0.0, 1.0))
+        return replace(self, train=train, steady=steady, friction=moving - steady)
+
+    @property
     def resisting(self) -> Array:
         """Resisting force at the load (N or Nm); of a load by angle the torque at its axis."""
         by_angle = self.train.by_angle

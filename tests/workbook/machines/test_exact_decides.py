@@ -141,6 +141,6 @@ def test_every_limit_that_is_entered_is_judged():
     (view,) = drives_of(machine)
     judged = {one.check: one for one in limits_of(view)}
     compared = {q.name for _, q in TEMPLATE.declare(machine).checks if q.formula.count("<=") == 1 and "ok_" in q.name}
-    exact_in_cells = {"drive1_ok_inertia"}  # a sum of inertias, by no rule of points
-    assert set(judged) == {name for name in compared if name.startswith("drive1_ok_")} - exact_in_cells
+    others = {"drive1_ok_inertia", "drive1_ok_creep"}  # a sum of inertias; a share that is judged where it is near 1
+    assert set(judged) == {name for name in compared if name.startswith("drive1_ok_")} - others
     assert all(math.isclose(one.sheet.limit, one.exact.limit, rel_tol=1e-6) for one in judged.values())

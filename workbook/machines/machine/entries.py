@@ -162,6 +162,10 @@ class AnyMachine(Exporting):
     clearances: list[beside.ClearanceEntry] = Field(default=[], max_length=beside.MOST_CLEARANCES)
     power: drive_entries.PowerEntry = drive_entries.PowerEntry()
     gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
+    creep_forces: Literal["off", "on"] = Field(
+        default="off",
+        description="Process forces while the drives creep at 1 cycle/min: off, as a machine starts up empty",
+    )
     limits: Limits = Limits()
     selection: drive_entries.Choice = drive_entries.Choice()
     sizes: MachineSizes = MachineSizes()
@@ -176,7 +180,7 @@ class AnyMachine(Exporting):
         for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
             require_distinct((row.name for row in getattr(self, key)), kind, f"{key}.{{}}.name")
         beside.require_axes(self.clearances, [axis.name for axis in self.axes])
-        for entry in ("power", "limits") if not any(axis.motor for axis in self.axes) else ():
+        for entry in ("power", "limits", "creep_forces") if not any(axis.motor for axis in self.axes) else ():
             if getattr(self, entry) != type(self).model_fields[entry].default:
                 raise EntryError(entry, "no axis has a drive; expected none")
         if self.gravity != type(self).model_fields["gravity"].default and not self.weighs:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
 
+from engine.drive.creeping import creeping
 from engine.drive.limits import BELOW, CYCLES, at_speed
 from engine.drive.motor import LimitCheck
 from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
@@ -27,6 +28,7 @@ RATE, GAP, MOTION = 0.01, 1e-3, 5e-4
 be off; :mod:`engine.drive.bounds` has those of a drive's results"""
 PAIRS_GAP = 0.25  # the same of a least gap by pairs, whose lines may turn between the points
 ROUNDING, NEARLY = 1e-9, 0.9  # of exact uses; of a use by points that may be 1 exactly
+CREEP_LIMITS = "RMS torque", REDUCER_TORQUE, "reducer mean torque"  # beside the peak torque
 EXACT_NAMES = {PEAK_TORQUE: BELOW, CYCLES: REDUCER_TORQUE}  # of limits that the exact engine calls otherwise
 
 
@@ -96,7 +98,8 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     limits = [list(limits_of(view)) for view in views]
     rates = [limit_of_rate(*both, machine.per_minute) for both in zip(views, limits, strict=True)]
     rates = [max(rates, key=lambda limit: limit.exact.use)] if rates else []
-    return ExactJudgement([*chain(*limits), *rates, *map(limit_of_gap, gaps), *stops], lines)
+    creeps = chain(*map(limit_of_creeping, views))
+    return ExactJudgement([*chain(*limits), *rates, *creeps, *map(limit_of_gap, gaps), *stops], lines)
 
 
 def limit_of_rate(view: DriveView, limits: Sequence[JudgedLimit], rate: float) -> JudgedLimit:
@@ -146,6 +149,19 @@ def limits_of(view: DriveView) -> list[JudgedLimit]:
     """Return the limits of a drive."""
     driven = view.driven
     return judged_limits(driven.called, f"drive{driven.number}_", view.limit_checks, driven.limit_checks)
+
+
+def limit_of_creeping(view: DriveView) -> Iterator[JudgedLimit]:
+    """Yield the limit of a drive that is used most while it creeps, if it nearly is."""
+    use = max(check.use for check in view.creep_checks)
+    if use <= NEARLY:
+        return
+    checks = creeping(view.driven.limit_checks, view.creeps_loaded)
+    exact = max(checks.of([BELOW, *CREEP_LIMITS]), key=lambda check: check.use)
+    exactly = 1.0 if 1.0 < exact.use <= 1.0 + ROUNDING else exact.use
+    sheet, truth = (LimitCheck(exact.name, shown(each, PERCENT), shown(1.0, PERCENT)) for each in (use, exactly))
+    what, driven = f"creeping at 1 cycle/min the most used limit, {exact.name},", view.driven
+    yield JudgedLimit(f"drive{driven.number}_ok_creep", driven.called, what, "%", sheet, truth, 0.0)
 
 
 def extremes_of(axis: MovingAxis) -> Iterator[str]:

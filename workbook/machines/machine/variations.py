@@ -64,6 +64,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
                 phase |= passing(k, n, laws, 0.01)
     driven = [axis for axis in data["axes"] if axis["motor"] is not None]
     data |= {"power": {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k, "price": 0.1 * k}} if driven else {}
+    data |= {"creep_forces": ("off", "on")[k % 2]} if driven else {}
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
     for i, clearance in enumerate(data["clearances"]):
         clearance |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],

@@ -19,9 +19,9 @@ def held(view: DriveView) -> str:
     return "1-[free]" if view.brakes else "([dir]=0)*@brake"
 
 
-def held_at_tried(view: DriveView) -> str:
-    """Return the formula of 1 at a point where the brake holds the shaft at the rate that is tried, else 0."""
-    lasts = "INDEX([@iv.dwell],[iv])>=(@brake_least-check_zero)*@times"
+def held_at(view: DriveView, times: str) -> str:
+    """Return the formula of 1 at a point where the brake holds the shaft at so many times the rate, else 0."""
+    lasts = f"INDEX([@iv.dwell],[iv])>=(@brake_least-check_zero)*{times}"
     return f"([dir]=0)*({lasts})*@brake" if view.brakes else held(view)
 
 

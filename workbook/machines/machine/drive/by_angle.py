@@ -72,17 +72,20 @@ def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
     ]
 
 
+def resisting(view: DriveView, steady: str, friction: str) -> str:
+    """Return the formula, without =, of what resists at the axis without inertia, by those of both its parts."""
+    if view.slides:
+        return f"[dx]*{steady}+[dir]*ABS([dx])*{friction}"
+    return f"{steady}+[dir]*{friction}" + ("+@arm*COS([y]+RADIANS(@arm_angle))" if view.driven.by_angle else "")
+
+
 def forces(view: DriveView) -> tuple[tuple[str, str], tuple[str, str]]:
     """Return the resisting torque at the axis without inertia, and the driving torque: formula and equation."""
-    steady, friction = "INDEX([@iv.steady],[iv])", "INDEX([@iv.friction],[iv])"
+    resists = f"={resisting(view, 'INDEX([@iv.steady],[iv])', 'INDEX([@iv.friction],[iv])')}"
     viscous = f"+@viscous*{'[vs]' if view.slides else '[v]'}" if view.driven.entered.load.viscous is not None else ""
     if view.slides:
-        return (
-            (f"=[dx]*{steady}+[dir]*ABS([dx])*{friction}", "dx/dψ F_r, without inertia"),
-            (f"=[R]+[dx]*(@m*[as]{viscous})", "F_r + dx/dψ m ẍ"),
-        )
-    arm = "+@arm*COS([y]+RADIANS(@arm_angle))" if view.driven.by_angle else ""
-    return (f"={steady}+[dir]*{friction}{arm}", "without inertia"), (f"=[R]+@m*[a]{viscous}", "F_r + m ÿ")
+        return (resists, "dx/dψ F_r, without inertia"), (f"=[R]+[dx]*(@m*[as]{viscous})", "F_r + dx/dψ m ẍ")
+    return (resists, "without inertia"), (f"=[R]+@m*[a]{viscous}", "F_r + m ÿ")
 
 
 def ends_in_place(driven: Driven) -> bool:

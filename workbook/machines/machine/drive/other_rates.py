@@ -1,10 +1,11 @@
-"""The columns of a drive's points at other rates: at standstill, and at the rate that is tried."""
+"""The columns of a drive's points at other rates: at standstill, at the rate that is tried, and creeping."""
 
 import numpy as np
 
+from engine.drive.drive_points import DrivePoints
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity
-from workbook.machines.machine.drive import brake, stages
+from workbook.machines.machine.drive import brake, by_angle, stages
 from workbook.machines.machine.drive.view import DriveView
 
 CELLS = cell_tables(__file__)
@@ -53,25 +54,52 @@ def standing(view: DriveView) -> list[Quantity]:
 
 
 def tried(view: DriveView) -> list[Quantity]:
-    """Return the columns of the torques at the rate that is tried: forces of inertia grow with its square."""
-    cell = CELLS["tried"]
-    then, of, size, driven = view.search.points_tried, view.by_point, view.scales, view.driven
+    """Return the columns of the torques at the rate that is tried."""
+    return at_another_rate(view, view.search.points_tried, stages.TRIED, "[R]")
+
+
+def creeping(view: DriveView) -> list[Quantity]:
+    """Return the columns of the torques while the drive creeps: with its process forces, or empty."""
+    resists = by_angle.resisting(view, "@steady", "@rub")
+    return at_another_rate(view, view.creeping, stages.CREEPING, f'IF(creep_forces="on",[R],{resists})')
+
+
+def at_another_rate(view: DriveView, then: DrivePoints, end: str, resists: str) -> list[Quantity]:
+    """Return the columns of the torques at another rate: forces of inertia grow with its square.
+
+    Their names end in ``end``, by :data:`stages.OTHER_RATES`; ``resists`` is the formula of the resisting force there.
+    """
+    cell, (rate, times) = CELLS["at another rate"], stages.OTHER_RATES[end]
+    of, size, driven = view.by_point, view.scales, view.driven
     inertia, motor_inertia = by_inertia(view)
     speed, viscous = "[dx]*[vs]" if view.slides else "[v]", driven.entered.load.viscous is not None
-    resisted = f"+@viscous*{speed}*(@times-@times^2)" if viscous else ""
+    resisted = f"+@viscous*{speed}*({times}-{times}^2)" if viscous else ""
     source = "F_r + (F − F_r − c ẏ) x + c ẏ √x" if viscous else "F_r + (F − F_r) x"
-    held, (before, output) = brake.held_at_tried(view), stages.output(view, behind(view), inertia, "[FN]", stages.TRIED)
+    before, output = stages.output(view, behind(view), inertia, f"[F{end}]", end)
+    words = {"end": end, "rate": rate}
     return [
-        cell("FN", of(then.load.force), unit=driven_unit(view), resisted=resisted, scale=size.force, source=source),
-        *before,
-        cell("SN", of(then.load.output_torque), output=output, scale=size.behind),
         cell(
-            "TN",
+            "F{end}",
+            of(then.load.force),
+            unit=driven_unit(view),
+            resists=resists,
+            times=times,
+            resisted=resisted,
+            scale=size.force,
+            source=source,
+            **words,
+        ),
+        *before,
+        cell("S{end}", of(then.load.output_torque), output=output, scale=size.behind, **words),
+        cell(
+            "T{end}",
             of(then.torque),
-            held=held,
-            behind_reducer=LOSS1.format("[SN]"),
+            held=brake.held_at(view, times),
+            behind_reducer=LOSS1.format(f"[S{end}]"),
             own_inertia=motor_inertia,
+            times=times,
             scale=size.torque,
+            **words,
         ),
     ]
 

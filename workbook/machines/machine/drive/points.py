@@ -21,7 +21,15 @@ from workbook.machines.machine.boundary.bends import bends_name
 from workbook.machines.machine.drive import brake, by_angle, stages
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.drive.other_rates import LOSS1, behind, by_inertia, driven_unit, standing, tried
+from workbook.machines.machine.drive.other_rates import (
+    LOSS1,
+    behind,
+    by_inertia,
+    creeping,
+    driven_unit,
+    standing,
+    tried,
+)
 from workbook.machines.machine.drive.view import PEAK_UNITS, DriveView
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.motion.pieces import FROM_START, arguments, sampled
@@ -47,6 +55,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         cell("share", view.by_point(view.load.share, 0.0), scale=1.0),
         *standing(view),
         *tried(view),
+        *creeping(view),
         blank="[share]=0",
     )
 

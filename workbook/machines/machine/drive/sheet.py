@@ -17,7 +17,16 @@ from workbook.drive.motor import (
 )
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
-from workbook.machines.machine.drive import brake, by_angle, in_use, max_rate, rates_between, reducer_load, stages
+from workbook.machines.machine.drive import (
+    brake,
+    by_angle,
+    creeping,
+    in_use,
+    max_rate,
+    rates_between,
+    reducer_load,
+    stages,
+)
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
@@ -78,6 +87,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
             reach_table(sheet, view, driven.linkage)
         peaks_table(sheet, view)
         rates_between.rates_table(sheet, view)
+        creeping.creeping_table(sheet, view)
         if view.for_selection:
             reducer_load.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
@@ -182,6 +192,7 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]"), scale=size.behind),
         *energies(view),
         *max_rate.range_results(view),
+        *creeping.creeping_results(view),
     )
 
 
@@ -252,6 +263,7 @@ def checks(view: DriveView) -> list[Quantity]:
             ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed),
             mends=mends,
         ),
+        creeping.creeping_check(view),
         inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
         turns_check(view),
         *([brake.holds(view)] if view.brakes else []),

@@ -99,16 +99,18 @@ def output(view: DriveView, behind: str, inertia: str, force: str = "[F]", end: 
     """Return the columns of torques on the shafts behind the stages, and the formula, without =, of that before them.
 
     ``behind`` is the formula of what the mechanism takes of a force, ``inertia`` that of the torque of its shaft's
-    inertia. The columns' names end in ``end``: 0 of torques without inertia, N of those at the rate that is tried.
+    inertia. The columns' names end in ``end``: 0 of torques without inertia, else by :data:`OTHER_RATES`.
     """
     last, moved = count(view.driven), "[al]" if view.varies else "[a]"
     cell = CELLS["torques"]
-    rate, grows = {"": ("", ""), REST: (", without inertia", ""), TRIED: (", at the tried rate", "*@times^2")}[end]
+    rate, grows = OTHER_RATES.get(end) or {"": ("", ""), REST: (", without inertia", "")}[end]
+    grows = f"*{grows}^2" if grows else ""
     torques = {
-        "": view.load.shaft_torques,
-        REST: view.load.shaft_torques_at_rest,
-        TRIED: view.search.points_tried.load.shaft_torques,
-    }[end]
+        "": lambda: view.load.shaft_torques,
+        REST: lambda: view.load.shaft_torques_at_rest,
+        TRIED: lambda: view.search.points_tried.load.shaft_torques,
+        CREEPING: lambda: view.creeping.load.shaft_torques,
+    }[end]()
     formula = behind.format(force) + ("" if end == REST else f"+{inertia}{grows}")
     columns = list[Quantity]()
     for n in range(last, 0, -1):
@@ -132,9 +134,11 @@ def output(view: DriveView, behind: str, inertia: str, force: str = "[F]", end: 
     return columns, formula
 
 
-REST, TRIED = "0", "N"
-SYMBOLS = {"": "", REST: ",s", TRIED: ",N"}
-"""ends of names of columns of torques, without inertia and at the rate that is tried; and of their symbols"""
+REST, TRIED, CREEPING = "0", "N", "C"
+SYMBOLS = {"": "", REST: ",s", TRIED: ",N", CREEPING: ",C"}
+"""ends of names of columns of torques, without inertia and at other rates; and of their symbols"""
+OTHER_RATES = {TRIED: (", at the rate that is tried", "@times"), CREEPING: (", creeping", "@slow")}
+"""of another rate, by this end: its words, and the cell that has it over the present one"""
 
 
 def checks(driven: Driven) -> list[Quantity]:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from engine.drive.creeping import creep_checks, creep_factor
 from engine.drive.drive_points import DrivePoints, Peak, peak
 from engine.drive.limit_use import RateSearch
 from engine.drive.limits import BELOW
@@ -112,6 +113,26 @@ class DriveView:
         """The search of the rates that hold all limits."""
         driven, peaks = self.driven, (self.size("T"), self.size("S"))
         return RateSearch(self.points, self.speed, driven.motor, driven.reducer.limits, 1.0 / self.time, peaks)
+
+    @property
+    def slow(self) -> float:
+        """The rate at which it creeps over the one that it is sized at."""
+        return creep_factor(self.time)
+
+    @property
+    def creeps_loaded(self) -> bool:
+        """Whether process forces act while it creeps."""
+        return self.tables.machine.given.creep_forces == "on"
+
+    @cached_property
+    def creeping(self) -> DrivePoints:
+        """The points of the drive creeping."""
+        return DrivePoints((self.load if self.creeps_loaded else self.load.empty).at_rate(self.slow))
+
+    @property
+    def creep_checks(self) -> tuple[LimitCheck, ...]:
+        """Its torques against their limits, creeping."""
+        return creep_checks(self.creeping, self.driven.motor, self.driven.reducer.limits, self.slow / self.time)
 
     @cached_property
     def peaks(self) -> dict[tuple[str, int], Peak]:

@@ -1,6 +1,6 @@
 """The drive of an axis with many motors and reducers at many rates: results and checks by the names of the book."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property, partial
 from operator import attrgetter
 from typing import Any
@@ -98,11 +98,13 @@ class DriveStudy:
         """Return arrays with a value for each design."""
         return list(np.broadcast_arrays(*values, self.rates.places))[:-1]
 
-    def _gathered(self, figures_of: Callable[[float, DriveBatch], tuple[Array, ...]]) -> list[Array]:
+    def gathered(
+        self, figures_of: Callable[[float, DriveBatch], tuple[Array, ...]], loads: Sequence[PointLoad] | None = None
+    ) -> list[Array]:
         """Return figures of each design, from the time of a cycle (s) at each rate and the motors on the load."""
         names, each = ("peak_torque", "knee", "fall", "copper"), []
         *limits, _, places = self._lined(*map(self.motors_used.get, names), self.gears.ratio, self.rates.places)
-        for k, load in enumerate(self.loads):
+        for k, load in enumerate(loads or self.loads):
             some = np.flatnonzero(places == k)
             if not some.size:  # a rate of designs that are left out
                 continue
@@ -117,17 +119,17 @@ class DriveStudy:
     @cached_property
     def extremes(self) -> Extremes:
         """Peaks over the cycle."""
-        return Extremes(*self._gathered(lambda _, many: many.extremes))
+        return Extremes(*self.gathered(lambda _, many: many.extremes))
 
     @cached_property
     def works(self) -> Energy:
         """Energy of each motor over the cycle (J)."""
-        return Energy(*self._gathered(lambda time, many: many.works(time)))
+        return Energy(*self.gathered(lambda time, many: many.works(time)))
 
     @cached_property
     def rms(self) -> Array:
         """RMS torques (Nm)."""
-        return self._gathered(lambda _, many: (many.load.rms(many.gears),))[0]
+        return self.gathered(lambda _, many: (many.load.rms(many.gears),))[0]
 
     def turning(self, figure: Callable[[DriveView], float]) -> Array:
         """Return a speed of motors (rpm), in proportion to the ratio of their reducers."""
@@ -174,9 +176,13 @@ class DriveStudy:
     @property
     def reducer_held(self) -> Array:
         """Largest output torque of the reducer at its cycles an hour (Nm); 0 for none."""
+        return self.reducer_held_at(1.0 / self.time)
+
+    def reducer_held_at(self, rate: Any) -> Array:
+        """Return the largest output torque of the reducer (Nm) at rates (1/s); 0 for none."""
         used = self.reducers_used
         full = np.where(used["full_cycles"] == 0.0, FULL_CYCLES, used["full_cycles"])
-        factor = cycle_factor_at(1.0 / self.time, si(full, PER_HOUR), used["cycle_factor"])
+        factor = cycle_factor_at(rate, si(full, PER_HOUR), used["cycle_factor"])
         return np.asarray(used["peak_torque"] / factor)
 
     @property

@@ -1,19 +1,23 @@
 """The checks of the drive of an axis in many designs: by the points of its cycle, and by the exact engine."""
 
 from collections.abc import Callable
-from functools import cache, partial
+from functools import cache, lru_cache, partial
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
 
+from engine.drive.motor import continuous
+from engine.selection.point_load import PointLoad
 from workbook.book.quantity import FAIL, OK
 from workbook.machines.machine.drive.by_angle import ends_in_place
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.exact import limit_of_rate, limits_of
+from workbook.machines.machine.entries import MOST_AXES
+from workbook.machines.machine.exact import limit_of_creeping, limit_of_rate, limits_of
 from workbook.machines.machine.mechanism import LINKED
 from workbook.machines.machine.rates_summary import hold_at
 from workbook.machines.machine.studies.drives import DriveStudy
-from workbook.template_outputs import Computations
+from workbook.template_outputs import Computations, JudgedLimit
 
 LIMITED: dict[str, Callable[[DriveStudy], tuple[Any, Any]]] = {
     "ok_rms": lambda study: (study.rms, study.continuous),
@@ -38,7 +42,23 @@ def below_curve(study: DriveStudy) -> Any:
     return (study.motors_used["fall"] == 0.0) | (study.products.knows_falling & (study.extremes.spare >= 0.0))
 
 
+@lru_cache(maxsize=MOST_AXES)
+def creep_use(study: DriveStudy) -> Any:
+    """Return the largest use of a torque's limit in each design, creeping."""
+    loads = [PointLoad(base.creeping.load, 0.0, 0.0, 0.0) for base in study.bases]
+    rms, spare = study.gathered(lambda _, many: (many.load.rms(many.gears), many.extremes.spare), loads)
+    motor, slow = study.motors_used, study.of_rate(attrgetter("slow"))
+    stall, rated, peak = motor["stall_torque"], motor["rated_torque"], motor["peak_torque"]
+    uses = [rms / continuous(rated, stall, motor["rated_speed"], study.mean * slow), (peak - spare) / peak]
+    behind = np.array([[check.value for check in base.creep_checks[2:]] for base in study.bases])
+    limits = study.reducer_held_at(slow / study.time), study.reducers_used["mean_torque"]
+    for value, limit in zip(behind[study.rates.places].T, limits, strict=True):
+        uses.append(value / np.where(limit == 0.0, np.inf, limit))
+    return np.maximum.reduce(np.broadcast_arrays(*uses))
+
+
 CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {
+    "ok_creep": lambda study: creep_use(study) <= 1.0,
     "ok_curve": below_curve, "ok_inertia": lambda study: study.inertias <= study.limits.inertia_ratio,
 }  # fmt: skip
 
@@ -46,14 +66,18 @@ CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {
 def judged_exactly(study: DriveStudy) -> Computations:
     """Return by check which designs keep to a limit by the exact engine, each worked out when it is called."""
 
+    def judged(view: DriveView) -> list[JudgedLimit]:
+        return [*limits_of(view), *limit_of_creeping(view)]
+
     @cache
     def limits() -> list[dict[str, bool]]:
         asked = [limit(study) for limit in LIMITED.values()]
         uses = [value / np.where(most == 0.0, np.inf, most) for value, most in asked]
         uses.append(1.0 - study.extremes.spare / study.motors_used["peak_torque"])
+        uses.append(creep_use(study))
         near = np.maximum.reduce(np.broadcast_arrays(*uses, study.rates.places)[:-1]) >= ASKED
         some = {study.designs[k] for k in np.flatnonzero(near).tolist()}
-        by_design = {design: {limit.check: limit.ok for limit in limits_of(study.view(*design))} for design in some}
+        by_design = {design: {limit.check: limit.ok for limit in judged(study.view(*design))} for design in some}
         return [by_design.get(design, {}) for design in study.designs]
 
     def judge(check: str) -> Any:
@@ -87,7 +111,8 @@ def hold_machine_rate_exactly(study: DriveStudy, rates: Any, judged: Computation
 
     if study.axis.given.rate is not None:
         return at_machine_rate(study, rates, is_held)
-    return np.logical_and.reduce([verdict() == OK for verdict in judged.values()])
+    at_rate = [verdict() == OK for name, verdict in judged.items() if not name.endswith("_ok_creep")]
+    return np.logical_and.reduce(at_rate)
 
 
 def ok_texts(ok: Any) -> Any:

@@ -26,7 +26,8 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     sheet.heading("Enter")
     weight = cell("gravity", machine.given.gravity)
     driven = any(axis.given.motor for axis in machine.axes)
-    limits = limit_cells(machine.given.limits) if driven else ()
+    creeping = cell("creep_forces", machine.given.creep_forces)
+    limits = [creeping, *limit_cells(machine.given.limits)] if driven else []
     sheet.rows(*pace(machine), *([weight] if machine.given.weighs else []), *limits)
     columns = PHASE_MEASURED if machine.over.measured else PHASE
     columns += PASSING if any(axis.ends is not None for axis in axes) else 0

@@ -1,0 +1,78 @@
+"""A drive that creeps at 1 cycle/min, as a machine starts up: its torques against their limits, in cells."""
+
+import math
+
+from engine.drive.creeping import CREEP_RATE
+from workbook.book.cell_tables import cell_tables
+from workbook.book.declare import Quantity, Sheet
+from workbook.book.sentence import amount, around
+from workbook.drive.motor import continuous_at
+from workbook.fields.units import PER_MINUTE, PERCENT, shown
+from workbook.machines.machine.drive.max_rate import cubic, largest
+from workbook.machines.machine.drive.view import DriveView
+
+CELLS = cell_tables(__file__)
+
+ABOUT = (
+    "A machine starts up slowly: no inertia helps then, a dead centre is passed without momentum, friction and weight "
+    "stand in full. What a peak torque that falls with speed has fallen counts as torque."
+)
+DECIMALS = 9  # of a use: limits that are used alike are told apart by no rounding
+FALLEN = "SUMPRODUCT(MAX(([@pt.TC]^2)^0.5+@fall*(([@pt.n]^2)^0.5*@slow>@knee)*(([@pt.n]^2)^0.5*@slow-@knee)))"
+LIMITS = (
+    f"={continuous_at('(@mean*@slow)')}",
+    "=@motor_peak+0",
+    "=@reducer_peak/IF(60*@rate*@slow>@full*(1+1E-9),@reducer_fs,1)",
+    "=@reducer_mean+0",
+)
+
+
+def creeping_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the table of the torques while the drive creeps, and of their limits."""
+    cell, checks = CELLS["creep"], view.creep_checks
+    values = (
+        "=SQRT(SUMPRODUCT([@pt.share],[@pt.TC],[@pt.TC]))",
+        f"={FALLEN if view.knows_falling else largest('TC')}",
+        f"={largest('SC')}",
+        f"={cubic('[@pt.SC]')}",
+    )
+    sheet.heading("Workings: creeping", ABOUT)
+    sheet.rows(
+        CELLS["rate"]("@creep_rate", shown(CREEP_RATE, PER_MINUTE)),
+        CELLS["rate"]("@slow", view.slow),
+    )
+    sheet.table(
+        "@creep",
+        "Torques while it creeps, and their limits",
+        len(checks),
+        cell("name", [check.name for check in checks]),
+        cell("value", [check.value for check in checks], formula=values, scale=view.scales.behind),
+        cell("limit", [0.0 if math.isinf(check.limit) else check.limit for check in checks], formula=LIMITS),
+        cell("use", uses(view), decimals=DECIMALS, scale=1.0),
+    )
+
+
+def uses(view: DriveView) -> list[float]:
+    """Return the use of each limit."""
+    return [round(check.use, DECIMALS) for check in view.creep_checks]
+
+
+def creeping_results(view: DriveView) -> list[Quantity]:
+    """Return the results: how much of a limit is used at most, and of which."""
+    each, cell = uses(view), CELLS["results"]
+    return [
+        cell("@creep_use", max(each), scale=1.0),
+        cell("@creep_binds", view.creep_checks[each.index(max(each))].name),
+    ]
+
+
+def creeping_check(view: DriveView) -> Quantity:
+    """Return the check that the drive holds its limits while it creeps."""
+    most, forces = max(uses(view)), view.tables.machine.given.creep_forces
+    worst = view.creep_checks[uses(view).index(most)].name
+    says = around("@creep_binds", worst, "", " is ").then(
+        amount("100*@creep_use", shown(most, PERCENT), "", " % of its limit, process forces ")
+    )
+    return CELLS["check"](
+        "@ok_creep", most <= 1.0, called=view.driven.called, says=says.then(around("creep_forces", forces, "", ""))
+    )
