@@ -14,7 +14,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, axis, driven
 from tests.workbook.machines.test_machine_forces import RATIO, RISE, small
 from workbook.errors import InputError
 from workbook.machines.machine.exact import drives_of, judgement
-from workbook.machines.machine.time_based import told_in_seconds
+from workbook.machines.machine.time_based import convert_to_seconds
 from workbook.reading.descriptions import validated, write_machine
 
 FAST = {"inertia": 8.0, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 30000.0}
@@ -94,8 +94,8 @@ def test_a_drive_slower_than_a_cycle_a_minute_creeps_at_its_own_rate():
     assert value("drive1_creep", "value")[3] == pytest.approx(value("drive1_smean"), rel=1e-12)
 
 
-def test_a_machine_told_in_seconds_has_the_entry_and_one_without_a_drive_has_none():
-    machine = told_in_seconds(loaded(small([screwed()])))
+def test_a_machine_convert_to_seconds_has_the_entry_and_one_without_a_drive_has_none():
+    machine = convert_to_seconds(loaded(small([screwed()])))
     assert entered(TEMPLATE, machine) == (machine, [])
     bare = small([axis(1, *RISE)]).model_dump() | {"creep_forces": "on"}
     with pytest.raises(InputError, match="creep_forces: no axis has a drive; expected none"):

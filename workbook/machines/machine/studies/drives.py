@@ -173,11 +173,6 @@ class DriveStudy:
         """Return the largest (0) or the mean (1) torque behind the reducer (Nm)."""
         return self.of_rate(lambda base: base.reducer_checks[k].value)
 
-    @property
-    def reducer_held(self) -> Array:
-        """Largest output torque of the reducer at its cycles an hour (Nm); 0 for none."""
-        return self.reducer_held_at(1.0 / self.time)
-
     def reducer_held_at(self, rate: Any) -> Array:
         """Return the largest output torque of the reducer (Nm) at rates (1/s); 0 for none."""
         used = self.reducers_used
@@ -282,7 +277,7 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "lowest": lambda study: study.lowest[0],
     "binds_low": lambda study: study.lowest[1],
     "t_hold": lambda study: study.holding_torque,
-    "reducer_held": lambda study: study.reducer_held,
+    "reducer_held": lambda study: study.reducer_held_at(1.0 / study.time),
 } | {f"pair_{name}": lambda study, name=name: study.motors_used[name] + study.reducers_used[name] for name in WEIGHED}
 
 SLOW = ("highest", "binds", "lowest", "binds_low", "t_hold")

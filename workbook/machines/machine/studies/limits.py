@@ -23,7 +23,7 @@ LIMITED: dict[str, Callable[[DriveStudy], tuple[Any, Any]]] = {
     "ok_rms": lambda study: (study.rms, study.continuous),
     "ok_peak": lambda study: (study.extremes.peak, study.motors_used["peak_torque"]),
     "ok_speed": lambda study: (study.speed, study.motors_used["max_speed"]),
-    "ok_reducer_peak": lambda study: (study.behind(0), study.reducer_held),
+    "ok_reducer_peak": lambda study: (study.behind(0), study.reducer_held_at(1.0 / study.time)),
     "ok_reducer_mean": lambda study: (study.behind(1), study.reducers_used["mean_torque"]),
     "ok_reducer_speed": lambda study: (study.speed, study.reducers_used["max_speed"]),
 }
