@@ -32,13 +32,13 @@ def crank_entries(driven: Driven, key: str) -> list[Quantity]:
 def crank_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios, and of the crank in m and rad."""
     cell = CELLS["crank_sizes"]
-    one = of_kind(Crank, driven.by_angle)
+    crank = of_kind(Crank, driven.by_angle)
     return [
         *constant_sizes(driven),
-        cell("@r", one.crank),
-        cell("@l", one.rod),
-        cell("@e", one.offset),
-        cell("@psi0", one.start),
+        cell("@r", crank.crank),
+        cell("@l", crank.rod),
+        cell("@e", crank.offset),
+        cell("@psi0", crank.start),
     ]
 
 
@@ -59,15 +59,15 @@ def varied(i: int, k: int) -> dict[str, Any]:
 def slide(driven: Driven, load: LoadPoints, of: Column) -> list[Quantity]:
     """Return the columns of the slide: where it is by the crank's angle, its velocity and its acceleration."""
     cell = CELLS["slide"]
-    one = of_kind(Crank, driven.by_angle)
-    psi, x = load.position + one.start, one.position(load.position)
+    crank = of_kind(Crank, driven.by_angle)
+    psi, x = load.position + crank.start, crank.position(load.position)
     velocity, acceleration = load.moving
     return [
         cell("psi", of(psi), scale=max(float(np.abs(psi).max()), 1.0)),
-        *slides.pin(one.crank, psi, of),
-        cell("X", of(x), scale=one.rod),
-        *slides.travel(one.crank, one.offset, psi, x, of),
-        cell("vs", of(velocity), scale=one.crank * max(float(np.abs(load.velocity).max()), 1e-9)),
+        *slides.pin(crank.crank, psi, of),
+        cell("X", of(x), scale=crank.rod),
+        *slides.travel(crank.crank, crank.offset, psi, x, of),
+        cell("vs", of(velocity), scale=crank.crank * max(float(np.abs(load.velocity).max()), 1e-9)),
         cell("as", of(acceleration), scale=max(float(np.abs(acceleration).max()), 1e-9)),
     ]
 

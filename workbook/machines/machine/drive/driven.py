@@ -1,4 +1,4 @@
-"""The engine's view of the drive of one axis."""
+"""The engine's view of the drive of an axis."""
 
 from dataclasses import replace
 from functools import cached_property
@@ -31,11 +31,11 @@ def linkage_of(given: kinds.MechanismEntry, unit: float) -> Linkage:
     """Return the mechanism that is entered, of an axis in a unit. Raises ValueError for sizes that cannot be."""
 
     def mm(*sizes: float | None) -> tuple[float, ...]:
-        return tuple(si(one or 0.0, MM) for one in sizes)
+        return tuple(si(size or 0.0, MM) for size in sizes)
 
     match given:
         case kinds.Table():
-            return PositionTable([(si(one.angle, DEGREE), si(one.position, unit)) for one in given.points])
+            return PositionTable([(si(point.angle, DEGREE), si(point.position, unit)) for point in given.points])
         case kinds.Rocker():
             angle, sense = si(given.start_angle or 0.0, DEGREE), -1 if given.direction == "backward" else 1
             lever, link, offset = mm(given.lever_length, given.link_length, given.offset)
@@ -47,9 +47,9 @@ def linkage_of(given: kinds.MechanismEntry, unit: float) -> Linkage:
 
 
 def by_angle_of(given: kinds.MechanismEntry) -> ByAngle:
-    """Return what a slide does by the angle of its axis. Raises ValueError for sizes that cannot be."""
+    """Return a slide that follows the angle of its axis. Raises ValueError for sizes that cannot be."""
     given = of_kind(kinds.PressCrank, given)
-    crank, rod, offset = (si(one, MM) for one in (given.crank_radius, given.rod_length, given.offset or 0.0))
+    crank, rod, offset = (si(size, MM) for size in (given.crank_radius, given.rod_length, given.offset or 0.0))
     return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
 
 
@@ -150,7 +150,7 @@ class Driven:
 
     @cached_property
     def results(self) -> DriveResults:
-        """What a cycle asks of the motor, exact."""
+        """The exact results of a cycle."""
         return DriveResults(self.drive_cycle)
 
     @property

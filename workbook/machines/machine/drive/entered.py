@@ -1,4 +1,4 @@
-"""What is entered of a drive beside its mechanism and motor: load, rotating parts, process forces over the cycle."""
+"""Entries of a drive beside its mechanism and motor: load, rotating parts, process forces over the cycle."""
 
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet

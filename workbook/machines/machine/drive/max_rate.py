@@ -180,11 +180,13 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
         "Estimate: from and up to which rate each limit is held",
         len(names),
         CELLS["held"]("name", names),
-        CELLS["held"]("limit", in_units(one.limit for one in estimates), formula=[f"={cell}+0" for cell in limits]),
-        CELLS["held"]("cap", [limit or NO_LIMIT for limit in in_units(one.limit for one in estimates)]),
+        CELLS["held"](
+            "limit", in_units(estimate.limit for estimate in estimates), formula=[f"={cell}+0" for cell in limits]
+        ),
+        CELLS["held"]("cap", [limit or NO_LIMIT for limit in in_units(estimate.limit for estimate in estimates)]),
         CELLS["held"](
             "stands",
-            in_units(one.standing for one in estimates),
+            in_units(estimate.standing for estimate in estimates),
             formula=[f"={cell}" for cell in stands],
             scale=view.scales.torque,
         ),
@@ -195,20 +197,20 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
                 symbol,
                 "",
                 [f"={cell}" for cell in cells],
-                [getattr(one, field) for one in estimates],
+                [getattr(estimate, field) for estimate in estimates],
                 scale=1.0,
             )
             for (name, label, symbol, field), cells in zip(ESTIMATES, shares, strict=True)
         ),
-        CELLS["held"]("most", [max(one.forward, one.backward) for one in estimates], scale=1.0),
+        CELLS["held"]("most", [max(estimate.forward, estimate.backward) for estimate in estimates], scale=1.0),
         CELLS["held"](
             "rate",
-            [met(one.high) for one in estimated],
+            [met(estimate.high) for estimate in estimated],
             formula=[cycles if name == CYCLES else up_to for name in names],
         ),
         CELLS["held"](
             "low",
-            [met(one.low, NEVER_HELD) for one in estimated],
+            [met(estimate.low, NEVER_HELD) for estimate in estimated],
             formula=["=0+0" if name == CYCLES else since for name in names],
             scale=view.rate,
         ),

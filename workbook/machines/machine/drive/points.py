@@ -123,10 +123,10 @@ def motion(view: DriveView, place: str) -> list[Quantity]:
     cell = CELLS["motion"]
     rows, load, axis = view.tables.pieces, view.load, view.driven.axis
     of = view.by_point
-    numbers = np.array([one.piece for one in view.cycle.intervals])[view.numbers]
+    numbers = np.array([interval.piece for interval in view.cycle.intervals])[view.numbers]
     pieces, base = view.cycle.pieces, axis.base
-    local = load.x - np.array([one.begin for one in pieces])[numbers]
-    sines = np.array([one.sines for one in pieces])[numbers[:, 0]]
+    local = load.x - np.array([piece.begin for piece in pieces])[numbers]
+    sines = np.array([piece.sines for piece in pieces])[numbers[:, 0]]
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.marks))]
     return [
         cell("theta", of(shown(load.x, DEGREE)), formula=place, **PLACE),
@@ -145,9 +145,9 @@ LENGTH = "[len]<eps"  # the condition of a spare row: an interval of no length
 def cuts_table(sheet: Sheet, view: DriveView) -> None:
     """Declare where an interval can begin: at the motion's pieces, at edges of process forces, and where it turns."""
     table = f"axis{view.driven.number}_pieces"
-    pieces = filled([shown(one.begin, DEGREE) for one in view.cycle.pieces], view.room, TURN)
+    pieces = filled([shown(piece.begin, DEGREE) for piece in view.cycle.pieces], view.room, TURN)
     steps, turning, bent = range(1, view.steps), range(1, view.turn_rows + 1), range(1, len(view.bends) // 2 + 1)
-    turned = filled([shown(one.at, DEGREE) for one in view.turns[: view.turns_cut]], view.turn_rows, TURN)
+    turned = filled([shown(turn.at, DEGREE) for turn in view.turns[: view.turns_cut]], view.turn_rows, TURN)
     edges = [*pieces, *view.edges, *(TURN * n / view.steps for n in steps), *turned, *view.bends]
     windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)] + [-n for n in steps]
     sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in (*steps, *turning)]
@@ -155,7 +155,8 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     edge = f"IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
     near = view.tables.machine.near
     kept = [
-        TURN if at > TURN - near or any(abs(at - one) < near for one in edges[:k]) else at for k, at in enumerate(edges)
+        TURN if at > TURN - near or any(abs(at - edge) < near for edge in edges[:k]) else at
+        for k, at in enumerate(edges)
     ]
     if view.steps > 1:
         edge = f"IF([window]<0,0-[window]*360/{view.steps},{edge})"
@@ -188,7 +189,9 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the intervals, in order; spare rows at the end of the cycle have no length."""
     cell = CELLS["iv"]
     i, cycle, rows, found = view.driven.number, view.cycle, view.rows, view.cycle.intervals
-    low, high, middles = (np.array([getattr(one, name) for one in found]) for name in ("begin", "end", "middle"))
+    low, high, middles = (
+        np.array([getattr(interval, name) for interval in found]) for name in ("begin", "end", "middle")
+    )
     unit = "N" if view.driven.travels else "Nm"
     steady, friction = cycle.levels
     at = f"([mid]+[axes_taken.late.{i}])"
@@ -203,7 +206,7 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
         cell("len", filled(shown(high - low, DEGREE), rows), **PLACE),
         cell("mid", view.by_interval(shown(middles, DEGREE)), length=LENGTH, **PLACE),
         cell("at", view.by_interval((shown(middles, DEGREE) + view.driven.axis.given.shift) % TURN), at=at, **PLACE),
-        cell("q", filled([one.piece + 1 for one in found], rows, found[-1].piece + 1), i=i),
+        cell("q", filled([interval.piece + 1 for interval in found], rows, found[-1].piece + 1), i=i),
         cell("dir", view.by_interval(cycle.direction), length=LENGTH, speed=speed),
         *(brake.of_intervals(view, LENGTH) if view.brakes else ()),
         cell("steady", view.by_interval(steady), unit=unit, acts=ACTS, scale=view.scales.force),

@@ -43,8 +43,8 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     place, end = (f"IF([under]>=[over],{both})" for both in ("[low],[high]", "@low_end,@high_end"))
     by, mm = rounding(f"MAX(0,[under],[over]){shows}"), view.driven.entered.unit
     says = f'=IF([out]=0,"",[k]&" reaches "&ROUND({place}{shows},9)&" {mm}, "&{by}&" {mm} beyond the "&{end})'
-    lows, highs = (filled([one[k] for one in reaches], n, (low + high) / 2) for k in (0, 1))
-    under, over = [low - one for one in lows], [one - high for one in highs]
+    lows, highs = (filled([reach[k] for reach in reaches], n, (low + high) / 2) for k in (0, 1))
+    under, over = [low - end for end in lows], [end - high for end in highs]
     sheet.row += 1
     cell = CELLS["reach"]
     sheet.table(
@@ -80,9 +80,9 @@ def linkage_checks(view: DriveView) -> list[Quantity]:
 def apart(given: MechanismEntry, unit: str) -> str:
     """Return the fault of sizes that do not go together; of a table, the first point that does not rise."""
     if isinstance(given, Table):
-        for row, (one, other) in enumerate(pairwise(given.points), 2):
-            if other.angle <= one.angle or other.position <= one.position:
-                (angle, position), (low, lowest) = ((figure(p.angle), figure(p.position)) for p in (other, one))
+        for row, (before, other) in enumerate(pairwise(given.points), 2):
+            if other.angle <= before.angle or other.position <= before.position:
+                (angle, position), (low, lowest) = ((figure(p.angle), figure(p.position)) for p in (other, before))
                 return FALLS.format(row, angle, position, unit, low, lowest, unit)
         return ""
     try:
@@ -108,6 +108,6 @@ def require_mechanisms(machine: AnyMachine) -> None:
             errors = [error for y in axis.motion.reaches[k] if linkage and (error := linkage.beyond(y))]
             if errors:
                 found = max(errors, key=lambda error: error.by)
-                place, by = (shown(one, axis.unit) for one in (found.position, found.by))
+                place, by = (shown(value, axis.unit) for value in (found.position, found.by))
                 said = f"{name} row {row}" + WORDS.format(figure(place), unit, rounded(by), unit, found.end)
                 raise DesignError(where, said, f"reach{axis.number}", large)

@@ -1,4 +1,4 @@
-"""Where a drive turns round inside a piece of its motion, in cells: friction and losses change sides there."""
+"""Reversals of a drive inside a piece of its motion, in cells: friction and losses change sides there."""
 
 import numpy as np
 

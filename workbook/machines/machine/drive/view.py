@@ -41,7 +41,7 @@ LEAST = 1e-3  # of torques and powers: what is smaller is next to nothing
 
 
 class Scales(NamedTuple):
-    """How large quantities of a drive grow: what deviations are measured by, in the units of its sheet."""
+    """The largest sizes of quantities of a drive, by which deviations are measured, in the units of its sheet."""
 
     force: float
     behind: float
@@ -100,7 +100,7 @@ class DriveView:
         taken = 2 * len(driven.windows) + 2 * (polynomials(tables.ends) if tables.ends else 0)
         self.turns_cut = min(len(found), self.turn_rows, self.room - len(pieces) - taken)
         self.turns = found[: self.turn_rows]
-        inside = [*(one.at for one in found[: self.turns_cut]), *(si(at, DEGREE) for at in self.bends if at < TURN)]
+        inside = [*(point.at for point in found[: self.turns_cut]), *(si(at, DEGREE) for at in self.bends if at < TURN)]
         self.cycle = QuadratureCycle(driven.drive_cycle, pieces, near, inside)
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
         self.points, self.numbers = DrivePoints(self.load), np.arange(len(self.cycle.intervals))[:, None]
@@ -143,8 +143,8 @@ class DriveView:
     @cached_property
     def peak_points(self) -> DrivePoints:
         """The drive where each of :attr:`peaks` has the top of its parabola, a row each."""
-        at = np.array([[one.at] for one in self.peaks.values()])
-        places = self.load.x.ravel()[at] + [[one.offset] for one in self.peaks.values()]
+        at = np.array([[peak.at] for peak in self.peaks.values()])
+        places = self.load.x.ravel()[at] + [[peak.offset] for peak in self.peaks.values()]
         load = self.cycle.points_at(at // POINTS, places, np.zeros(at.shape))
         return DrivePoints(replace(load, train=self.driven.train))
 
@@ -154,7 +154,7 @@ class DriveView:
         _ = self.scales
         other = copy(self)
         other.points, other.load, other.point_rows = self.peak_points, self.peak_points.load, len(self.peaks)
-        other.numbers = np.array([[one.at // POINTS] for one in self.peaks.values()])
+        other.numbers = np.array([[peak.at // POINTS] for peak in self.peaks.values()])
         return other
 
     def top(self, name: str, way: int = 1) -> float:
@@ -169,7 +169,7 @@ class DriveView:
 
     @cached_property
     def between(self) -> Interpolation:
-        """Where the samples of the sheet Cycle lie between the points."""
+        """The places of the samples of the sheet Cycle between the points."""
         told = self.driven.axis.unshifted(self.tables.machine.samples).x
         return self.cycle.interpolation_at(self.load.x, told)
 
@@ -222,7 +222,7 @@ class DriveView:
 
     @property
     def reserve(self) -> Reserve:
-        """What a cycle asks of the motor against its limits."""
+        """The largest figures of a cycle, each with its limit."""
         points = self.points
         return reserve(self.driven.motor, points.rms_torque, self.size("T"), self.speed, points.mean_speed)
 
@@ -267,7 +267,7 @@ class DriveView:
 
     @cached_property
     def scales(self) -> Scales:
-        """How large its quantities grow."""
+        """The largest sizes of its quantities."""
         load, points = self.load, self.points
         torque = max(float(np.abs(points.torque).max()), LEAST)
         rpm = max(shown(self.speed, RPM), LEAST)
@@ -279,7 +279,7 @@ class DriveView:
 
     @property
     def energy(self) -> Energy:
-        """What the motor drives with over a cycle, and what comes back to it (J)."""
+        """The energy that the motor gives over a cycle, and the energy that comes back to it (J)."""
         power, time = self.points.power, self.time
         driving, returned = (self.points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0))
         return Energy(driving, returned)

@@ -105,7 +105,7 @@ def resisting(view: DriveView) -> list[Quantity]:
 def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     """Declare ratios, inertias, losses and resisting forces, in S1's terms."""
     cell = CELLS["workings"]
-    driven, one, axis = view.driven, view.tables, view.driven.axis
+    driven, tables, axis = view.driven, view.tables, view.driven.axis
     still = STANDSTILL * driven.max_geometric_velocity * axis.speed
     sheet.heading(
         "Workings: the chain",
@@ -113,8 +113,8 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     )
     sheet.rows(
         cell("@built", driven.entered.called),
-        cell("@faster", shown(axis.speed, one.axis.speed)),
-        cell("@omega", axis.speed, speed=one.machine.over.speed),
+        cell("@faster", shown(axis.speed, tables.axis.speed)),
+        cell("@omega", axis.speed, speed=tables.machine.over.speed),
         *inertias(view, sizes),
         *losses(view),
         *(stages.workings(view) if driven.entered.stages else ()),
@@ -156,10 +156,10 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         return [formula.replace("{y}", f"[@pt.{column}]") for column, _ in each]
 
     neighbours = [
-        [shown(sign * value, PEAK_UNITS[name]) for value in one.values]
-        for (name, sign), one in zip(each, found, strict=True)
+        [shown(sign * value, PEAK_UNITS[name]) for value in peak.values]
+        for (name, sign), peak in zip(each, found, strict=True)
     ]
-    gaps = [[shown(one.before, DEGREE) for one in found], [shown(one.after, DEGREE) for one in found]]
+    gaps = [[shown(peak.before, DEGREE) for peak in found], [shown(peak.after, DEGREE) for peak in found]]
     slopes = [
         [(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)] for k in (0, 1)
     ]
@@ -179,7 +179,7 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         ),
         cell(
             "at",
-            [one.at + 1 for one in found],
+            [peak.at + 1 for peak in found],
             formula=of(
                 f"={last + 1}-SUMPRODUCT(MAX(([sign]*{{y}}>=[most]-check_zero*{size_of})*({last + 1}-[@pt.k])))"
             ),

@@ -1,4 +1,4 @@
-"""What the sheet of a drive has of each kind of mechanism: entries, sizes, and its ratio at a position."""
+"""Each kind of mechanism on the sheet of a drive: entries, sizes, and its ratio at a position."""
 
 from workbook.machines.machine.drive.mechanisms.slides import CRANK_SLIDER, ROCKER
 from workbook.machines.machine.drive.mechanisms.table import TABLE

@@ -1,4 +1,4 @@
-"""What the sheet of a drive has of its mechanism: of one whose ratio changes a page, of all others lists of rows."""
+"""The mechanism on the sheet of a drive: a page where its ratio changes, lists of rows else."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -17,7 +17,7 @@ Table = Callable[[Sheet, Driven, int], None]  # declares a table of as many rows
 
 
 class LinkagePage(NamedTuple):
-    """What the sheet has of a mechanism whose ratio depends on the position; formulas in the scope of the drive."""
+    """The part of a sheet for a mechanism whose ratio depends on the position; formulas in the scope of the drive."""
 
     entries: Callable[[Driven, str], list[Quantity]]  # the rows of what is entered, by the key of the axis
     sizes: Callable[[Driven], list[Quantity]]  # the rows of its sizes in m, and of where it can bring its load to

@@ -55,18 +55,18 @@ def begun(linkage: SlideLinkage) -> list[Quantity]:
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
     cell = CELLS["ratios"]
-    one = of_kind(SlideLinkage, driven.linkage)
-    x = one.zero + one.direction * position
-    psi = one.angle(x)
-    turned, ratio, change = one.shaft(position)
-    d = np.hypot(x, one.offset)
+    linkage = of_kind(SlideLinkage, driven.linkage)
+    x = linkage.zero + linkage.direction * position
+    psi = linkage.angle(x)
+    turned, ratio, change = linkage.shaft(position)
+    d = np.hypot(x, linkage.offset)
     return [
-        cell("X", of(x), scale=one.link),
-        cell("d", of(d), scale=one.link),
-        cell("K", of(area(one, d)), scale=one.link**2),
+        cell("X", of(x), scale=linkage.link),
+        cell("d", of(d), scale=linkage.link),
+        cell("K", of(area(linkage, d)), scale=linkage.link**2),
         cell("psi", of(psi), scale=1.0),
-        *pin(one.lever, psi, of),
-        *travel(one.lever, one.offset, psi, x, of),
+        *pin(linkage.lever, psi, of),
+        *travel(linkage.lever, linkage.offset, psi, x, of),
         cell("g", of(ratio)),
         cell("h", of(change), scale=float(np.abs(change).max())),
         cell("phi", of(turned), scale=1.0),
@@ -110,16 +110,16 @@ def crank_entries(driven: Driven, key: str) -> list[Quantity]:
 def crank_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of a crank-slider in m, and of where it can bring its load to."""
     cell = CELLS["crank_sizes"]
-    one = of_kind(SlideLinkage, driven.linkage)
-    low, high, *_ = one.reach
+    linkage = of_kind(SlideLinkage, driven.linkage)
+    low, high, *_ = linkage.reach
     return [
-        *lengths(one, "crank_radius", "rod_length"),
-        cell("@side", one.side),
-        cell("@sense", one.direction),
-        cell("@x0", one.zero),
+        *lengths(linkage, "crank_radius", "rod_length"),
+        cell("@side", linkage.side),
+        cell("@sense", linkage.direction),
+        cell("@x0", linkage.zero),
         cell("@low", low),
         cell("@high", high),
-        *begun(one),
+        *begun(linkage),
     ]
 
 
@@ -153,34 +153,34 @@ def rocker_entries(driven: Driven, key: str) -> list[Quantity]:
 def rocker_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of a rocker in m, and of where it can bring its load to."""
     cell = CELLS["rocker_sizes"]
-    one, begin = of_kind(SlideLinkage, driven.linkage), si(of_kind(Rocker, driven.given).start_angle or 0.0, DEGREE)
-    low, high, *_ = one.reach
+    linkage, begin = of_kind(SlideLinkage, driven.linkage), si(of_kind(Rocker, driven.given).start_angle or 0.0, DEGREE)
+    low, high, *_ = linkage.reach
     return [
-        *lengths(one, "lever_length", "link_length"),
+        *lengths(linkage, "lever_length", "link_length"),
         cell("@theta", begin),
-        cell("@sense", one.direction),
-        cell("@x0", one.zero),
-        cell("@ahead", sin(begin - atan2(one.offset, one.zero)), scale=1.0),
-        cell("@side", one.side),
+        cell("@sense", linkage.direction),
+        cell("@x0", linkage.zero),
+        cell("@ahead", sin(begin - atan2(linkage.offset, linkage.zero)), scale=1.0),
+        cell("@side", linkage.side),
         cell("@same", SAME),
-        cell("@none", one.far_off),
-        cell("@low", low, scale=one.link),
-        cell("@high", high, scale=one.link),
-        *begun(one),
+        cell("@none", linkage.far_off),
+        cell("@low", low, scale=linkage.link),
+        cell("@high", high, scale=linkage.link),
+        *begun(linkage),
     ]
 
 
 def rocker_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the places at which a rocker may lock."""
     cell = CELLS["ends"]
-    one = of_kind(SlideLinkage, driven.linkage)
-    places = one.lock_places(one.zero)
+    linkage = of_kind(SlideLinkage, driven.linkage)
+    places = linkage.lock_places(linkage.zero)
     ways = [1, 1, -1, -1, 1, 1, -1, -1]
     rests = [f"=(@l+{way}*@r)^2-@e^2" for way in ways[:4]] + [f"=@r^2-(@e+{way}*@l)^2" for way in ways[4:]]
     at, square = np.array([place.at for place in places]), np.arange(len(places)) >= 4
-    distances = np.hypot(at, one.offset)
-    areas = np.where(square, area(one, distances), 0.0)
-    angles = np.where(square, one.angle(at), 0.0)
+    distances = np.hypot(at, linkage.offset)
+    areas = np.where(square, area(linkage, distances), 0.0)
+    angles = np.where(square, linkage.angle(at), 0.0)
 
     def of(name: str) -> list[float]:
         return [getattr(place, name) for place in places]
@@ -192,15 +192,15 @@ def rocker_table(sheet: Sheet, driven: Driven, rows: int) -> None:
         cell("k", list(range(1, len(places) + 1))),
         cell("name", [place.name for place in places]),
         cell("sign", [1, -1] * 4),
-        cell("rest", of("rest"), formula=rests, scale=one.far_off),
-        cell("at", of("at"), scale=one.link),
-        cell("d", distances, scale=one.link),
-        cell("K", areas, scale=one.link**2),
+        cell("rest", of("rest"), formula=rests, scale=linkage.far_off),
+        cell("at", of("at"), scale=linkage.link),
+        cell("d", distances, scale=linkage.link),
+        cell("K", areas, scale=linkage.link**2),
         cell("psi", angles, scale=1.0),
-        cell("along", of("along"), scale=one.link),
-        cell("x", of("x"), scale=one.link),
-        cell("below", of("below"), scale=one.link),
-        cell("above", of("above"), scale=one.link),
+        cell("along", of("along"), scale=linkage.link),
+        cell("x", of("x"), scale=linkage.link),
+        cell("below", of("below"), scale=linkage.link),
+        cell("above", of("above"), scale=linkage.link),
     )
 
 

@@ -41,14 +41,14 @@ def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
 def sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of where the mechanism can bring its load to."""
     cell = CELLS["sizes"]
-    one = of_kind(PositionTable, driven.linkage)
-    low, high, *_ = one.reach
+    curve = of_kind(PositionTable, driven.linkage)
+    low, high, *_ = curve.reach
     base = driven.axis.base
     return [
         cell("@count", len(of_kind(Table, driven.given).points)),
         cell("@low", low, base=base, scale=high - low),
         cell("@high", high, base=base, scale=high - low),
-        cell("@near_end", near_end(one), base=base),
+        cell("@near_end", near_end(curve), base=base),
     ]
 
 
@@ -137,15 +137,15 @@ def powers(driven: Driven, rows: int) -> list[Quantity]:
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
     cell = CELLS["ratios"]
-    one = of_kind(PositionTable, driven.linkage)
-    part = one.part(position)
-    share = (position - one.columns[1][part]) / one.widths[part]
-    turned, first, second = one.shaft(position)
+    curve = of_kind(PositionTable, driven.linkage)
+    part = curve.part(position)
+    share = (position - curve.columns[1][part]) / curve.widths[part]
+    turned, first, second = curve.shaft(position)
     return [
         cell("part", of(np.asarray(part, dtype=np.float64) + 1.0)),
         cell("t", of(share), not_zero=NOT_ZERO, scale=1.0),
         cell("g", of(first)),
-        cell("h", of(second), scale=change(second, first, one.widths)),
+        cell("h", of(second), scale=change(second, first, curve.widths)),
         cell("phi", of(turned), scale=1.0),
     ]
 
