@@ -15,8 +15,10 @@ def visible(text: str, safe: str = "") -> str:
     r"""Return a text in a line, unprintable characters but those ``safe`` as escapes such as ``\x1b``."""
     if text.isprintable():
         return text
-    return "".join(c.encode("unicode_escape", "surrogatepass").decode() if category(c) in UNFIT and c not in safe else c
-                   for c in text)  # fmt: skip
+    return "".join(
+        c.encode("unicode_escape", "surrogatepass").decode() if category(c) in UNFIT and c not in safe else c
+        for c in text
+    )
 
 
 def quoted(value: Any) -> str:

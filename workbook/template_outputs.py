@@ -169,8 +169,9 @@ def judged_limits(drive: str, cells: str, sheet: Mapping[str, LimitCheck], exact
         size = SIZES.get(unit, 1.0)
         if truth.limit < truth.value <= truth.limit * (1.0 + ROUNDING):
             truth = truth._replace(value=truth.limit)
-        by_points, exactly = (each._replace(value=shown(each.value, size), limit=shown(each.limit, size))
-                              for each in (sheet[name], truth))  # fmt: skip
+        by_points, exactly = (
+            each._replace(value=shown(each.value, size), limit=shown(each.limit, size)) for each in (sheet[name], truth)
+        )
         bound = bounds[name] / truth.limit
         limits.append(JudgedLimit(f"{cells}{check}", drive, name, unit, by_points, exactly, bound))
     return limits
@@ -181,11 +182,14 @@ def limit_bounds(exact: LimitChecks) -> dict[str, float]:
     results, bound = exact.results, stated_bounds(exact.drive_cycle.train)
     peak, speed, behind = results.torque.peak, results.speed.peak, results.shaft_torque(1).peak
     return {
-        "RMS torque": bound.rms_torque * peak, "peak torque": bound.peak_torque * peak,
-        BELOW: bound.peak_torque * peak, "motor speed": bound.speed * speed,
-        "reducer input speed": bound.speed * speed, "reducer peak torque": bound.peak_torque * behind,
+        "RMS torque": bound.rms_torque * peak,
+        "peak torque": bound.peak_torque * peak,
+        BELOW: bound.peak_torque * peak,
+        "motor speed": bound.speed * speed,
+        "reducer input speed": bound.speed * speed,
+        "reducer peak torque": bound.peak_torque * behind,
         "reducer mean torque": bound.mean_torque * behind,
-    }  # fmt: skip
+    }
 
 
 def deviations(drive: str, sheet: Mapping[str, float], exact: LimitChecks) -> Iterator[str]:

@@ -96,8 +96,10 @@ class UnfinishedBook:
         columns[MESSAGE] = [next(filter(None, row), "") for row in zip(*columns.values(), strict=True)]
         if USED in block.columns:
             table = self.book.blocks[guard.table]
-            entered = [q._replace(value=self.values.get((guard.table, table.columns[q.name] - table.column), q.value))
-                       for q in self._inputs(guard.table)]  # fmt: skip
+            entered = [
+                q._replace(value=self.values.get((guard.table, table.columns[q.name] - table.column), q.value))
+                for q in self._inputs(guard.table)
+            ]
             columns[USED] = in_use(guard.rows, entered)
         text = next((Sentence(f"row {i}, {message}") for i, message in enumerate(columns[MESSAGE], 1) if message), "")
         known: dict[Address, Any] = {}

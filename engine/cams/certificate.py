@@ -15,10 +15,15 @@ DEGREE = 15  # of every polynomial here; a sine over one rad about its middle is
 NARROW = 1e-9  # share by which the largest value may exceed the value that is reached
 ROUNDS = 40  # of halving
 TERMS = range(DEGREE + 1)
-BASIS = np.array([
-    [sum(comb(i, j) * comb(DEGREE - i, k - j) * (-1) ** (k - j) for j in range(k + 1)) / comb(DEGREE, k) for i in TERMS]
-    for k in TERMS
-])  # fmt: skip
+BASIS = np.array(
+    [
+        [
+            sum(comb(i, j) * comb(DEGREE - i, k - j) * (-1) ** (k - j) for j in range(k + 1)) / comb(DEGREE, k)
+            for i in TERMS
+        ]
+        for k in TERMS
+    ]
+)
 """matrix from the coefficients of powers of t, from −1 to 1, to those of Bernstein"""
 LEFT = np.array([[comb(i, j) / 2.0**i for i in TERMS] for j in TERMS])
 RIGHT = LEFT[::-1, ::-1]  # matrices from Bernstein's coefficients to those of the left and right half (de Casteljau)

@@ -93,10 +93,16 @@ def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> 
     d = end[0] - y - (v + 0.5 * a * h) * h
     e = (end[1] - v - a * h) * h
     f = (end[2] - a) * h**2
-    return np.column_stack([
-        y, v, 0.5 * a,
-        (10.0 * d - 4.0 * e + 0.5 * f) / h**3, (-15.0 * d + 7.0 * e - f) / h**4, (6.0 * d - 3.0 * e + 0.5 * f) / h**5,
-    ])  # fmt: skip
+    return np.column_stack(
+        [
+            y,
+            v,
+            0.5 * a,
+            (10.0 * d - 4.0 * e + 0.5 * f) / h**3,
+            (-15.0 * d + 7.0 * e - f) / h**4,
+            (6.0 * d - 3.0 * e + 0.5 * f) / h**5,
+        ]
+    )
 
 
 def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamProfile:

@@ -105,9 +105,14 @@ class Cut:
     """
 
     def __init__(
-        self, tool: Tool, product_length: float, line_speed: float, law: Law, beyond: Beyond = "standstill",
+        self,
+        tool: Tool,
+        product_length: float,
+        line_speed: float,
+        law: Law,
+        beyond: Beyond = "standstill",
         peak: float | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         _require(line_speed > 0.0, "line speed", line_speed, "more than 0")
         if not (math.isfinite(product_length) and product_length > tool.tool_length):
             raise ValueError(f"product length is {product_length:g} m; expected more than L_T, {tool.tool_length:g} m")

@@ -53,9 +53,13 @@ def cut_parts(cut: Cut, whole: bool = False) -> tuple[CutPart, CutPart, CutPart,
         CutPart(ScaledLaw(cut.law, h, t, drift=v), 0.0, 0, before),
         CutPart(ScaledLaw(Dwell(), 0.0, wait, begin, stands), begin, 0, int(cut.waits)),
         CutPart(ScaledLaw(cut.law, h, t, wait, drift=v), end, again, len(begins) - again if cut.waits else 0),
-        CutPart(ScaledLaw(Dwell(), 0.0, cut.tool_time, cut.repositioning_time, moved, v), cut.repositioning_time, 0,
-                int(cut.tool_time > 0.0)),
-    )  # fmt: skip
+        CutPart(
+            ScaledLaw(Dwell(), 0.0, cut.tool_time, cut.repositioning_time, moved, v),
+            cut.repositioning_time,
+            0,
+            int(cut.tool_time > 0.0),
+        ),
+    )
 
 
 def cut_joints(cut: Cut, smooth: Smoothness) -> tuple[Joint, ...]:

@@ -231,10 +231,14 @@ def coefficients_of(pieces: tuple[Piece, ...], v0: float = 0.0, a0: float = 0.0,
     after = np.array([*(accelerations[0] for _, _, accelerations, _ in values), a1])
     jumps = np.abs(before - after).max() > JUMP * np.abs(a).max()
     return Coefficients(
-        cv=float(np.abs(v).max()), ca_max=float(a.max()), ca_min=float(a.min()),
+        cv=float(np.abs(v).max()),
+        ca_max=float(a.max()),
+        ca_min=float(a.min()),
         ca_rms=math.sqrt(math.fsum(square_integral(piece) for piece in pieces if piece.duration > 0.0)),
-        cj=math.inf if jumps else float(np.abs(j).max()), va_max=float((v * a).max()), va_min=float((v * a).min()),
-    )  # fmt: skip
+        cj=math.inf if jumps else float(np.abs(j).max()),
+        va_max=float((v * a).max()),
+        va_min=float((v * a).min()),
+    )
 
 
 def square_integral(piece: Piece) -> float:

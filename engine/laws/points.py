@@ -121,10 +121,14 @@ class Points:
         at = piece_ends(self.pieces)
         jump = max(*(end.jump for end in at), abs(at[-1].reached))
         return Coefficients(
-            cv=max(v[1], -v[0]), ca_max=a[1], ca_min=a[0],
+            cv=max(v[1], -v[0]),
+            ca_max=a[1],
+            ca_min=a[0],
             ca_rms=math.sqrt(float(np.sum(self.part * self.rates["a"] ** 2))),
-            cj=math.inf if jump > SAME else max(j[1], -j[0]), va_max=va[1], va_min=va[0],
-        )  # fmt: skip
+            cj=math.inf if jump > SAME else max(j[1], -j[0]),
+            va_max=va[1],
+            va_min=va[0],
+        )
 
 
 class PointedLaw(PieceLaw):

@@ -201,10 +201,16 @@ class SplineTable:
         (xi, s), moments, end, rates = self.law.knots, self.law.moments, self.law.end, self.law.table
         velocities = [*rates[2], end.v]
         begun = {
-            "xi": (xi[:-1], 1.0), "d": (np.diff(xi), 0.0), "y": (s[:-1], end.s), "y1": (s[1:], end.s),
-            "v": (velocities[:-1], end.v), "v1": (velocities[1:], end.v), "a": (moments[:-1], moments[-1]),
-            "a1": (moments[1:], moments[-1]), "j": (rates[4], 0.0),
-        }  # fmt: skip
+            "xi": (xi[:-1], 1.0),
+            "d": (np.diff(xi), 0.0),
+            "y": (s[:-1], end.s),
+            "y1": (s[1:], end.s),
+            "v": (velocities[:-1], end.v),
+            "v1": (velocities[1:], end.v),
+            "a": (moments[:-1], moments[-1]),
+            "a1": (moments[1:], moments[-1]),
+            "j": (rates[4], 0.0),
+        }
         columns = {name: np.array(self.filled(values, spare)) for name, (values, spare) in begun.items()}
         d, y, y1, v, v1, a, a1, j = (columns[name] for name in ("d", "y", "y1", "v", "v1", "a", "a1", "j"))
         w = a**2 - 2.0 * j * v
@@ -221,11 +227,20 @@ class SplineTable:
         turns = [y + u * (4.0 * v + a * u) / 6.0 for u in (rises, falls)]
         powers = [v * a, v1 * a1, plus, minus]
         return columns | {
-            "w": w, "v_low": low, "v_high": high, "third": third, "va_plus": plus, "va_minus": minus,
-            "va_low": np.min(powers, axis=0), "va_high": np.max(powers, axis=0), "rises": rises, "falls": falls,
-            "s_low": np.min([y, y1, turns[0]], axis=0), "s_high": np.max([y, y1, turns[1]], axis=0),
+            "w": w,
+            "v_low": low,
+            "v_high": high,
+            "third": third,
+            "va_plus": plus,
+            "va_minus": minus,
+            "va_low": np.min(powers, axis=0),
+            "va_high": np.max(powers, axis=0),
+            "rises": rises,
+            "falls": falls,
+            "s_low": np.min([y, y1, turns[0]], axis=0),
+            "s_high": np.max([y, y1, turns[1]], axis=0),
             "square": d * (a**2 + a * a1 + a1**2) / 3.0,
-        }  # fmt: skip
+        }
 
     @property
     def still(self) -> float:

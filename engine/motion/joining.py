@@ -74,9 +74,12 @@ def slope(phase: Phase) -> float | None:
 
 
 def join_phases(
-    phases: Sequence[Phase], through: Mapping[int, Rates] | None = None, periodic: bool = True, start: float = 0.0,
+    phases: Sequence[Phase],
+    through: Mapping[int, Rates] | None = None,
+    periodic: bool = True,
+    start: float = 0.0,
     position: float = 0.0,
-) -> JoinedMotion:  # fmt: skip
+) -> JoinedMotion:
     """Return the motion of phases, each of which meets its neighbours.
 
     Next to a straight line or a dwell a curved phase takes over the velocity, with no acceleration. Between two curved
@@ -198,9 +201,12 @@ class Joint(NamedTuple):
 
 
 def joints(
-    pieces: Sequence[MotionPiece], scales: Rates, smooth: Smoothness, periodic: bool = True,
+    pieces: Sequence[MotionPiece],
+    scales: Rates,
+    smooth: Smoothness,
+    periodic: bool = True,
     spans: Sequence[tuple[float, float]] = (),
-) -> tuple[Joint, ...]:  # fmt: skip
+) -> tuple[Joint, ...]:
     """Return the joints of pieces.
 
     Parameters

@@ -185,9 +185,12 @@ class MotionSamples(NamedTuple):
 
 
 def motionlaw(
-    laws: Sequence[str], lifts: Sequence[float], durations: Sequence[float], n: int,
+    laws: Sequence[str],
+    lifts: Sequence[float],
+    durations: Sequence[float],
+    n: int,
     parameters: Sequence[Mapping[str, Any] | None] | None = None,
-) -> MotionSamples:  # fmt: skip
+) -> MotionSamples:
     """Return samples of a motion whose phases are given by lists.
 
     Source: S3, function motionlaw, with its misprint corrected (see :class:`engine.motion.Motion`).

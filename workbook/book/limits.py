@@ -133,8 +133,16 @@ def guard_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: boo
     first, last = guard.columns[0], guard.columns[-1]
     among = f"[{first}:{last}]"
     of_row = f"[{first}]" if first == last else f'IF(COUNTIF({among},"?*")=0,"",INDEX({among},{first_text(among)}))'
-    used = calc(USED, "row in use", "", "", f"=IF({all_empty(inputs)},0,1)", in_use(guard.rows, inputs), format="0",
-                source="1 where anything is entered")  # fmt: skip
+    used = calc(
+        USED,
+        "row in use",
+        "",
+        "",
+        f"=IF({all_empty(inputs)},0,1)",
+        in_use(guard.rows, inputs),
+        format="0",
+        source="1 where anything is entered",
+    )
     required = any(limit.required for _, limit in guard.entries)
     of_all = message_column(MESSAGE, "what is expected", f"={of_row}")
     columns = [*([used] if required else []), *message_columns(guard), of_all]

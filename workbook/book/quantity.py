@@ -113,8 +113,19 @@ def check(
     with what it gives where the check mirrors no ``rule`` of the entries.
     """
     text, more = says if isinstance(says, CheckSentence) else (says, "")
-    return Quantity(name, label, "", "", "check", f'=IF({condition},"OK","FAIL")', "OK" if ok else "FAIL",
-                    source=source, rule=rule, says=text, sentence=more)  # fmt: skip
+    return Quantity(
+        name,
+        label,
+        "",
+        "",
+        "check",
+        f'=IF({condition},"OK","FAIL")',
+        "OK" if ok else "FAIL",
+        source=source,
+        rule=rule,
+        says=text,
+        sentence=more,
+    )
 
 
 def sentence(q: Quantity) -> Quantity:

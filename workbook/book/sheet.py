@@ -214,8 +214,19 @@ class Sheet:
         self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
         self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))
         own = self._own((quantity,))
-        self._place(Block(in_scope(name, self.scope), self, block.row, column, own, block.size, block.title,
-                          blank=in_scope(blank, self.scope), lead=block))  # fmt: skip
+        self._place(
+            Block(
+                in_scope(name, self.scope),
+                self,
+                block.row,
+                column,
+                own,
+                block.size,
+                block.title,
+                blank=in_scope(blank, self.scope),
+                lead=block,
+            )
+        )
 
     def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:
         """Place a chart with its corner at a cell, ``width`` columns by ``height`` rows large."""

@@ -135,8 +135,10 @@ def build(
 
 
 PLACES = "Workbooks built by motionbook, or folders of them."
-ASKED = ("Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that "
-         "are on this machine.")  # fmt: skip
+ASKED = (
+    "Who evaluates the formulas, pycel unless told otherwise; may be given several times. All: all that "
+    "are on this machine."
+)
 
 
 @app.command()

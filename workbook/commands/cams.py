@@ -77,9 +77,17 @@ def read_switches(file: Path, source: str, output: Path | None) -> None:
 
 
 def compare(
-    book: Path, file: Path, axis: str | None, source: str, tolerance: Sequence[str], unverified: bool, as_json: bool,
-    switches: bool = False, of: str = LOAD, fresh: bool = False,
-) -> int:  # fmt: skip
+    book: Path,
+    file: Path,
+    axis: str | None,
+    source: str,
+    tolerance: Sequence[str],
+    unverified: bool,
+    as_json: bool,
+    switches: bool = False,
+    of: str = LOAD,
+    fresh: bool = False,
+) -> int:
     """Compare what a controller makes of a file with an axis of a book, or with its switches; return the exit code."""
     target = target_named(source)
     if switches == (axis is not None):

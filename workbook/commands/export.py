@@ -157,8 +157,10 @@ def export(
     there = [path for path in paths if os.path.lexists(path)]
     if there and not force:
         verb = "exists" if len(there) == 1 else "exist"
-        raise WriteError(f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
-                         "there, -o names another place)")  # fmt: skip
+        raise WriteError(
+            f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
+            "there, -o names another place)"
+        )
     for path in paths:
         refuse_existing(path, force)
     refuse_same_file(*paths, report)
@@ -280,11 +282,17 @@ def slugs(names: Sequence[str]) -> list[str]:
 def export_axis(machine: str, axis: CamAxis, name: str, asked: Options, mark: Sequence[str], path: Path) -> AxisFile:
     """Return the text of the file of a machine's axis, and the certificate of what a reader of its own finds in it."""
     target = asked.target
-    best = (automatic(target, axis, asked.tolerance) if asked.points is None
-            else certify_table(target, tabulate(target, axis, asked.points), axis.profile))  # fmt: skip
+    best = (
+        automatic(target, axis, asked.tolerance)
+        if asked.points is None
+        else certify_table(target, tabulate(target, axis, asked.points), axis.profile)
+    )
     units, equal = (axis.x_unit, axis.y_unit), target.spacing == "equal"
-    lines = (f"{machine}, axis {axis.name}: {target.title}",
-             header(best.points, " or ".join(best.certificates), equal, units), *mark,
-             *(f"untested: {claim.what} ({claim.source})" for claim in target.untested))  # fmt: skip
+    lines = (
+        f"{machine}, axis {axis.name}: {target.title}",
+        header(best.points, " or ".join(best.certificates), equal, units),
+        *mark,
+        *(f"untested: {claim.what} ({claim.source})" for claim in target.untested),
+    )
     text = target.write(CamExport(best.table, name, tuple(map(visible, lines)), units, axis.repeats, *asked.signs))
     return AxisFile(axis, text, certify_table(target, reread(target, text, best.table), axis.profile), path)

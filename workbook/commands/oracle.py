@@ -44,9 +44,15 @@ def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) ->
 
 
 def against(
-    path: Path, declarations: Path, number: int, cover: float | None, marked: Path | None, as_json: bool, force: bool,
+    path: Path,
+    declarations: Path,
+    number: int,
+    cover: float | None,
+    marked: Path | None,
+    as_json: bool,
+    force: bool,
     witnesses: Sequence[str] | None = None,
-) -> int:  # fmt: skip
+) -> int:
     """Compare a workbook with its oracle, print what came of it; return the exit code."""
     refuse_itself(marked, path)
     if marked is not None:
@@ -65,8 +71,17 @@ def against(
         wrong = [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.wrong]
         cells = {str(cell): kind for cell, kind in report.coverage.items()}
         known = {"known": report.dimensions.known, "formulas": report.dimensions.formulas}
-        say_json({"cases": report.cases, "covered": report.covered, "findings": wrong, "cells": cells,
-                  "dimensions": known, "notes": report.notes}, default=str)  # fmt: skip
+        say_json(
+            {
+                "cases": report.cases,
+                "covered": report.covered,
+                "findings": wrong,
+                "cells": cells,
+                "dimensions": known,
+                "notes": report.notes,
+            },
+            default=str,
+        )
     else:
         show(file, report)
     return DISAGREES if report.wrong or (cover is not None and report.covered < cover) else AGREES
@@ -80,8 +95,10 @@ def write_draft(path: Path, output: Path | None, force: bool) -> None:
 def show(file: BookFile, report: OracleReport) -> None:
     """Print the findings as a table, and how many formula cells are of each class."""
     if report.wrong:
-        rows = [(describe(file, fault.cell), fault.kind, figure(fault.found, 9), figure(fault.expected, 9), fault.at)
-                for fault in report.wrong]  # fmt: skip
+        rows = [
+            (describe(file, fault.cell), fault.kind, figure(fault.found, 9), figure(fault.expected, 9), fault.at)
+            for fault in report.wrong
+        ]
         show_table(OUT, ("cell", "kind", "found", "expected", "at"), rows, box=None, pad_edge=False)
     counts = f"{report.count('compared')} compared, {report.count('step')} steps to them"
     counts += f", {report.count('unaccounted')} unaccounted"

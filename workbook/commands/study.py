@@ -28,9 +28,15 @@ UNITS = ((86400.0, "days"), (3600.0, "hours"), (60.0, "minutes"))
 
 
 def study(
-    path: Path, output: Path | None, scheduler: str | None, jobs: int | None, resume: bool, pick: int | None,
-    unverified: bool, force: bool,
-) -> int:  # fmt: skip
+    path: Path,
+    output: Path | None,
+    scheduler: str | None,
+    jobs: int | None,
+    resume: bool,
+    pick: int | None,
+    unverified: bool,
+    force: bool,
+) -> int:
     """Run a study, or pick a design of a study that was run; return the exit code."""
     plan = read_study(path)
     book = output if pick is not None else None
@@ -59,9 +65,15 @@ def study(
 
 
 def run_study(
-    plan: Plan, results: Path, named: Labels, scheduler: str | None, jobs: int | None, resume: bool,
-    unverified: bool, force: bool,
-) -> Summary:  # fmt: skip
+    plan: Plan,
+    results: Path,
+    named: Labels,
+    scheduler: str | None,
+    jobs: int | None,
+    resume: bool,
+    unverified: bool,
+    force: bool,
+) -> Summary:
     """Run a study to its end, write results, what is known of them, and the page."""
     others = [results.with_suffix(".json"), results.with_suffix(".html")]
     parts = Parts(results, plan.digest, plan.space.size)

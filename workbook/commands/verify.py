@@ -32,10 +32,17 @@ DAILY = "pycel"  # the witness that is asked unless given otherwise
 
 
 def verify(
-    books: Sequence[Path], as_json: bool, report: Path | None, junit: Path | None, sarif: Path | None, force: bool,
-    witnesses: Sequence[str] | None, jobs: int | None, everything: bool,
+    books: Sequence[Path],
+    as_json: bool,
+    report: Path | None,
+    junit: Path | None,
+    sarif: Path | None,
+    force: bool,
+    witnesses: Sequence[str] | None,
+    jobs: int | None,
+    everything: bool,
     scheduler: str | None = None,
-) -> int:  # fmt: skip
+) -> int:
     """Verify books, print what came of them and write the reports asked for; return the exit code."""
     page.require_writable(report, (".html", ".htm"), force)
     page.require_writable(junit, (".xml",), force)

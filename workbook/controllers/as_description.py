@@ -80,8 +80,10 @@ def require_points(read: IdentifiedMotion, table: Table, profile: CamProfile, un
     k = int(off.argmax())
     error = f"{off[k]:.2g} {units[1]} at {table.x[k]:.9g} {units[0]}"
     if off[k] > read.allowed:
-        raise TargetError(f"the motion that was found is off by {error}, {read.allowed:.2g} {units[1]} allowed; "
-                          "--tolerance y=1% allows more")  # fmt: skip
+        raise TargetError(
+            f"the motion that was found is off by {error}, {read.allowed:.2g} {units[1]} allowed; "
+            "--tolerance y=1% allows more"
+        )
     return f"It keeps to all {len(x):,} points: off by {error} at most"
 
 
@@ -94,8 +96,10 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
     movements = read.phases
     for p in movements:
         if not p.fits:
-            raise TargetError(f"from {p.begin:.9g} to {p.end:.9g} it keeps to no law, and splines through some "
-                              "points are too far from the others; --tolerance y=1% allows more")  # fmt: skip
+            raise TargetError(
+                f"from {p.begin:.9g} to {p.end:.9g} it keeps to no law, and splines through some "
+                "points are too far from the others; --tolerance y=1% allows more"
+            )
     laws: dict[str, Any] = {}
     if any(not p.rests for p in movements):
         laws["LIN"] = {"family": "LIN"}
@@ -115,9 +119,16 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
     if movements and end - reached <= near:
         require_end(movements, closes, near + begin)
     jumps = any(p.law.code == Spline.code for p in movements)  # the acceleration of a spline begins and ends so
-    axis = {"name": AXIS, "group": "Read", "unit": units[1], "smoothness": "velocity" if jumps else "acceleration",
-            "closes": "position" if closes else "feed" if read.delay else "open", "shift": rounded(read.delay),
-            "position": float(movements[0].y if movements else table.y[0]), "phases": phases}  # fmt: skip
+    axis = {
+        "name": AXIS,
+        "group": "Read",
+        "unit": units[1],
+        "smoothness": "velocity" if jumps else "acceleration",
+        "closes": "position" if closes else "feed" if read.delay else "open",
+        "shift": rounded(read.delay),
+        "position": float(movements[0].y if movements else table.y[0]),
+        "phases": phases,
+    }
     master = {"cycle": rounded(end - begin), "unit": units[0]}
     points = max((len(p.law.points) for p in movements if isinstance(p.law, Spline)), default=0)
     rows = {"points": points, "phases": len(phases)}
@@ -137,8 +148,10 @@ def require_end(phases: Sequence[FoundPhase], closes: bool, begin: float) -> Non
     steps = enumerate(zip(last.rates(1), taken, near, strict=True), 1)
     jumps = any(abs(a - b) * span**k > most for k, (a, b, most) in steps)
     if not closes or other.begin > begin or jumps:
-        raise TargetError(f"it ends on the way at {last.end:.9g}, and its begin does not take that over: "
-                          "an axis ends at rest, or as it begins")  # fmt: skip
+        raise TargetError(
+            f"it ends on the way at {last.end:.9g}, and its begin does not take that over: "
+            "an axis ends at rest, or as it begins"
+        )
 
 
 def boundary_rates(phases: Sequence[FoundPhase], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:

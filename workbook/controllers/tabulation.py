@@ -124,8 +124,9 @@ def table_at(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -
     at = of.at(x)
     sizes = [max(float(np.abs(row).max()), float(np.ptp(at.y)) * (len(x) / of.total) ** k) for k, row in enumerate(at)]
     y, v, a, j = (np.where(np.abs(row) < ROUNDED * size, 0.0, row) for row, size in zip(at, sizes, strict=True))
-    had = [number.rounded(row) if name in target.columns else None
-           for name, row in (("y'", v), ("y''", a), ("y'''", j))]  # fmt: skip
+    had = [
+        number.rounded(row) if name in target.columns else None for name, row in (("y'", v), ("y''", a), ("y'''", j))
+    ]
     h = WITHIN * np.diff(x)
     begins, ends = of.index(x[:-1] + h), of.index(x[1:] - h)
     lines = np.asarray(straight(of)[begins] & (begins == ends)) if "straight" in target.columns else None
@@ -172,8 +173,10 @@ def automatic(target: Target, axis: CamAxis, tolerance: Mapping[str, float]) -> 
     if best.excess(tolerance) <= 1.0:
         return best
     for orders in range(max(map(ORDERS.index, tolerance)), 0, -1):
-        lower = {order: tolerance.get(order) or min(most for name, most in tolerance.items() if ORDERS.index(name) > k)
-                 for k, order in enumerate(ORDERS[:orders])}  # fmt: skip
+        lower = {
+            order: tolerance.get(order) or min(most for name, most in tolerance.items() if ORDERS.index(name) > k)
+            for k, order in enumerate(ORDERS[:orders])
+        }
         other = search_table(tries, lower)
         lost = max(best.share(order) for order in tolerance) >= LOST
         keeps = other.excess(tolerance) * BETTER <= best.excess(tolerance)

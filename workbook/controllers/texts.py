@@ -145,8 +145,10 @@ def numbers(text: str, widths: Sequence[int], counted: bool = False) -> list[lis
     rows = [row(n, line, separator, decimals) for n, line in lines]
     for n, line in lines if separator == "," else ():
         if any(ZEROS.fullmatch(field.strip()) for field in line.split(",")):
-            raise TargetError(f"line {n}: {line[:40]!r}; a comma parts the columns and is the decimal sign, it seems: "
-                              "expected two signs")  # fmt: skip
+            raise TargetError(
+                f"line {n}: {line[:40]!r}; a comma parts the columns and is the decimal sign, it seems: "
+                "expected two signs"
+            )
     if rows and len(rows[0]) not in widths:
         expected = " or ".join(map(str, widths))
         raise TargetError(f"line {lines[0][0]}: {len(rows[0])} columns; expected {expected}")

@@ -165,15 +165,25 @@ class ModelWalk:
         meaning = meaning or (doc_line(table) if table else list_meaning(path))
         more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
         default = None if field.is_required() else field.get_default(call_default_factory=True)
-        rows = [self._key(join(f"{path}.*", name), field, of, first_value(default, name))
-                for name, field in (table.model_fields.items() if table else ())]  # fmt: skip
+        rows = [
+            self._key(join(f"{path}.*", name), field, of, first_value(default, name))
+            for name, field in (table.model_fields.items() if table else ())
+        ]
         unit = cell.unit if cell else str(more.get("unit", ""))
         shown = listed_in if listed_in is not None else self._example(path, of)
         shown = field.examples[0] if shown is None and field.examples else shown
         if shown is None and default in (None, "", []):
             raise LookupError(f"{path}{of and f' of a {of}'} has no example: its field has none, nor a committed file")
-        return Key(path, meaning[:1].upper() + meaning[1:], unit, expectation(kind, constraints),
-                   field.is_required() or path == "template", default, shown, tuple(rows))  # fmt: skip
+        return Key(
+            path,
+            meaning[:1].upper() + meaning[1:],
+            unit,
+            expectation(kind, constraints),
+            field.is_required() or path == "template",
+            default,
+            shown,
+            tuple(rows),
+        )
 
     def _of_law(self, path: str) -> Quantity | None:
         """Return a cell for an entry of a family of laws that the committed description has no law of."""

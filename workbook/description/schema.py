@@ -161,9 +161,13 @@ def key_lines(path: str, keys: Iterable[Key]) -> Iterator[tuple[str, ...]]:
         example = "" if key.rows or key.example is None else code(toml(key.example))
         default = default_of(key)
         yield (
-            code(shown), plain(key.meaning), plain(key.unit), plain(key.expected),
-            code(default) if default not in ("", "none") and not key.rows else default, example,
-        )  # fmt: skip
+            code(shown),
+            plain(key.meaning),
+            plain(key.unit),
+            plain(key.expected),
+            code(default) if default not in ("", "none") and not key.rows else default,
+            example,
+        )
         yield from key_lines(path, key.rows)
 
 

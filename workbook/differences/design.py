@@ -108,8 +108,10 @@ def rows_of(block: Block, axis: str) -> list[str]:
     named = next((q for q in block.quantities if q.name in NAMES), None)
     names = as_rows(named.value, block.size, block.name) if named else [None] * block.size
     counts = Counter(names)
-    return [name if isinstance(name, str) and name and counts[name] == 1 else f"{axis} row {number}".lstrip()
-            for number, name in enumerate(names, 1)]  # fmt: skip
+    return [
+        name if isinstance(name, str) and name and counts[name] == 1 else f"{axis} row {number}".lstrip()
+        for number, name in enumerate(names, 1)
+    ]
 
 
 def read_design(path: Path) -> Design:
@@ -177,9 +179,12 @@ class Differences:
 def compare(old: Design, new: Design) -> Differences:
     """Return the differences of two designs of the same template."""
     return Differences(
-        changes(old.entries(), new.entries()), changes(old.results(), new.results()),
-        changes(old.checks(), new.checks()), one_sided(old.edited, new.edited), one_sided(old.own, new.own),
-    )  # fmt: skip
+        changes(old.entries(), new.entries()),
+        changes(old.results(), new.results()),
+        changes(old.checks(), new.checks()),
+        one_sided(old.edited, new.edited),
+        one_sided(old.own, new.own),
+    )
 
 
 def one_sided(old: list[str], new: list[str]) -> dict[str, list[str]]:

@@ -14,13 +14,72 @@ from workbook.dimensions.units import NONE, Dimension, dimension_of, dimension_t
 from workbook.reading.contents import Contents
 
 # functions whose arguments, and result, have the same dimension
-LIKE = frozenset(["ABS", "AVERAGE", "CEILING", "FLOOR", "IFERROR", "IFNA", "INT", "LARGE", "MAX", "MEDIAN", "MIN",
-    "MOD", "MROUND", "N", "SMALL", "STDEV", "SUM", "TRUNC"])  # fmt: skip
+LIKE = frozenset(
+    [
+        "ABS",
+        "AVERAGE",
+        "CEILING",
+        "FLOOR",
+        "IFERROR",
+        "IFNA",
+        "INT",
+        "LARGE",
+        "MAX",
+        "MEDIAN",
+        "MIN",
+        "MOD",
+        "MROUND",
+        "N",
+        "SMALL",
+        "STDEV",
+        "SUM",
+        "TRUNC",
+    ]
+)
 FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])  # those whose result has that of the first
-NUMBERS = frozenset(["ACOS", "ACOSH", "ASIN", "ASINH", "ATAN", "ATANH", "COS", "COSH", "DEGREES", "EXP", "LN", "LOG",
-    "LOG10", "RADIANS", "SIN", "SINH", "TAN", "TANH"])  # functions of numbers and angles  # fmt: skip
-COUNTS = frozenset(["AND", "COUNT", "COUNTA", "COUNTIF", "COLUMN", "COLUMNS", "FALSE", "ISBLANK", "ISERROR", "ISNUMBER",
-    "MATCH", "NOT", "OR", "ROW", "ROWS", "SIGN", "TRUE"])  # fmt: skip
+NUMBERS = frozenset(
+    [
+        "ACOS",
+        "ACOSH",
+        "ASIN",
+        "ASINH",
+        "ATAN",
+        "ATANH",
+        "COS",
+        "COSH",
+        "DEGREES",
+        "EXP",
+        "LN",
+        "LOG",
+        "LOG10",
+        "RADIANS",
+        "SIN",
+        "SINH",
+        "TAN",
+        "TANH",
+    ]
+)  # functions of numbers and angles
+COUNTS = frozenset(
+    [
+        "AND",
+        "COUNT",
+        "COUNTA",
+        "COUNTIF",
+        "COLUMN",
+        "COLUMNS",
+        "FALSE",
+        "ISBLANK",
+        "ISERROR",
+        "ISNUMBER",
+        "MATCH",
+        "NOT",
+        "OR",
+        "ROW",
+        "ROWS",
+        "SIGN",
+        "TRUE",
+    ]
+)
 COMPUTED = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow}
 
 

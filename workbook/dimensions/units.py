@@ -77,6 +77,10 @@ def powers(dimension: Dimension) -> dict[str, float]:
 def dimension_text(dimension: Dimension) -> str:
     """Return a dimension as a product of SI units, such as ``kg·m^2/s^3``."""
     there = [(unit, powers(dimension).get(name, 0.0)) for name, unit in BASE.items()]
-    above, below = ("·".join(unit + (f"^{sign * power:g}" if sign * power != 1 else "")
-                             for unit, power in there if sign * power > 0) for sign in (1, -1))  # fmt: skip
+    above, below = (
+        "·".join(
+            unit + (f"^{sign * power:g}" if sign * power != 1 else "") for unit, power in there if sign * power > 0
+        )
+        for sign in (1, -1)
+    )
     return f"{above or 1}/{below}" if below else above or "a number"

@@ -55,12 +55,16 @@ class RotatingParts(Model):
 
 
 SIZED = RowRule(
-    "sized", 'OR([used]=0,[inertia]<>"",COUNT([diameter],[length],[density])=3)', "inertia",
+    "sized",
+    'OR([used]=0,[inertia]<>"",COUNT([diameter],[length],[density])=3)',
+    "inertia",
     "neither an inertia nor a cylinder's diameter, length and density: inertia",
-)  # fmt: skip
+)
 ALONE = RowRule(
-    "alone", 'OR([inertia]="",COUNT([diameter],[length],[density],[bore])=0)', "inertia",
+    "alone",
+    'OR([inertia]="",COUNT([diameter],[length],[density],[bore])=0)',
+    "inertia",
     "both an inertia and a cylinder: inertia",
-)  # fmt: skip
+)
 BORED = RowRule("bored", "OR([bore]+0=0,[bore]+0<[diameter]+0)", "bore", "bore, not less than the diameter")
 GEARED = RowRule("geared", "COUNT([driver],[driven])<>1", "driver", "teeth of one gear alone, of the driver")

@@ -119,9 +119,22 @@ def measured(unit: str, length: float) -> Abscissa:
     """Return the abscissa of a cycle of a length in a unit."""
     (after, symbol, name), timed = NAMED[unit], unit == "s"
     abscissa = Abscissa(
-        unit, after, symbol, name, "one cycle", "cycle", "t" if timed else "δ", "angle of a turn a cycle",
-        "A turn a cycle", "of the cycle", "time", "0.0####", length, measured=True, timed=timed,
-    )  # fmt: skip
+        unit,
+        after,
+        symbol,
+        name,
+        "one cycle",
+        "cycle",
+        "t" if timed else "δ",
+        "angle of a turn a cycle",
+        "A turn a cycle",
+        "of the cycle",
+        "time",
+        "0.0####",
+        length,
+        measured=True,
+        timed=timed,
+    )
     return abscissa if timed else replace(abscissa, symbols=BY_X, extremes=(*BY_X[1:], BY_X[2]))
 
 

@@ -29,8 +29,10 @@ def one_line(text: str) -> str:
         number = ord(character)  # of some it is none of a character (Unicode 15, 23.7)
         none = number & 0xFFFE == 0xFFFE or 0xFDD0 <= number <= 0xFDEF
         if none or category(character) in ("Cc", "Cs", "Zl", "Zp"):
-            raise EntryError("", f"holds the character U+{number:04X}; expected a text in one line, "
-                                 "of characters that a cell can show")  # fmt: skip
+            raise EntryError(
+                "",
+                f"holds the character U+{number:04X}; expected a text in one line, of characters that a cell can show",
+            )
     if ERROR.fullmatch(text):
         raise EntryError("", f"{text!r} reads as an error value; expected a text")
     return text

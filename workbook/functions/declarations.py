@@ -62,7 +62,11 @@ def with_law_texts(texts: Sequence[str]) -> Text:
     return Text(*languages)
 
 
-ARGUMENTS = {name: Argument(row["kind"], Text(*row["name"]), with_law_texts(row["help"]), row.get("optional", False))
-             for name, row in TEXTS["arguments"].items()}  # fmt: skip
-FUNCTIONS = [Function(key, with_law_texts(entry["help"]), [ARGUMENTS[name] for name in entry["arguments"]])
-             for key, entry in TEXTS["functions"].items()]  # fmt: skip
+ARGUMENTS = {
+    name: Argument(row["kind"], Text(*row["name"]), with_law_texts(row["help"]), row.get("optional", False))
+    for name, row in TEXTS["arguments"].items()
+}
+FUNCTIONS = [
+    Function(key, with_law_texts(entry["help"]), [ARGUMENTS[name] for name in entry["arguments"]])
+    for key, entry in TEXTS["functions"].items()
+]

@@ -213,10 +213,22 @@ def tables() -> dict[str, str]:
         "delivered": by_law(lambda law: array(law.delivered) if law.delivered else "", "0", OWN=array(OWN[0])),
         "count": by_law(lambda law: str(len(law.delivered)), "#VALUE!"),
         "fits": by_law(domain_condition, "FALSE"),
-        "built": by_law(lambda law: stages.format(str(law.straight).upper()) if law.stages else
-                        polynomial_formula(law) if law.half else pieces_formula(law), "#VALUE!", OWN="_MOTION.FULL(p)"),
-        "seven": by_law(lambda law: of_parameters(law.stages, lambda d: f"VSTACK({spelled(*d)})") if law.stages else "",
-                        "#VALUE!"),
-        "meets": by_law(lambda law: f"IF(INDEX(p, 1) = 1 / 2, {len(law.half) // 2}, 0)" if law.half else
-                        "1" if law.stages else "0", "0"),
-    }  # fmt: skip
+        "built": by_law(
+            lambda law: (
+                stages.format(str(law.straight).upper())
+                if law.stages
+                else polynomial_formula(law)
+                if law.half
+                else pieces_formula(law)
+            ),
+            "#VALUE!",
+            OWN="_MOTION.FULL(p)",
+        ),
+        "seven": by_law(
+            lambda law: of_parameters(law.stages, lambda d: f"VSTACK({spelled(*d)})") if law.stages else "", "#VALUE!"
+        ),
+        "meets": by_law(
+            lambda law: f"IF(INDEX(p, 1) = 1 / 2, {len(law.half) // 2}, 0)" if law.half else "1" if law.stages else "0",
+            "0",
+        ),
+    }

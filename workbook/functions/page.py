@@ -34,8 +34,11 @@ else:
     LawCode = Annotated[Literal[CODES], BeforeValidator(as_listed)]  # a law that the functions know
     RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]  # or what prescribes a velocity
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
-RANGES = {code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]" for code, page in FAMILY.items()  # of laws' parameters
-          if code in TAKES and (names := [parameter.column for parameter in page.parameters])}  # fmt: skip
+RANGES = {
+    code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]"
+    for code, page in FAMILY.items()  # of laws' parameters
+    if code in TAKES and (names := [parameter.column for parameter in page.parameters])
+}
 RANGES["OWN"] = "[OWN.duration.first]:[OWN.phase.last]"
 CHOSEN = "".join(f'IF({LAW}="{code}",{cells},' for code, cells in RANGES.items())
 P = f"{CHOSEN}0{''.join(')' for _ in RANGES)}"
@@ -175,11 +178,13 @@ def functions(sheet: Sheet, shown: PageInputs) -> None:
     formulas = [f"={f.name}({','.join(ARGUMENTS[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
     sheet.heading("The functions, each computed for these entries")
     sheet.table(
-        "functions", "In Excel, a range of ξ, s or x gives as many results", len(FUNCTIONS),
+        "functions",
+        "In Excel, a range of ξ, s or x gives as many results",
+        len(FUNCTIONS),
         constant("call", "function", "", "", calls, align="left"),
         result("gives", "result", "", "", formulas, results(shown), format="0.000000"),
         constant("about", "what it gives", "", "", [f.help.en for f in FUNCTIONS], align="left"),
-    ).quiet = QUIET  # fmt: skip
+    ).quiet = QUIET
 
 
 def results(shown: PageInputs) -> list[Any]:
@@ -219,11 +224,13 @@ def motion(sheet: Sheet, shown: PageInputs) -> None:
     sheet.note("prescribes these between two curved phases, or where the motion begins or ends.")
     sheet.note("OWN takes its pieces side by side, each as in its table above; a wider table has room for more.")
     sheet.table(
-        "phases", "Phases", rows,
+        "phases",
+        "Phases",
+        rows,
         given("law", "law", "", "", filled([p.law for p in phases], rows, None), "phases.*.law", align="center"),
         *(entry(name, name, [getattr(p, name) for p in phases], name) for name in ("duration", "lift")),
         *(entry(f"p{i}", f"parameter {i}", values, "p.*") for i, values in enumerate(zip(*p, strict=True), 1)),
-    )  # fmt: skip
+    )
     sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=13)
 
 
@@ -235,10 +242,17 @@ def sums(sheet: Sheet, shown: PageInputs) -> None:
         ("profile", shown.profile, (("value", "value", "", "value"), ("span", "duration", "t", "duration"))),
     )
     for table, rows, columns in tables:
-        sheet.table(table, table.capitalize(), len(rows), *(
-            given(name, words, symbol, "", [getattr(row, key) for row in rows], f"{table}.*.{key}", format="General")
-            for name, words, symbol, key in columns
-        ))  # fmt: skip
+        sheet.table(
+            table,
+            table.capitalize(),
+            len(rows),
+            *(
+                given(
+                    name, words, symbol, "", [getattr(row, key) for row in rows], f"{table}.*.{key}", format="General"
+                )
+                for name, words, symbol, key in columns
+            ),
+        )
 
 
 def samples(sheet: Sheet, shown: PageInputs) -> None:
@@ -246,18 +260,33 @@ def samples(sheet: Sheet, shown: PageInputs) -> None:
     arguments: dict[str, Argument] = {a.name.en: a for f in FUNCTIONS for a in f.arguments}
     sheet.heading("The arguments")
     sheet.table(
-        "arguments", "Bad arguments give the error values of built-in functions: #VALUE!, #NUM!", len(arguments),
+        "arguments",
+        "Bad arguments give the error values of built-in functions: #VALUE!, #NUM!",
+        len(arguments),
         constant("argument", "argument", "", "", list(arguments), align="left"),
         constant("takes", "what it takes", "", "", [a.help.en for a in arguments.values()], align="left"),
-    )  # fmt: skip
+    )
     sheet.heading("The sampled law and the sampled motion")
     xi, x = np.arange(LAW_STEPS + 1) / LAW_STEPS, np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
-    sheet.table("law", "The law", LAW_STEPS + 1, calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", xi),
-        *(result(name, words, name, "", f"=MOTION.{name.upper()}({LAW},[xi],{P})", values)
-          for (name, words), values in zip(DERIVATIVES.items(), shown.chosen_law.evaluate(xi), strict=True)),
-        constant("k", "sample", "k", "", list(range(LAW_STEPS + 1)))).quiet = QUIET  # fmt: skip
-    sheet.table("motion", "The motion", MOTION_STEPS + 1,
+    sheet.table(
+        "law",
+        "The law",
+        LAW_STEPS + 1,
+        calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", xi),
+        *(
+            result(name, words, name, "", f"=MOTION.{name.upper()}({LAW},[xi],{P})", values)
+            for (name, words), values in zip(DERIVATIVES.items(), shown.chosen_law.evaluate(xi), strict=True)
+        ),
+        constant("k", "sample", "k", "", list(range(LAW_STEPS + 1))),
+    ).quiet = QUIET
+    sheet.table(
+        "motion",
+        "The motion",
+        MOTION_STEPS + 1,
         calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", x),
-        *(result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
-          for (name, words, symbol, key), values in zip(RATES, shown.motion.at(x)[:3], strict=True)),
-        constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1)))).quiet = QUIET  # fmt: skip
+        *(
+            result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
+            for (name, words, symbol, key), values in zip(RATES, shown.motion.at(x)[:3], strict=True)
+        ),
+        constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1))),
+    ).quiet = QUIET

@@ -185,9 +185,11 @@ def hidden(path: Path) -> bool:
 
 
 def verify_many(
-    targets: Sequence[Target], witnesses: Sequence[str] = ("pycel",), pool: Pool = THIS_PROCESS,
+    targets: Sequence[Target],
+    witnesses: Sequence[str] = ("pycel",),
+    pool: Pool = THIS_PROCESS,
     done: Callable[[Outcome], object] = lambda outcome: None,
-) -> list[Outcome]:  # fmt: skip
+) -> list[Outcome]:
     """Verify workbooks by a pool, once more by a fresh pool where a worker dies; call ``done`` as each is finished."""
     outcomes: dict[Target, Outcome] = {}
 

@@ -50,20 +50,30 @@ def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> 
             ours for ours, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(ours))
         )
         words, held = {text.text for text in declared.texts}, list(read_charts(match, sheet.title))
-        texts = [a.a1 for a, content in match.file.contents.constants.items()
-                 if a.sheet == sheet.title and a not in match.numbers and content not in words]  # fmt: skip
+        texts = [
+            a.a1
+            for a, content in match.file.contents.constants.items()
+            if a.sheet == sheet.title and a not in match.numbers and content not in words
+        ]
         notes = [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment]
         ours_drawn = {id(chart) for *_, chart in pair_charts(match, declared, held)}
         charts = [chart.at.a1 for chart in held if id(chart) not in ours_drawn]
         formats = [str(a.sqref) for a in sheet.conditional_formatting if {id(rule) for rule in a.rules} - known_rules]
-        for what, cells in (("texts and numbers", texts), ("notes", notes), ("charts", charts),
-                            ("conditional formats", formats)):  # fmt: skip
+        for what, cells in (
+            ("texts and numbers", texts),
+            ("notes", notes),
+            ("charts", charts),
+            ("conditional formats", formats),
+        ):
             if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:
                 lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
     if left := [name.name for name in own_names(match) if name not in own.names]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
-    lines += [f"charts and pictures of the sheet {sheet.title!r} are not carried over" for sheet in own.sheets
-              if match.file.inspected and match.file.inspected.drawings.get(sheet.title)]  # fmt: skip
+    lines += [
+        f"charts and pictures of the sheet {sheet.title!r} are not carried over"
+        for sheet in own.sheets
+        if match.file.inspected and match.file.inspected.drawings.get(sheet.title)
+    ]
     counts = match.file.inspected.drawn if match.file.inspected else {}
     lines += [f"{what} are not carried over: {count} in all" for what, count in counts.items() if count]
     return lines
@@ -75,14 +85,22 @@ def find_additions(match: Match, fresh: Book) -> Additions:
     ours = {pair.address.sheet for pair in match.pairs}
     own = [sheet for sheet in file.workbook.worksheets if sheet.title not in ours | {s.title for s in fresh.sheets}]
     lies = {name: place[:4] for name, place in file.places.items()}
-    steady = {sheet.title for sheet in fresh.sheets
-              if all(lies.get(b.name) == (sheet.title, b.row, b.column, b.size) for b in sheet.blocks)}  # fmt: skip
+    steady = {
+        sheet.title
+        for sheet in fresh.sheets
+        if all(lies.get(b.name) == (sheet.title, b.row, b.column, b.size) for b in sheet.blocks)
+    }
     known = steady | {sheet.title for sheet in own}
     taken = {(a.sheet, a.row, a.column) for a in match.numbers}
     taken |= {(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
     taken |= {(sheet.title, text.row, text.column) for sheet in fresh.sheets for text in sheet.texts if text.text}
-    cells = [cell for sheet in file.workbook.worksheets if sheet.title in known for cell in sheet._cells.values()
-             if isinstance(cell, Cell)]  # fmt: skip
+    cells = [
+        cell
+        for sheet in file.workbook.worksheets
+        if sheet.title in known
+        for cell in sheet._cells.values()
+        if isinstance(cell, Cell)
+    ]
     free = [cell for cell in cells if (cell.parent.title, cell.row, cell.column) not in taken]
     held = [(cell, content) for cell in free if (content := carried_content(file.contents, cell, known)) is not None]
     notes = [cell for cell in cells if cell.comment is not None]

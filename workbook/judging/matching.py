@@ -186,8 +186,14 @@ class Match:
         for block in self.declared.blocks.values():
             place = self.file.places.get(block.name) if block.is_table else None
             names = {text for line in self._heading(block) for text in line if text} if place else set()
-            held = {up: {text for text in self._line_held(place, up) if isinstance(text, str)}
-                    for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))} if place else {}  # fmt: skip
+            held = (
+                {
+                    up: {text for text in self._line_held(place, up) if isinstance(text, str)}
+                    for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))
+                }
+                if place
+                else {}
+            )
             if names and not any(held.get(up) for up in HEAD) and not any(names & texts for texts in held.values()):
                 headless.add(block.name)
         return headless

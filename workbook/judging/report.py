@@ -157,9 +157,15 @@ class Report:
         return any(f.kind == "witness" and f.cell == ran.name for f in self.findings)
 
     def add(
-        self, pair: Pair, kind: str, computed: Any, expected: Any, deviation: float = math.inf, by: str = "",
+        self,
+        pair: Pair,
+        kind: str,
+        computed: Any,
+        expected: Any,
+        deviation: float = math.inf,
+        by: str = "",
         why: str = "",
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Enter a finding on a declared cell."""
         at = pair.address
         self.findings.append(Finding(at.sheet, at.a1, kind, computed, expected, pair.what, deviation, by, why))

@@ -63,9 +63,43 @@ def holds_declared(held: Any, content: Any) -> bool:
     return type(held) is type(content) and bool(held == content)
 
 
-ALLOWED = frozenset(["IF", "AND", "OR", "NOT", "MIN", "MAX", "ABS", "SIGN", "SQRT", "SIN", "COS", "TAN", "ATAN2", "PI",
-    "EXP", "LN", "LOG10", "POWER", "INT", "ROUND", "SUM", "SUMPRODUCT", "AVERAGE", "COUNT", "COUNTIF", "INDEX", "MATCH",
-    "CHOOSE", "LARGE", "SMALL", "ISNUMBER", "RADIANS", "DEGREES"])  # fmt: skip
+ALLOWED = frozenset(
+    [
+        "IF",
+        "AND",
+        "OR",
+        "NOT",
+        "MIN",
+        "MAX",
+        "ABS",
+        "SIGN",
+        "SQRT",
+        "SIN",
+        "COS",
+        "TAN",
+        "ATAN2",
+        "PI",
+        "EXP",
+        "LN",
+        "LOG10",
+        "POWER",
+        "INT",
+        "ROUND",
+        "SUM",
+        "SUMPRODUCT",
+        "AVERAGE",
+        "COUNT",
+        "COUNTIF",
+        "INDEX",
+        "MATCH",
+        "CHOOSE",
+        "LARGE",
+        "SMALL",
+        "ISNUMBER",
+        "RADIANS",
+        "DEGREES",
+    ]
+)
 VOLATILE = frozenset(["NOW", "TODAY", "RAND", "RANDBETWEEN", "OFFSET", "INDIRECT", "CELL", "INFO", "RANDARRAY"])
 MOST = 5  # names that a note lists
 COMPUTED = "how the program computes"
@@ -227,8 +261,11 @@ def has_own_heading(match: Match, block: Block, place: Place) -> bool:
     """Whether the heading that is declared for a block is the nearest above it in the file."""
     headings = {text.text: text.row for text in block.sheet.texts if text.style == "heading"}
     above = [(row, text) for text, row in headings.items() if row < block.row]
-    held_texts = ((r, cell.value) for (r, _), cell in match.file.workbook[place.sheet]._cells.items()
-             if r < place.row and isinstance(cell.value, str) and cell.value in headings)  # fmt: skip
+    held_texts = (
+        (r, cell.value)
+        for (r, _), cell in match.file.workbook[place.sheet]._cells.items()
+        if r < place.row and isinstance(cell.value, str) and cell.value in headings
+    )
     return bool(above) and max(held_texts, default=(0, ""))[1] == max(above)[1]
 
 

@@ -68,9 +68,14 @@ def available_witnesses(witnesses: Sequence[str]) -> tuple[list[str], list[str]]
 
 
 def judge(
-    file: BookFile, template: AnyTemplate, machine: Machine, report: Report, witnesses: Sequence[str] = ("pycel",),
-    given: Mapping[Address, Any] = MappingProxyType({}), named: Collection[str] = (),
-) -> None:  # fmt: skip
+    file: BookFile,
+    template: AnyTemplate,
+    machine: Machine,
+    report: Report,
+    witnesses: Sequence[str] = ("pycel",),
+    given: Mapping[Address, Any] = MappingProxyType({}),
+    named: Collection[str] = (),
+) -> None:
     """Enter into ``report`` all findings in ``file``, whose inputs are ``machine``.
 
     ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others any.

@@ -97,8 +97,11 @@ def law_for(turn: int, names: Iterable[str]) -> str:
     return known[turn % len(known)]
 
 
-def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[str, Any]],
-               suited: Callable[[dict[str, Any]], Iterable[str]] = list) -> list[dict[str, Any]]:  # fmt: skip
+def variations(
+    machine: Machine,
+    varied: Callable[[dict[str, Any], int], dict[str, Any]],
+    suited: Callable[[dict[str, Any]], Iterable[str]] = list,
+) -> list[dict[str, Any]]:
     """Return six variations of a machine's description, and of further turns those by which a law has its first turn.
 
     ``varied`` makes that of a turn, from 0; ``suited`` returns the laws that can come; LookupError names the rest.
@@ -116,8 +119,11 @@ def variations(machine: Machine, varied: Callable[[dict[str, Any], int], dict[st
     raise LookupError(f"no variation of {machine.template} ever has the law {', '.join(sorted(missing))}")
 
 
-def varying(model: type[M], varied: Callable[[dict[str, Any], int], dict[str, Any]],
-            suited: Callable[[dict[str, Any]], Iterable[str]] = list) -> Callable[[M], list[M]]:  # fmt: skip
+def varying(
+    model: type[M],
+    varied: Callable[[dict[str, Any], int], dict[str, Any]],
+    suited: Callable[[dict[str, Any]], Iterable[str]] = list,
+) -> Callable[[M], list[M]]:
     """Return a function from a machine to its :func:`variations`, as models of the same layout."""
     return lambda machine: [model.model_validate(data) for data in variations(machine, varied, suited)]
 

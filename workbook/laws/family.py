@@ -165,10 +165,14 @@ class Page:
         s = amount("[@samples.s.last]", end.s, "s(1) = ", ", ")
         v = amount("[@samples.v.last]", end.v, "v(1) = ", "")
         return [
-            *(check(each.name, f"{name}: {each.label}", each.condition, True, "", f"{named.key}:{each.rule}", each.says)
-              for each in self.checks),
+            *(
+                check(
+                    each.name, f"{name}: {each.label}", each.condition, True, "", f"{named.key}:{each.rule}", each.says
+                )
+                for each in self.checks
+            ),
             check("@ends", ends, RESTS if self.rests else REACHES, True, says=s.then(v)),
-        ]  # fmt: skip
+        ]
 
     def variation(self, k: int, room: int) -> dict[str, Any]:
         """Return the ``k``-th of other parameters, round and round; ``room`` is the rows of the own law's table."""
@@ -231,10 +235,12 @@ POLYNOMIAL = "=IF(ABS(@share-1/2)<1E-12,{},0)"
 LEAST_STAGE = 1e-4
 """of the rise: from there on cells and engine agree to 1e-9; below it, differences of shares lose the digits"""
 BRIEF = LawCheck(
-    "@brief", "each stage lasts, or is none",
-    "SUMPRODUCT(([@pieces.d]>break_eps)*([@pieces.d]<stage_least))=0", "brief",
+    "@brief",
+    "each stage lasts, or is none",
+    "SUMPRODUCT(([@pieces.d]>break_eps)*([@pieces.d]<stage_least))=0",
+    "brief",
     '"a stage lasts less than "&ROUND(stage_least,9)&" of the rise; expected that, or none"',
-)  # fmt: skip
+)
 
 
 def too_brief(durations: Sequence[float], entry: str, fits: Any) -> Iterator[DesignError]:

@@ -35,8 +35,10 @@ def with_laws_by_code(data: dict[str, Any]) -> dict[str, Any]:
             return [renamed(each) for each in entry]
         if not isinstance(entry, Mapping):
             return entry
-        return {key: by_code(each) if key in NAMING and isinstance(each, str) else renamed(each)
-                for key, each in entry.items()}  # fmt: skip
+        return {
+            key: by_code(each) if key in NAMING and isinstance(each, str) else renamed(each)
+            for key, each in entry.items()
+        }
 
     changed = renamed({key: entry for key, entry in data.items() if key != "laws"})
     return {**changed, "laws": {**own, **added}} if own or added else changed

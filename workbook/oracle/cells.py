@@ -107,8 +107,10 @@ def draft(file: BookFile) -> str:
     for cell, name in variable_names(file, outputs, tuple(names.values())).items():
         read = contents.read(list(names), contents.needed(contents.formula_cells, [cell]) | {cell})
         needed = ", ".join(name for cell, name in names.items() if cell in read)
-        lines += [f"\n\n@book.output({str(cell)!r}, unit={unit_of(file, cell)!r}, source='')\n",
-                  f"def {name}({needed}):\n    raise NotImplementedError({label_of(file, cell)!r})\n"]  # fmt: skip
+        lines += [
+            f"\n\n@book.output({str(cell)!r}, unit={unit_of(file, cell)!r}, source='')\n",
+            f"def {name}({needed}):\n    raise NotImplementedError({label_of(file, cell)!r})\n",
+        ]
     return "".join(lines)
 
 

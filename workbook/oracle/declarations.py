@@ -69,17 +69,26 @@ class Oracle:
     names: dict[str, Input] = field(default_factory=dict)
 
     def input(
-        self, cell: str, unit: str = "", low: float | None = None, high: float | None = None,
-        choices: Sequence[Any] = (), macro: bool = False,
-    ) -> Input:  # fmt: skip
+        self,
+        cell: str,
+        unit: str = "",
+        low: float | None = None,
+        high: float | None = None,
+        choices: Sequence[Any] = (),
+        macro: bool = False,
+    ) -> Input:
         """Declare a cell that is varied; without a range or choices it stays as it is entered."""
         self.inputs.append(Input(cell, unit, low, high, choices, macro))
         return self.inputs[-1]
 
     def output(
-        self, cell: str, unit: str = "", tolerance: float = 1e-9, source: str = "",
+        self,
+        cell: str,
+        unit: str = "",
+        tolerance: float = 1e-9,
+        source: str = "",
         inputs: Sequence[Input] | None = None,
-    ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:  # fmt: skip
+    ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
         """Declare the decorated function as what gives a cell's value of ``inputs``, to a relative ``tolerance``."""
 
         def declare(of: Callable[..., Any]) -> Callable[..., Any]:

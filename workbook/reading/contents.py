@@ -162,8 +162,11 @@ def name_texts(workbook: Workbook) -> dict[tuple[str | None, str], str]:
     """Return the texts of all defined names by sheet (None for the workbook's) and name, case-folded."""
     scopes: dict[str | None, Mapping[str, DefinedName]] = {None: workbook.defined_names}
     scopes |= {sheet.title.casefold(): sheet.defined_names for sheet in workbook.worksheets}
-    return {(scope, name.casefold()): str(defined.attr_text).removeprefix("=")
-            for scope, names in scopes.items() for name, defined in names.items()}  # fmt: skip
+    return {
+        (scope, name.casefold()): str(defined.attr_text).removeprefix("=")
+        for scope, names in scopes.items()
+        for name, defined in names.items()
+    }
 
 
 def plain_value(value: Any, epoch: datetime = WINDOWS_EPOCH) -> Any:

@@ -68,9 +68,13 @@ class Entries:
                 [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
             )
         if self.gone:
-            raise InputError([f"{self.file.path.name}: {sheet}: a column is gone before column {get_column_letter(n)}, "
-                              f"and what was entered in {', '.join(what)}; undo that, or take it from a copy"
-                              for (sheet, n), what in self.gone.items()])  # fmt: skip
+            raise InputError(
+                [
+                    f"{self.file.path.name}: {sheet}: a column is gone before column {get_column_letter(n)}, "
+                    f"and what was entered in {', '.join(what)}; undo that, or take it from a copy"
+                    for (sheet, n), what in self.gone.items()
+                ]
+            )
         if self.disputed:
             raise InputError(self.disputed)
         if self._between and not self._lost():
@@ -79,11 +83,17 @@ class Entries:
         try:
             machine = validated(self.template, data, lambda key: self._where(cell_key(key, named)))
         except InputError as refused:
-            moved = [f"{self.file.path.name}: {move.sheet}!{move.cell}: {move.computed}; {move.expected}"
-                     for move in self.moved if move.kind == "notice"]  # fmt: skip
+            moved = [
+                f"{self.file.path.name}: {move.sheet}!{move.cell}: {move.computed}; {move.expected}"
+                for move in self.moved
+                if move.kind == "notice"
+            ]
             raise InputError(self._lost() or moved[:1] or refused.lines) from None
-        built = {name: text for name, place in self.file.places.items()  # what laws and axes were called
-                 if name.endswith("_built") and isinstance(text := self.file.value(place.cell(0, 0)), str)}  # fmt: skip
+        built = {
+            name: text
+            for name, place in self.file.places.items()  # what laws and axes were called
+            if name.endswith("_built") and isinstance(text := self.file.value(place.cell(0, 0)), str)
+        }
         machine.laws.built_as({name: built[f"{key}_built"] for name, key in named.items() if f"{key}_built" in built})
         machine.built_as(built)
         return machine
@@ -95,9 +105,11 @@ class Entries:
         for table, fit in self.file.fits.items():
             for row, _ in fit.lost:
                 tables.setdefault((fit.place.sheet, row), []).append(table)
-        return [f"{self.file.path.name}: {sheet}: above row {row}, a row is gone from the "
-                f"table{'s' if len(torn) > 1 else ''} {', '.join(torn)}, {what}"
-                for (sheet, row), torn in tables.items()]  # fmt: skip
+        return [
+            f"{self.file.path.name}: {sheet}: above row {row}, a row is gone from the "
+            f"table{'s' if len(torn) > 1 else ''} {', '.join(torn)}, {what}"
+            for (sheet, row), torn in tables.items()
+        ]
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
         """Return the entries with the book's own laws by their names, and for each of these names its key."""
@@ -156,8 +168,11 @@ class Entries:
                 if value is not None or "*" in q.key or key[-1].isdigit():
                     put(self.data, split(key), MISSING if value is None else value)
             if any(value is not None for value in rows[i]) or "*" not in inputs[0][1].key:
-                self._emptied += [q.key.replace("*", str(i)) for (_, q), value in zip(inputs, rows[i], strict=True)
-                                  if value is None and self._must_be_there(q.key)]  # fmt: skip
+                self._emptied += [
+                    q.key.replace("*", str(i))
+                    for (_, q), value in zip(inputs, rows[i], strict=True)
+                    if value is None and self._must_be_there(q.key)
+                ]
             else:
                 where = f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1}"
                 text = f"of the table {block.name}, but below it; fill it, or move up what is below"

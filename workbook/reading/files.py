@@ -171,16 +171,20 @@ def require_narrow(file: BookFile) -> None:
     """Raise ReadError, in a line, where it would be much work to tell what the formulas of a file depend on."""
     read = sum(len(area.columns) * times for area, times in areas_read(file.contents.patterns))
     if read > MOST_COLUMNS:
-        raise ReadError(f"{file.path}: its formulas read {read:,} columns together; at most {MOST_COLUMNS:,} are "
-                        "expected: make their ranges narrower")  # fmt: skip
+        raise ReadError(
+            f"{file.path}: its formulas read {read:,} columns together; at most {MOST_COLUMNS:,} are "
+            "expected: make their ranges narrower"
+        )
 
 
 def require_little_work(file: BookFile, path: Path) -> None:
     """Raise ReadError where formulas of ``file``, the copy of ``path`` that is evaluated, read more than any book's."""
     read = cells_read(file.contents.patterns)
     if read > MOST_READ:
-        raise ReadError(f"{path}: its formulas read {read:,} cells together; at most {MOST_READ:,} are expected: "
-                        "shorten their ranges")  # fmt: skip
+        raise ReadError(
+            f"{path}: its formulas read {read:,} cells together; at most {MOST_READ:,} are expected: "
+            "shorten their ranges"
+        )
 
 
 def cells_read(formulas: Patterns) -> int:

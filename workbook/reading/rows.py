@@ -22,9 +22,16 @@ PLACED = frozenset({"r", "spans"})  # attributes of a row that say nothing of it
 FORMULA, VALUE = f"{MAIN}f", f"{MAIN}v"
 USUAL = frozenset({FORMULA, VALUE})  # what nearly all cells hold
 FREE = frozenset({f"{MAIN}extLst", f"{MAIN}rPr"})  # what stands in these is no part of a text
-WITHIN = {f"{MAIN}{name}": {f"{MAIN}{name}" for name in held.split()} for name, held in {
-    "row": "c extLst", "c": "f v is extLst", "is": "t r rPh phoneticPr", "r": "rPr t", "rPh": "t",
-}.items()}  # fmt: skip
+WITHIN = {
+    f"{MAIN}{name}": {f"{MAIN}{name}" for name in held.split()}
+    for name, held in {
+        "row": "c extLst",
+        "c": "f v is extLst",
+        "is": "t r rPh phoneticPr",
+        "r": "rPr t",
+        "rPh": "t",
+    }.items()
+}
 """what the elements of a row may hold; all others hold a text"""
 IN = {"row": "in a row", "c": "in a cell"}
 WRITTEN = {"n": re.compile(r"\s*+[+-]?(?:[0-9]++\.?[0-9]*+|\.[0-9]++)(?:[eE][+-]?[0-9]++)?\s*+"),
@@ -78,8 +85,10 @@ class Totals:
         self.filled, self.places = self.filled + cells, self.places + places
         for reached, most in ((self.places, MOST_PLACES), (self.filled, MOST_CELLS)):
             if reached > most:
-                raise Refusal(f"its cells reach over {reached:,} places; at most {most:,} are expected, "
-                              "and one that lies far from the others counts all between")  # fmt: skip
+                raise Refusal(
+                    f"its cells reach over {reached:,} places; at most {most:,} are expected, "
+                    "and one that lies far from the others counts all between"
+                )
 
     def formula(self, length: int) -> None:
         """Count the characters of a formula."""

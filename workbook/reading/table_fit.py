@@ -147,14 +147,18 @@ def holds_formula(file: BookFile, address: Address) -> bool:
 
 def matched_columns(file: BookFile, block: Block, place: Place) -> list[int | None]:
     """Return for each declared column its number in the place, None where it is gone; their order stays."""
-    names = {column: {t.text for t in block.sheet.texts if t.column == column and 0 < block.row - t.row <= 4 and t.text}
-             for column in block.columns.values()}  # fmt: skip
+    names = {
+        column: {t.text for t in block.sheet.texts if t.column == column and 0 < block.row - t.row <= 4 and t.text}
+        for column in block.columns.values()
+    }
     ups = range(1, min(HEADER, place.row))
     cells = [[Address(place.sheet, place.row - up, place.column + c) for up in ups] for c in range(place.columns)]
     above = [{text for text in map(file.value, column) if isinstance(text, str)} for column in cells]
     rows = range(place.row, place.row + min(place.rows, LOOKED_AT))
-    kinds = [sum(holds_formula(file, Address(place.sheet, row, place.column + c)) for row in rows) / len(rows)
-             for c in range(place.columns)]  # the share of formulas in each column  # fmt: skip
+    kinds = [
+        sum(holds_formula(file, Address(place.sheet, row, place.column + c)) for row in rows) / len(rows)
+        for c in range(place.columns)
+    ]  # the share of formulas in each column
     likes = [
         [2 * len(names[column] & above[c]) + 1 - abs((q.formula is not None) - share) for c, share in enumerate(kinds)]
         for q, column in zip(block.quantities, block.columns.values(), strict=True)

@@ -29,8 +29,10 @@ def percent(share: float) -> str:
 def excess(certified: CertifiedTable, tolerance: Mapping[str, float]) -> str:
     """Return in words by how much a table misses what is tolerated."""
     missed = {order: certified.share(order) for order, most in tolerance.items() if certified.share(order) > most}
-    parts = [f"{WORDS[ORDERS.index(o)]} is off by {percent(share)} of its peak, {percent(tolerance[o])} asked"
-             for o, share in missed.items()]  # fmt: skip
+    parts = [
+        f"{WORDS[ORDERS.index(o)]} is off by {percent(share)} of its peak, {percent(tolerance[o])} asked"
+        for o, share in missed.items()
+    ]
     return f"with {certified.points} points {'; '.join(parts)}"
 
 
@@ -80,14 +82,23 @@ def certificate_data(axis: CamAxis, certified: CertifiedTable, target: Target, p
             figures[word] = {"unit": unit, "largest": error.largest, "share": share, "at": error.x, "peak": error.peak}
             if k < len(of.jumps):
                 figures[word] |= {"jump": of.jumps[k], "closure": of.closure[k]}
-    return {"axis": axis.name, "target": target.name, "file": path, "points": certified.points, "x_unit": axis.x_unit,
-            "rules": rules, "untested": [claim.what for claim in target.untested]}  # fmt: skip
+    return {
+        "axis": axis.name,
+        "target": target.name,
+        "file": path,
+        "points": certified.points,
+        "x_unit": axis.x_unit,
+        "rules": rules,
+        "untested": [claim.what for claim in target.untested],
+    }
 
 
 def page(
-    axes: Sequence[tuple[CamAxis, CertifiedTable]], target: Target, tolerance: Mapping[str, float],
+    axes: Sequence[tuple[CamAxis, CertifiedTable]],
+    target: Target,
+    tolerance: Mapping[str, float],
     switches: Sequence[Sequence[str]] = (),
-) -> str:  # fmt: skip
+) -> str:
     """Return the page of the axes that were exported to a target, and of its switches, a row of texts each."""
 
     def advice(axis: CamAxis) -> str:
@@ -99,11 +110,24 @@ def page(
 
     title = f"Cam tables for {target.title}"
     claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
-    return document(title, rendered(
-        "reports/cams.html", title=title, version=workbook.__version__, target=target,
-        claims=claims, axes=axes, advice=advice,
-        headings=HEADINGS, rows=rows, placing=placing_line, pictures=pictures, switched=SWITCHED, switches=switches,
-    ))  # fmt: skip
+    return document(
+        title,
+        rendered(
+            "reports/cams.html",
+            title=title,
+            version=workbook.__version__,
+            target=target,
+            claims=claims,
+            axes=axes,
+            advice=advice,
+            headings=HEADINGS,
+            rows=rows,
+            placing=placing_line,
+            pictures=pictures,
+            switched=SWITCHED,
+            switches=switches,
+        ),
+    )
 
 
 def pictures(axis: CamAxis, certified: CertifiedTable, target: Target) -> Iterator[str]:

@@ -49,23 +49,31 @@ def report_data(report: Report) -> dict[str, Any]:
     return {
         "file": str(report.path),
         **{name: getattr(report, name) for name in ("template", "agrees", "declared", "compared")},
-        "checks": {"holds": report.holds, "all": len(report.checks), "failing": [asdict(c) for c in report.failing],
-                   "unfinished": report.unfinished},
+        "checks": {
+            "holds": report.holds,
+            "all": len(report.checks),
+            "failing": [asdict(c) for c in report.failing],
+            "unfinished": report.unfinished,
+        },
         "witnesses": [{name: getattr(ran, name) for name in WITNESS} for ran in report.witnesses],
         "deviations": report.deviations,
-        **{name: [{field: plain(getattr(finding, field)) for field in FINDING} for finding in getattr(report, name)]
-           for name in ("findings", "notices")},
+        **{
+            name: [{field: plain(getattr(finding, field)) for field in FINDING} for finding in getattr(report, name)]
+            for name in ("findings", "notices")
+        },
         "following": len({(f.sheet, f.cell) for f in report.following}),
         "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
         "notes": report.notes,
-    }  # fmt: skip
+    }
 
 
 def show_report(report: Report, console: Console, everything: bool = False) -> None:
     """Print a report: what was compared on each sheet, then the findings, causes first; ``everything`` without end."""
     faults = Counter(f.sheet for f in report.findings)
-    rows = [(sheet, f"{compared:,}", f"{report.deviations.get(sheet, 0.0):.1e}", str(faults[sheet] or "-"))
-            for sheet, compared in report.cells.items()]  # fmt: skip
+    rows = [
+        (sheet, f"{compared:,}", f"{report.deviations.get(sheet, 0.0):.1e}", str(faults[sheet] or "-"))
+        for sheet, compared in report.cells.items()
+    ]
     headings = ("Sheet", "Formula cells", "Largest deviation", "Findings")
     show_table(console, headings, rows, title=shown(str(report.path)))
     if report.findings:
@@ -128,8 +136,10 @@ def differing(held: Any, expected: Any) -> tuple[Any, Any]:
     while begin and WORD.match(held[begin - 1]) and WORD.match(held[begin]):  # not within a name
         begin -= 1
     before, after = "…" if begin else "", "…" if end > AROUND else ""
-    return (f"{before}{held[begin : len(held) - end + AROUND]}{after}",
-            f"{before}{expected[begin : len(expected) - end + AROUND]}{after}")  # fmt: skip
+    return (
+        f"{before}{held[begin : len(held) - end + AROUND]}{after}",
+        f"{before}{expected[begin : len(expected) - end + AROUND]}{after}",
+    )
 
 
 def alike(text: str, other: str) -> int:
@@ -140,8 +150,14 @@ def alike(text: str, other: str) -> int:
 @contextmanager
 def progress(console: Console, words: str, total: int) -> Iterator[Callable[[int, str], None]]:
     """Show a bar, on a terminal only; give a function that takes how many more are done, and the words beside it."""
-    columns = (SpinnerColumn(), TextColumn(words), BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"),
-               TimeRemainingColumn())  # fmt: skip
+    columns = (
+        SpinnerColumn(),
+        TextColumn(words),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("{task.description}"),
+        TimeRemainingColumn(),
+    )
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("", total=total)
         yield lambda count, text: bar.update(task, advance=count, description=escape(visible(text)))

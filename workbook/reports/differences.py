@@ -18,8 +18,13 @@ SAMPLES = 721  # of a diagram
 
 def data(differences: Differences) -> dict[str, Any]:
     """Return all differences as JSON has them."""
-    kinds = {name: [change._asdict() | {"difference": change.difference, "per_cent": change.per_cent}
-                    for change in getattr(differences, name)] for name, _ in KINDS}  # fmt: skip
+    kinds = {
+        name: [
+            change._asdict() | {"difference": change.difference, "per_cent": change.per_cent}
+            for change in getattr(differences, name)
+        ]
+        for name, _ in KINDS
+    }
     return {"same": differences.same, **kinds, "edited": differences.edited, "own": differences.own}
 
 
@@ -55,10 +60,22 @@ def signed(lines: dict[str, list[str]]) -> list[tuple[str, str]]:
 def page(old: Design, new: Design, differences: Differences) -> str:
     """Return the page of all differences, with the motions of both sides over one another."""
     title = f"{old.path.name} and {new.path.name}"
-    return document(title, rendered(
-        "reports/differences.html", title=title, old=old, new=new, differences=differences, kinds=KINDS, lines=LINES,
-        row=row, headings=HEADINGS, signed=signed, drawn=diagrams(old, new),
-    ))  # fmt: skip
+    return document(
+        title,
+        rendered(
+            "reports/differences.html",
+            title=title,
+            old=old,
+            new=new,
+            differences=differences,
+            kinds=KINDS,
+            lines=LINES,
+            row=row,
+            headings=HEADINGS,
+            signed=signed,
+            drawn=diagrams(old, new),
+        ),
+    )
 
 
 def diagrams(old: Design, new: Design) -> list[str]:

@@ -136,9 +136,13 @@ class Handle(NamedTuple):
 
 
 def plot(
-    title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False),
-    before: Sequence[Line] = (), handles: Sequence[Handle] = (),
-) -> str:  # fmt: skip
+    title: str,
+    labels: tuple[str, str],
+    lines: Sequence[Line],
+    powers: tuple[bool, bool] = (False, False),
+    before: Sequence[Line] = (),
+    handles: Sequence[Handle] = (),
+) -> str:
     """Return the picture, ``before`` in grey below the lines; raise ValueError for no lines."""
     if not lines:
         raise ValueError("no lines are given; expected one or more")
@@ -154,16 +158,28 @@ def plot(
         heights.append(place)
     of = {line.name: line for line in lines}
     return picture(
-        title, labels, across, up,
+        title,
+        labels,
+        across,
+        up,
         curves=[(path(across.at(line.x), up.at(line.y)), colour) for line, colour in drawn if not line.points],
-        points=[(*place, 3, colour, "") for line, colour in drawn if line.points
-                for place in zip(across.at(line.x), up.at(line.y), strict=True)],
-        names=[(line.name, WIDTH - RIGHT + 8, height + 4, colour)
-               for line, colour, height in zip(lines, colours, heights, strict=True)],
+        points=[
+            (*place, 3, colour, "")
+            for line, colour in drawn
+            if line.points
+            for place in zip(across.at(line.x), up.at(line.y), strict=True)
+        ],
+        names=[
+            (line.name, WIDTH - RIGHT + 8, height + 4, colour)
+            for line, colour, height in zip(lines, colours, heights, strict=True)
+        ],
         handles={grip.line: grip.attributes for grip in handles if grip.x is None},
-        dragged=[(across.at(grip.x), up.at(np.interp(grip.x, of[grip.line].x, of[grip.line].y)), grip)
-                 for grip in handles if grip.x is not None],
-    )  # fmt: skip
+        dragged=[
+            (across.at(grip.x), up.at(np.interp(grip.x, of[grip.line].x, of[grip.line].y)), grip)
+            for grip in handles
+            if grip.x is not None
+        ],
+    )
 
 
 def path(x: Array, y: Array) -> str:

@@ -67,12 +67,27 @@ def page(outcomes: Sequence[Outcome], when: datetime) -> str:
     names = ", ".join(o.path.name for o in outcomes) if len(outcomes) < 3 else f"{len(outcomes)} workbooks"
     title = f"Verification of {names}"
     versions = f"motionbook {workbook.__version__}, Python {platform.python_version()}"
-    return document(title, rendered(
-        "reports/page.html", title=title, when=f"{when:%Y-%m-%d %H:%M:%S %z}", outcomes=outcomes,
-        versions=f"{versions}, {platform.system()} {platform.machine()}", tolerance=f"{TOLERANCE:.0e}",
-        compared=sum(o.report.compared for o in outcomes if o.report), kinds=KINDS, verdicts=VERDICTS, witness=witness,
-        own_verdict=own_verdict, by_sheet=by_sheet, deviation=deviation, where=where, told=found_words, figure=figure,
-    ))  # fmt: skip
+    return document(
+        title,
+        rendered(
+            "reports/page.html",
+            title=title,
+            when=f"{when:%Y-%m-%d %H:%M:%S %z}",
+            outcomes=outcomes,
+            versions=f"{versions}, {platform.system()} {platform.machine()}",
+            tolerance=f"{TOLERANCE:.0e}",
+            compared=sum(o.report.compared for o in outcomes if o.report),
+            kinds=KINDS,
+            verdicts=VERDICTS,
+            witness=witness,
+            own_verdict=own_verdict,
+            by_sheet=by_sheet,
+            deviation=deviation,
+            where=where,
+            told=found_words,
+            figure=figure,
+        ),
+    )
 
 
 def witness(ran: WitnessRun) -> str:
@@ -147,9 +162,15 @@ class Case(NamedTuple):
 
 def junit(outcomes: Sequence[Outcome], when: datetime) -> str:
     """Return the run as JUnit XML: a suite for each workbook, a case for each sheet; findings are failures."""
-    return rendered("reports/junit.xml", suites=[(outcome, cases(outcome)) for outcome in outcomes], counted=COUNTED,
-                    when=f"{when.astimezone(UTC):%Y-%m-%dT%H:%M:%S}", own_verdict=own_verdict, witness=witness,
-                    count=lambda cases, tag: sum(tag in ("", case.tag) for case in cases))  # fmt: skip
+    return rendered(
+        "reports/junit.xml",
+        suites=[(outcome, cases(outcome)) for outcome in outcomes],
+        counted=COUNTED,
+        when=f"{when.astimezone(UTC):%Y-%m-%dT%H:%M:%S}",
+        own_verdict=own_verdict,
+        witness=witness,
+        count=lambda cases, tag: sum(tag in ("", case.tag) for case in cases),
+    )
 
 
 def cases(outcome: Outcome) -> list[Case]:

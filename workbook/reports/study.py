@@ -24,8 +24,10 @@ MOST = 200  # designs that the page lists
 
 def page(plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None, when: datetime) -> str:
     """Return the page."""
-    versions = (f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
-                f"NumPy {np.__version__}")  # fmt: skip
+    versions = (
+        f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
+        f"NumPy {np.__version__}"
+    )
     varied = {path for dimension in plan.space.dimensions for path in dimension.paths}
     data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
     fixed = [(path, value) for path, value in leaves(data) if path not in varied and value != {}]
@@ -46,10 +48,24 @@ def front(
     css = ["" if isinstance(value, str) else ' class="number"' for value in first]
     drawn = picture(plan.study, shown, named, links) if shown and len(plan.study.goals) > 1 else ""
     return rendered(
-        "reports/study.html", plan=plan, summary=summary, named=named, judged=judged, links=links, picture=drawn,
-        columns=list(zip(heads, css, strict=False)), shown_best=shown, names=names, unranked=unranked, parted=breakable,
-        judged_line=judged_line, excluding=excluding, heading=heading, figure=figure, **{"plan_page": False} | page,
-    )  # fmt: skip
+        "reports/study.html",
+        plan=plan,
+        summary=summary,
+        named=named,
+        judged=judged,
+        links=links,
+        picture=drawn,
+        columns=list(zip(heads, css, strict=False)),
+        shown_best=shown,
+        names=names,
+        unranked=unranked,
+        parted=breakable,
+        judged_line=judged_line,
+        excluding=excluding,
+        heading=heading,
+        figure=figure,
+        **{"plan_page": False} | page,
+    )
 
 
 def excluding(plan: Plan, summary: Summary) -> list[tuple[str, str, int, int]]:

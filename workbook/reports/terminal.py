@@ -51,9 +51,13 @@ def print_or_write(text: str, output: Path | None, force: bool) -> None:
 
 
 def show_table(
-    console: Console, headings: Iterable[str], rows: Iterable[Iterable[str]], right: Container[int] = (),
-    title: str | Text | None = None, **look: Any,
-) -> None:  # fmt: skip
+    console: Console,
+    headings: Iterable[str],
+    rows: Iterable[Iterable[str]],
+    right: Container[int] = (),
+    title: str | Text | None = None,
+    **look: Any,
+) -> None:
     """Print rows of texts under headings; the columns ``right`` stand to the right."""
     grid = Table(title=title, title_justify="left", **look)
     for k, heading in enumerate(headings):

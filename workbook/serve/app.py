@@ -46,8 +46,16 @@ async def work_out(function: Callable[[str, str], str], page: Page, name: str) -
 async def home(page: Page) -> str:
     """Show the folder's files with verdicts, a new machine, an upload, a comparison."""
     times = {path: datetime.fromtimestamp(path.stat().st_mtime).astimezone() for path in page.folder.files()}
-    return pages.page("motionbook", "home", "home", folder=page.folder.path, times=times, verdicts=page.verdicts,
-                      waiting=page.work.waiting, templates=TEMPLATES)  # fmt: skip
+    return pages.page(
+        "motionbook",
+        "home",
+        "home",
+        folder=page.folder.path,
+        times=times,
+        verdicts=page.verdicts,
+        waiting=page.work.waiting,
+        templates=TEMPLATES,
+    )
 
 
 async def download(page: Page, name: str) -> bytes:
@@ -134,8 +142,10 @@ async def save(page: Page) -> str | None:
 async def verify(page: Page) -> str:
     """Verify a workbook of the folder and return the report."""
     path = page.file()
-    more = [pages.post("/inputs", path.name, "Edit what is entered"),
-            pages.post("/regenerate", path.name, "Build anew")]  # fmt: skip
+    more = [
+        pages.post("/inputs", path.name, "Edit what is entered"),
+        pages.post("/regenerate", path.name, "Build anew"),
+    ]
     return await page.reported(path, *more)
 
 
@@ -168,9 +178,17 @@ async def export(page: Page) -> str:
             options += ["--tolerance", f"{order}={share}%"]
     with tempfile.TemporaryDirectory() as folder:
         done = await page.work.run(
-            "export", book, "--to", page.get_body_argument("target"), "--points", page.get_body_argument("points"),
-            *options, "--report", REPORT, folder=folder,
-        )  # fmt: skip
+            "export",
+            book,
+            "--to",
+            page.get_body_argument("target"),
+            "--points",
+            page.get_body_argument("points"),
+            *options,
+            "--report",
+            REPORT,
+            folder=folder,
+        )
         report, links = "", []
         for file in sorted(Path(folder).iterdir()):
             if file.name == REPORT:
@@ -221,11 +239,18 @@ async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]
     port = sockets[0].getsockname()[1]
     hosts = [f"127.0.0.1:{port}", f"localhost:{port}"]
     shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
-    handlers: list[Any] = [(path, Page, shared | {"method": method, "action": action})
-                           for method, actions in (("GET", GET), ("POST", POST))
-                           for path, action in actions.items()]  # fmt: skip
-    application = Application(handlers, token=token, hosts=hosts, default_handler_class=Page,
-                              default_handler_args=shared | {"method": "GET", "action": None})  # fmt: skip
+    handlers: list[Any] = [
+        (path, Page, shared | {"method": method, "action": action})
+        for method, actions in (("GET", GET), ("POST", POST))
+        for path, action in actions.items()
+    ]
+    application = Application(
+        handlers,
+        token=token,
+        hosts=hosts,
+        default_handler_class=Page,
+        default_handler_args=shared | {"method": "GET", "action": None},
+    )
     server = HTTPServer(application, max_buffer_size=LARGEST + 2**20)
     server.add_sockets(sockets)
     tell(address := f"http://127.0.0.1:{port}/?token={token}")

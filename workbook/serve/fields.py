@@ -50,8 +50,16 @@ def form(name: str, text: str, part: str) -> str:
     chosen = next((place for place in parts if written(place) == part), ())
     messages = faults(name, text, data)
     shown = [(table, *fields(table, messages, data)) for table in tables if part_of(table.place) == chosen]
-    return rendered("serve/form.html", parts=parts, chosen=chosen, tables=shown, messages=messages, spell=spell,
-                    written=written, default_of=default_of)  # fmt: skip
+    return rendered(
+        "serve/form.html",
+        parts=parts,
+        chosen=chosen,
+        tables=shown,
+        messages=messages,
+        spell=spell,
+        written=written,
+        default_of=default_of,
+    )
 
 
 def heading(part: Place, data: dict[str, Any]) -> str:

@@ -24,8 +24,10 @@ LARGEST = 60_000_000  # bytes of an upload: what verify takes of a file at most
 COOKIE = "motionbook"
 REPORT = "report.html"
 STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
-POLICY = (f"default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'sha256-{STYLED}'; img-src 'self'; "
-          "form-action 'self'; frame-ancestors 'none'; base-uri 'none'")  # fmt: skip
+POLICY = (
+    f"default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'sha256-{STYLED}'; img-src 'self'; "
+    "form-action 'self'; frame-ancestors 'none'; base-uri 'none'"
+)
 
 
 class Folder:

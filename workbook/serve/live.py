@@ -66,8 +66,11 @@ def edges(text: str, machine: Any) -> Iterator[Edge]:
             yield Edge(axis.name, 0.0, [(name.end(), name.end())], lane=True, before="\nshift = ")
         lists = (match.span() for match in PHASES.finditer(text, head[0], end))
         numbers = (match for place in lists for match in ENTRY.finditer(text, *place))
-        typed = [(float(number[1]), number.span(1)) for number in numbers
-                 if "#" not in text[text.rfind("\n", 0, number.start()) + 1 : number.start()]]  # fmt: skip
+        typed = [
+            (float(number[1]), number.span(1))
+            for number in numbers
+            if "#" not in text[text.rfind("\n", 0, number.start()) + 1 : number.start()]
+        ]
         entered = [value for phase in axis.phases for value in (phase.start, phase.stop)]
         if [value for value, _ in typed] == entered:
             for value in dict.fromkeys(entered):
@@ -81,12 +84,18 @@ def handles(lines: list[Line], edges: Iterable[Edge], shifts: dict[str, float]) 
         x = drawn[edge.axis].x
         begin, cycle = float(x[0]), float(np.ptp(x))
         attributes = {
-            "class": "lane" if edge.lane else "edge", "tabindex": "0", "role": "slider",
+            "class": "lane" if edge.lane else "edge",
+            "tabindex": "0",
+            "role": "slider",
             "aria-label": f"{edge.axis}, {'shift' if edge.lane else 'edge of a phase'}",
-            "aria-valuenow": f"{edge.value:g}", "data-edge": edge.key, "data-value": f"{edge.value!r}",
-            "data-step": f"{10.0 ** round(np.log10(cycle / STEPS)):g}", "data-across": f"{cycle / ACROSS!r}",
-            "data-places": " ".join(f"{low}-{high}" for low, high in edge.places), "data-before": edge.before,
-        }  # fmt: skip
+            "aria-valuenow": f"{edge.value:g}",
+            "data-edge": edge.key,
+            "data-value": f"{edge.value!r}",
+            "data-step": f"{10.0 ** round(np.log10(cycle / STEPS)):g}",
+            "data-across": f"{cycle / ACROSS!r}",
+            "data-places": " ".join(f"{low}-{high}" for low, high in edge.places),
+            "data-before": edge.before,
+        }
         later = edge.value + shifts[edge.axis] - begin
         at = begin + (later if 0.0 <= later <= cycle else later % cycle)
         yield Handle(edge.axis, attributes, None if edge.lane else at, f"{edge.axis}: {edge.value:g}")
@@ -124,8 +133,14 @@ def fragment(name: str, text: str, saved: str) -> str:
     with suppress(MotionbookError):
         old = design(name, saved)
     drawn = pictures(new, old, list(edges(text, new.machine)))
-    return rendered("serve/fragment.html", new=new, counted=counted_from_1, fails=failing(new),
-                    results=results(new, old), drawn=drawn)  # fmt: skip
+    return rendered(
+        "serve/fragment.html",
+        new=new,
+        counted=counted_from_1,
+        fails=failing(new),
+        results=results(new, old),
+        drawn=drawn,
+    )
 
 
 @lru_cache(REMEMBERED)
@@ -162,8 +177,10 @@ def results(new: ShownDesign, old: ShownDesign | None) -> list[list[str]]:
 def pictures(new: ShownDesign, old: ShownDesign | None, edges: list[Edge]) -> list[str]:
     """Return the timing diagram with handles at edges, the charts that an edit changes, else the first of the book."""
     known = dict(old.charts) if old else {}
-    all_ = [(chart, lines, others if (others := known.get(title, (chart, []))[1]) and differ(lines, others) else [])
-            for title, (chart, lines) in new.charts]  # fmt: skip
+    all_ = [
+        (chart, lines, others if (others := known.get(title, (chart, []))[1]) and differ(lines, others) else [])
+        for title, (chart, lines) in new.charts
+    ]
     shifts = {axis.name: axis.shift for axis in getattr(new.machine, "axes", [])} if edges else {}
     all_.sort(key=lambda drawn_chart: not (drawn_chart[0].lanes or drawn_chart[2]))
     drawn = []
@@ -176,8 +193,10 @@ def pictures(new: ShownDesign, old: ShownDesign | None, edges: list[Edge]) -> li
 def line(book: Book, chart: Chart, series: Series) -> Line:
     """Return a line of a chart: the points of which both figures are numbers, on an axis of powers above 0."""
     columns = [book.values(series.x), book.values(series.y)]
-    x, y = (np.array([value if isinstance(value, int | float | np.number) else np.nan for value in column], dtype=float)
-            for column in columns)  # fmt: skip
+    x, y = (
+        np.array([value if isinstance(value, int | float | np.number) else np.nan for value in column], dtype=float)
+        for column in columns
+    )
     shown = np.isfinite(x) & np.isfinite(y) & ((y > 0.0) | (not chart.log_y))
     block = book.blocks.get(series.name.removeprefix("="))
     name = str(block.quantities[0].value) if block is not None and series.name.startswith("=") else series.name
@@ -208,12 +227,20 @@ def sheet(name: str, text: str) -> str:
             whole.append([result.label, short(result.value), result.unit])
     names = list(dict.fromkeys(what for row in of.values() for what in row))
     drawn = pictures(shown, None, [])[: 1 + (FEWER if len(shown.axes) > MANY else DRAWN)]
-    return document(machine.title, rendered(
-        "serve/sheet.html", title=machine.title, lines=[": ".join(map(str, row)) for row in failing(shown)], most=LINES,
-        known=[name, machine.template, *(f"{word} {value}" for word in KNOWN if (value := getattr(machine, word)))],
-        whole=whole, names=names, axes=[[axis, *(row.get(what, "") for what in names)] for axis, row in of.items()],
-        drawn=drawn,
-    ))  # fmt: skip
+    return document(
+        machine.title,
+        rendered(
+            "serve/sheet.html",
+            title=machine.title,
+            lines=[": ".join(map(str, row)) for row in failing(shown)],
+            most=LINES,
+            known=[name, machine.template, *(f"{word} {value}" for word in KNOWN if (value := getattr(machine, word)))],
+            whole=whole,
+            names=names,
+            axes=[[axis, *(row.get(what, "") for what in names)] for axis, row in of.items()],
+            drawn=drawn,
+        ),
+    )
 
 
 def short(value: Any) -> str:

@@ -133,10 +133,17 @@ class Work:
 async def start_command(*arguments: str | Path, **more: Any) -> asyncio.subprocess.Process:
     """Start a command of motionbook with a limit of memory, its errors among what it prints."""
     return await asyncio.create_subprocess_exec(
-        sys.executable, "-m", "workbook", *map(str, arguments), stdin=asyncio.subprocess.DEVNULL,
-        stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.STDOUT, env=os.environ | {"COLUMNS": "120"},
-        preexec_fn=limit_memory if POSIX else None, **more,
-    )  # fmt: skip
+        sys.executable,
+        "-m",
+        "workbook",
+        *map(str, arguments),
+        stdin=asyncio.subprocess.DEVNULL,
+        stdout=asyncio.subprocess.PIPE,
+        stderr=asyncio.subprocess.STDOUT,
+        env=os.environ | {"COLUMNS": "120"},
+        preexec_fn=limit_memory if POSIX else None,
+        **more,
+    )
 
 
 def limit_memory() -> None:

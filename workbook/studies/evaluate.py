@@ -121,8 +121,11 @@ class Evaluator:
                 book = self.plan.template.declare(machine)
                 results = {name: book_value(book, name) for name in self.asked}
                 exact = self.plan.template.judge(machine)
-                checks = {q.name: exact.judge(q.name, q.value, "")[0] != OK
-                          for _, q in book.checks if not self.plan.study.is_off(q.name)}  # fmt: skip
+                checks = {
+                    q.name: exact.judge(q.name, q.value, "")[0] != OK
+                    for _, q in book.checks
+                    if not self.plan.study.is_off(q.name)
+                }
                 return GroupResults(results, checks | self._beyond(results))
             scaled = {
                 dimension.key: column for dimension, column in zip(dimensions, columns, strict=True) if dimension.part

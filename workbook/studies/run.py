@@ -153,9 +153,17 @@ def evolve(space: Space, parts: Parts, run_missing: Callable[[Iterable[Piece]], 
         return [score for piece in generation for score in parts.summary(piece.number).scores]
 
     differential_evolution(  # asks nothing of a single design: generations are worked out as a whole
-        len, [(0.0, 1.0)] * ranges, maxiter=rounds, popsize=POPULATION, rng=space.way.seed, polish=False,
-        updating="deferred", workers=scores_of, tol=1e-9, init="latinhypercube",
-    )  # fmt: skip
+        len,
+        [(0.0, 1.0)] * ranges,
+        maxiter=rounds,
+        popsize=POPULATION,
+        rng=space.way.seed,
+        polish=False,
+        updating="deferred",
+        workers=scores_of,
+        tol=1e-9,
+        init="latinhypercube",
+    )
 
 
 class BookCheck(NamedTuple):
@@ -189,8 +197,11 @@ def build_design(plan: Plan, design: Design, path: Path, overwrite: bool) -> Boo
     """Build the book of a design, verify it, and compare it with the study's results."""
     book = write_book(machine := machine_of(plan, design), path, overwrite)
     # mass and cost of a motor stand in no book
-    apart = {name: deviation(value, book_value(book, name)) for name, value in design.results.items()
-             if name.partition(".")[0] in book.blocks}  # fmt: skip
+    apart = {
+        name: deviation(value, book_value(book, name))
+        for name, value in design.results.items()
+        if name.partition(".")[0] in book.blocks
+    }
     report = verify(path)
     differing = tuple(name for name, value in apart.items() if not value <= TOLERANCE)
     exact = plan.template.judge(machine)

@@ -58,12 +58,15 @@ def summarise(study: Study, labels: list[str], table: Table, scored: bool = Fals
     points = goals(study, table.results, rows)
     reasons, counts = np.unique(table.reasons[~possible].astype(str), return_counts=True)
     summary = Summary(
-        len(table), int((~possible).sum()), int(feasible.sum()), int((~np.isfinite(points)).any(axis=1).sum()),
+        len(table),
+        int((~possible).sum()),
+        int(feasible.sum()),
+        int((~np.isfinite(points)).any(axis=1).sum()),
         dict(zip(study.goals, (~np.isfinite(points)).sum(axis=0).tolist(), strict=True)),
         {name: int((possible & failed).sum()) for name, failed in table.fails.items()},
         {name: int((possible & failed & (misses == 1)).sum()) for name, failed in table.fails.items()},
         dict(zip(reasons.tolist()[:MOST_REASONS], counts.tolist()[:MOST_REASONS], strict=True)),
-    )  # fmt: skip
+    )
     named = list(zip(labels, table.entries, strict=True))
     for row in rows[best_points(points)].tolist():
         entries = {label: plain(entry.values[entry.places[row]]) for label, entry in named}

@@ -69,8 +69,13 @@ class Formualizer(Witness):
                 book.set_value(*cell, value)
             book.evaluate_all()
             values = {cell: book.get_value(*cell) for cell in file.contents.formula_cells}
-            yield given, {cell: ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else plain_value(value)
-                          for cell, value in values.items()}  # fmt: skip
+            yield (
+                given,
+                {
+                    cell: ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else plain_value(value)
+                    for cell, value in values.items()
+                },
+            )
 
 
 class Formulon(Witness):
@@ -127,8 +132,17 @@ def convert(source: Path, kind: str, folder: Path) -> Path:
         user = Path(profile) / "user"
         user.mkdir()
         (user / "registrymodifications.xcu").write_text(PROFILE, encoding="utf-8")
-        command = [soffice, "--headless", "--norestore", f"-env:UserInstallation={Path(profile).as_uri()}",
-                   "--convert-to", kind, "--outdir", str(folder), str(source)]  # fmt: skip
+        command = [
+            soffice,
+            "--headless",
+            "--norestore",
+            f"-env:UserInstallation={Path(profile).as_uri()}",
+            "--convert-to",
+            kind,
+            "--outdir",
+            str(folder),
+            str(source),
+        ]
         try:
             run = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False)
         except (OSError, subprocess.TimeoutExpired) as error:

@@ -107,9 +107,11 @@ def cached_values(data: bytes, file: BookFile) -> Cells:
 
 @contextmanager
 def evaluation_copy(
-    file: BookFile, own: Collection[Address] = (), given: Mapping[Address, Any] = MappingProxyType({}),
+    file: BookFile,
+    own: Collection[Address] = (),
+    given: Mapping[Address, Any] = MappingProxyType({}),
     bare: bool = False,
-) -> Iterator[BookFile]:  # fmt: skip
+) -> Iterator[BookFile]:
     """Give ``file``, or a copy without the cells ``own``, with ``given`` values, or ``bare``: contents and names."""
     if not (own or given or file.mended or (bare and not file.bare)):
         yield file

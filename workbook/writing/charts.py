@@ -82,14 +82,23 @@ def line(series: Series, book: Book, ink: str) -> XYSeries:
         marker = Marker(series.marker, SIGNS[series.marker], look)
     bars = None
     if lengths := series.up or series.right:  # strokes that leave each point
-        bars = ErrorBars(errDir="y" if series.up else "x", errBarType="plus", errValType="cust", noEndCap=True,
-                         plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
-                         spPr=GraphicalProperties(ln=stroke))  # fmt: skip
+        bars = ErrorBars(
+            errDir="y" if series.up else "x",
+            errBarType="plus",
+            errValType="cust",
+            noEndCap=True,
+            plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
+            spPr=GraphicalProperties(ln=stroke),
+        )
     return XYSeries(
         tx=SeriesLabel(strRef=str_ref(series.name[1:], book)) if series.name[:1] == "=" else SeriesLabel(v=series.name),
-        xVal=AxDataSource(numRef=x), yVal=NumDataSource(numRef=y), smooth=False, errBars=bars,
-        marker=marker, spPr=NO_LINE if series.points else GraphicalProperties(ln=stroke),
-    )  # fmt: skip
+        xVal=AxDataSource(numRef=x),
+        yVal=NumDataSource(numRef=y),
+        smooth=False,
+        errBars=bars,
+        marker=marker,
+        spPr=NO_LINE if series.points else GraphicalProperties(ln=stroke),
+    )
 
 
 def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:

@@ -53,15 +53,26 @@ class Additions(NamedTuple):
 NO_ADDITIONS = Additions()
 
 
-def save(book: Book, model: type[BaseModel], path: Path, overwrite: bool = False,
-         check: Callable[[Path], None] | None = None, own: Additions = NO_ADDITIONS) -> None:  # fmt: skip
+def save(
+    book: Book,
+    model: type[BaseModel],
+    path: Path,
+    overwrite: bool = False,
+    check: Callable[[Path], None] | None = None,
+    own: Additions = NO_ADDITIONS,
+) -> None:
     """Save a book, and what an engineer had added to an older book; ``check`` may refuse the draft of the file."""
     refuse_existing(path, overwrite)
     pack(parts(book, model, own=own), path, overwrite, check)
 
 
-def parts(book: Book, model: type[BaseModel], names: Iterable[DefinedName] | None = None, dynamic: str = "",
-          own: Additions = NO_ADDITIONS) -> dict[str, bytes]:  # fmt: skip
+def parts(
+    book: Book,
+    model: type[BaseModel],
+    names: Iterable[DefinedName] | None = None,
+    dynamic: str = "",
+    own: Additions = NO_ADDITIONS,
+) -> dict[str, bytes]:
     """Return the parts of the file, with ``names`` for the book's own; a formula with ``dynamic`` is an array."""
     strings = Strings()
     cells = {sheet.title: Cells(strings, dynamic) for sheet in book.sheets}

@@ -17,9 +17,14 @@ class Kind:
     belt: bool = False  # whether a belt moves with the load
 
     def of(
-        self, load: Load, size: float = 1.0, efficiency: float = 1.0, gears: Sequence[Stage] = (),
-        parts: Sequence[Part] = (), belt: float = 0.0,
-    ) -> Mechanism:  # fmt: skip
+        self,
+        load: Load,
+        size: float = 1.0,
+        efficiency: float = 1.0,
+        gears: Sequence[Stage] = (),
+        parts: Sequence[Part] = (),
+        belt: float = 0.0,
+    ) -> Mechanism:
         """Return the mechanism that moves a load, behind gears with parts on their shafts.
 
         Parameters

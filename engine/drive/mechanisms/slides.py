@@ -120,9 +120,13 @@ Branch = Literal["ahead", "behind"]
 
 
 def crank_slider(
-    crank: float, rod: float, offset: float = 0.0, zero: DeadCentre = "inner", branch: Branch = "ahead",
+    crank: float,
+    rod: float,
+    offset: float = 0.0,
+    zero: DeadCentre = "inner",
+    branch: Branch = "ahead",
     position: float = 0.0,
-) -> SlideLinkage:  # fmt: skip
+) -> SlideLinkage:
     """Return a crank-slider, of the stroke √((l + r)² − e²) − √((l − r)² − e²). Source: VDI 2727.
 
     The rod's mass is divided between its two pins: the part at the crank is a part on its shaft, the other is load.

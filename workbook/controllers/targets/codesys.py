@@ -29,8 +29,13 @@ def read_switches(text: str) -> list[Track]:
     return tracks_of_rows(text, times)
 
 
-TAPPETS = Tappets("codesys switches", "MC_CAMSWITCH_TR for MC_DigitalCamSwitch", by_template("codesys-switches.st"),
-                  read_switches, tracks=32)  # fmt: skip
+TAPPETS = Tappets(
+    "codesys switches",
+    "MC_CAMSWITCH_TR for MC_DigitalCamSwitch",
+    by_template("codesys-switches.st"),
+    read_switches,
+    tracks=32,
+)
 
 TARGETS = (
     Target("codesys", "CODESYS SoftMotion, SMC_CAMXYVA in Structured Text", ".st", ("x", "y", "y'", "y''"),

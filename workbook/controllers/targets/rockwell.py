@@ -29,8 +29,11 @@ def elements(table: Table) -> list[tuple[str, str, int]]:
 
 def parted(handed: SwitchExport) -> list[tuple[int, float, float]]:
     """Return the times; a time past the end of the cycle as two, as left must be below right."""
-    return [(track, low, high) for track, begin, end in handed.times
-            for low, high in ([(begin, end)] if begin < end else [(begin, handed.cycle), (0.0, end)])]  # fmt: skip
+    return [
+        (track, low, high)
+        for track, begin, end in handed.times
+        for low, high in ([(begin, end)] if begin < end else [(begin, handed.cycle), (0.0, end)])
+    ]
 
 
 def real(value: float) -> str:
@@ -139,9 +142,14 @@ def read_switches(text: str) -> list[Track]:
 CAM = by_template(
     "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda text: re.sub("-(?=-)", "- ", text)
 )
-TAPPETS = Tappets("rockwell switches", "OUTPUT_CAM array for MAOC, as a Tag of L5X",
-                  by_template("rockwell-switches.xml", elements=parted, real=real), read_switches,
-                  number=REAL, tracks=32)  # fmt: skip
+TAPPETS = Tappets(
+    "rockwell switches",
+    "OUTPUT_CAM array for MAOC, as a Tag of L5X",
+    by_template("rockwell-switches.xml", elements=parted, real=real),
+    read_switches,
+    number=REAL,
+    tracks=32,
+)
 
 TARGETS = (
     Target("rockwell", "Rockwell Logix, CAM array as a Tag of L5X", ".xml", ("x", "y", "straight"),

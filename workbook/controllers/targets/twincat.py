@@ -29,8 +29,13 @@ def read_switches(text: str) -> list[Track]:
     return tracks_of_rows(text, times)
 
 
-TAPPETS = Tappets("twincat switches", "MC_CamSwitch, an array for each MC_DigitalCamSwitch",
-                  by_template("twincat-switches.st"), read_switches, times=1000)  # fmt: skip
+TAPPETS = Tappets(
+    "twincat switches",
+    "MC_CamSwitch, an array for each MC_DigitalCamSwitch",
+    by_template("twincat-switches.st"),
+    read_switches,
+    times=1000,
+)
 
 TARGETS = (
     Target("twincat", "Beckhoff TwinCAT NC2, motion function points in Structured Text", ".st", ("x", "y", "y'", "y''"),

@@ -95,11 +95,19 @@ class CutterView:
         length, radius = max(self.tool.design_length, self.cut.product_length), self.tool.radius
         turning = self.line**2 / length / radius
         return {
-            "s": self.cut.cycle_time, "m": length, "mm": shown(length, MM), "m/s": self.line,
-            "m/s²": self.line**2 / length, "m/s³": self.cut.size(3), "°": shown(length / radius, DEGREE),
-            "rpm": shown(self.line / radius, RPM), "rad/s": self.line / radius, "rad/s²": turning,
-            "Nm": math.hypot(self.load.inertia * turning, self.load.torque), "W/s": self.load.inertia * turning**2,
-        }  # fmt: skip
+            "s": self.cut.cycle_time,
+            "m": length,
+            "mm": shown(length, MM),
+            "m/s": self.line,
+            "m/s²": self.line**2 / length,
+            "m/s³": self.cut.size(3),
+            "°": shown(length / radius, DEGREE),
+            "rpm": shown(self.line / radius, RPM),
+            "rad/s": self.line / radius,
+            "rad/s²": turning,
+            "Nm": math.hypot(self.load.inertia * turning, self.load.torque),
+            "W/s": self.load.inertia * turning**2,
+        }
 
 
 class ToolDrive:
@@ -128,9 +136,15 @@ class ToolDrive:
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
         falling = TorqueFall(*(float(row[self.pair[0]]) for row in (motors.knee, motors.fall / reserves.peak_reserve)))
         inertia, rated, peak, fastest, stall, to = (float(figures[self.pair[0]]) for figures in of)
-        self.motor = Motor(inertia, rated / reserves.rms_reserve, peak / reserves.peak_reserve,
-                           fastest / reserves.speed_reserve,
-                           stall / reserves.rms_reserve, to, falling=falling)  # fmt: skip
+        self.motor = Motor(
+            inertia,
+            rated / reserves.rms_reserve,
+            peak / reserves.peak_reserve,
+            fastest / reserves.speed_reserve,
+            stall / reserves.rms_reserve,
+            to,
+            falling=falling,
+        )
         limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
         fastest, strongest, lasting = (float(limit[self.pair[1]]) for limit in limits)
         self.limits = [0.0 if np.isinf(limit) else limit for limit in (fastest, strongest, lasting)]  # 0: none
@@ -207,8 +221,18 @@ class ToolDrive:
         return filled(flat, self.machine.room * values.shape[-1], float(flat[-1]) if spare is None else spare)
 
     def _shaft(self, figures: list[Figure]) -> Shaft:
-        return Shaft("shaft", 1, '="shaft"', "tool", self.machine.room, self.demand, "ABS({})*30/PI()", self.turning,
-                     self.torque, figures)  # fmt: skip
+        return Shaft(
+            "shaft",
+            1,
+            '="shaft"',
+            "tool",
+            self.machine.room,
+            self.demand,
+            "ABS({})*30/PI()",
+            self.turning,
+            self.torque,
+            figures,
+        )
 
     def choosing(self) -> PairSelection:
         """Return the choice of motor and reducer, with the pair in use."""

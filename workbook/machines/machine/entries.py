@@ -77,9 +77,11 @@ class Axis(Model):
     motor: drive_entries.AxisMotor | None = None
     reducer: drive_entries.Reducer = drive_entries.Reducer()
     stages: list[drive_entries.StageEntry] = Field(
-        default=[], max_length=drive_entries.STAGES, examples=[[drive_entries.BELT]],
+        default=[],
+        max_length=drive_entries.STAGES,
+        examples=[[drive_entries.BELT]],
         description="Stages between reducer and mechanism, such as a toothed belt, from the motor on",
-    )  # fmt: skip
+    )
     limits: OwnLimits = OwnLimits()
     _built: str | None = PrivateAttr(default=None)
 
@@ -197,15 +199,20 @@ class AnyMachine(Exporting):
                 if name:
                     require_known(entry, name, [row.name for row in rows], f"axes.{i}.{entry}.name")
             points = axis.mechanism.points if isinstance(axis.mechanism, Table) else []
-            for entry, given_rows, room in (("parts", axis.parts, "rotors"), ("mechanism.points", points, "positions"),
-                                      ("phases", axis.phases, "phases")):  # fmt: skip
+            for entry, given_rows, room in (
+                ("parts", axis.parts, "rotors"),
+                ("mechanism.points", points, "positions"),
+                ("phases", axis.phases, "phases"),
+            ):
                 if len(given_rows) > getattr(self.sizes, room):
                     problem = f"{len(given_rows)} rows do not fit into {getattr(self.sizes, room)}; raise sizes.{room}"
                     raise EntryError(f"axes.{i}.{entry}", problem)
         require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
         number, faults = piece_counts(self.laws), []
-        needed = [sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
-                  for axis in self.axes_turned]  # fmt: skip
+        needed = [
+            sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
+            for axis in self.axes_turned
+        ]
         space = settle_room(self, max(needed), 2 * self.sizes.phases + 1)  # for the pieces of an axis
         for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
             if count > space:

@@ -111,8 +111,9 @@ def limit_of_rate(view: DriveView, limits: Sequence[JudgedLimit], rate: float) -
         return max(limits, key=lambda limit: limit.exact.use)._replace(check=RATE_CHECK, bound=0.0)
     exact = at_speed(view.driven.limit_checks, si(rate, PER_MINUTE) * math.tau).worst
     uses = view.search.at(rate / view.rate).uses
-    sheet, truth = (LimitCheck(exact.name, shown(use, PERCENT), shown(1.0, PERCENT))
-                    for use in (max(uses.values()), exact.use))  # fmt: skip
+    sheet, truth = (
+        LimitCheck(exact.name, shown(use, PERCENT), shown(1.0, PERCENT)) for use in (max(uses.values()), exact.use)
+    )
     what = f"at {rounded(rate)} cycles/min the most used limit, {exact.name},"
     return JudgedLimit(RATE_CHECK, view.driven.called, what, "%", sheet, truth, 0.0)
 

@@ -103,12 +103,19 @@ def axis_of(axis: entered.Axis, number: int, unit: str, names: Container[str]) -
     )
     brake = drive_entries.MotorBrake(torque=1.0) if f"drive{number}_brake_torque" in names else None
     motor = drive_entries.AxisMotor(brake=brake, inertia=1.0, rated_torque=1.0, peak_torque=1.0, max_speed=1.0)
-    return axis.model_copy(update={
-        "unit": unit, "stops": HardStops() if stop_name(number, "low") in names else None,
-        "load": drive_entries.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}), "parts": [],
-        "stages": [*stages], "rate": None, "printed": "S4" if f"drive{number}_printed" in names else None,
-        "mechanism": mechanism, "motor": motor if kinds else None,
-    })  # fmt: skip
+    return axis.model_copy(
+        update={
+            "unit": unit,
+            "stops": HardStops() if stop_name(number, "low") in names else None,
+            "load": drive_entries.AxisLoad().model_copy(update={"viscous": viscous, "arm": arm}),
+            "parts": [],
+            "stages": [*stages],
+            "rate": None,
+            "printed": "S4" if f"drive{number}_printed" in names else None,
+            "mechanism": mechanism,
+            "motor": motor if kinds else None,
+        }
+    )
 
 
 def fixed(machine: entered.AnyMachine) -> dict[str, Any]:

@@ -116,8 +116,10 @@ class TimedMachine(AnyMachine):
             size, phases = over.lift(axis.unit).size, []
             for phase in axis.phases:
                 rates = {name: getattr(phase, name) for name in RATES}
-                passed = {name: None if rate is None else over.per_rad(si(rate, size), order)
-                          for order, (name, rate) in enumerate(rates.items(), 1)}  # fmt: skip
+                passed = {
+                    name: None if rate is None else over.per_rad(si(rate, size), order)
+                    for order, (name, rate) in enumerate(rates.items(), 1)
+                }
                 phases.append(turned(phase, over).model_copy(update=passed))
             load = axis.load.model_copy(update={"windows": [turned(force, over) for force in axis.load.windows]})
             more = {"phases": phases, "load": load, "shift": over.degrees(axis.shift)}

@@ -51,9 +51,13 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         kind = axis["mechanism"]["kind"] if axis["motor"] else None
         rows = phases(i, turn, sizes["phases"], suited_to(kind)(laws))
         cuts = 2 * len(forces(i, k, 1.0)) if kind else 0
-        axis |= {"closes": "feed" if (i + k) % 2 else "position", "smoothness": smoothness_for(turn + i),
-                 "shift": SHIFTS[(i + k) % SIX], "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
-                 "phases": dwells_for_room(rows, laws, sizes["motion_pieces"] - len(rows) - 1 - cuts)}  # fmt: skip
+        axis |= {
+            "closes": "feed" if (i + k) % 2 else "position",
+            "smoothness": smoothness_for(turn + i),
+            "shift": SHIFTS[(i + k) % SIX],
+            "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
+            "phases": dwells_for_room(rows, laws, sizes["motion_pieces"] - len(rows) - 1 - cuts),
+        }
         axis["stops"] = axis["stops"] and {"low": (None, -200.0, 30.0)[(i + k) % 3], "high": (60.0, None, 500.0)[k % 3]}
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
@@ -67,8 +71,12 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     data |= {"creep_forces": ("off", "on")[k % 2]} if driven else {}
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
     for i, clearance in enumerate(data["clearances"]):
-        clearance |= {"first_factor": (1.0, -1.0, 0.37)[(i + k) % 3], "second_factor": (-0.8, 1.3, 0.0)[k % 3],
-                "offset": 11.0 * k, "least": -1e4 if (i + k) % 2 else 3.0}  # fmt: skip
+        clearance |= {
+            "first_factor": (1.0, -1.0, 0.37)[(i + k) % 3],
+            "second_factor": (-0.8, 1.3, 0.0)[k % 3],
+            "offset": 11.0 * k,
+            "least": -1e4 if (i + k) % 2 else 3.0,
+        }
         clearance["pairs"] = [
             {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
             for n, pair in enumerate(clearance["pairs"])
@@ -97,10 +105,12 @@ def choose(data: dict[str, Any], k: int) -> None:
         }
     if names:
         data["limits"] |= {
-            "rms_reserve": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k], "peak_reserve": (1.0, 1.2, 0.7, 0.01, 1.0, 1.5)[k],
-            "speed_reserve": (1.0, 0.8, 1.3, 1.0, 1.1, 0.01)[k], "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
+            "rms_reserve": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k],
+            "peak_reserve": (1.0, 1.2, 0.7, 0.01, 1.0, 1.5)[k],
+            "speed_reserve": (1.0, 0.8, 1.3, 1.0, 1.1, 0.01)[k],
+            "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
             "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
-        }  # fmt: skip
+        }
 
 
 def times(i: int, k: int) -> list[dict[str, float | None]]:
@@ -142,12 +152,16 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     axis["parts"] = parts(k, sizes["rotors"])
     axis["reducer"] = {
         "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
-        "ratio": 1.0 + 1.3 * k, "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX), "inertia": 1.0 * k,
+        "ratio": 1.0 + 1.3 * k,
+        "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX),
+        "inertia": 1.0 * k,
         "no_load_torque": 0.07 * ((i + k) % 3),
-        "full_cycles": (None, 7.0, 1e9)[(i + k) % 3], "cycle_factor": (1.6, None, 2.0, 1.1)[(i + k) % 4],
-        "peak_torque": (None, 1e-3, 1e6)[k % 3], "mean_torque": (1e-3, 1e6, None)[k % 3],
+        "full_cycles": (None, 7.0, 1e9)[(i + k) % 3],
+        "cycle_factor": (1.6, None, 2.0, 1.1)[(i + k) % 4],
+        "peak_torque": (None, 1e-3, 1e6)[k % 3],
+        "mean_torque": (1e-3, 1e6, None)[k % 3],
         "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
-    }  # fmt: skip
+    }
     axis["stages"] = [stage(n + k + i) for n in range(len(axis["stages"]))]
     own = {"rms_reserve": 0.2, "peak_reserve": 0.6, "speed_reserve": 1.4, "inertia_ratio": 70.0, "torque_factor": 0.3}
     axis["limits"] = own if (i + k) % 4 == 2 else dict.fromkeys(own)
@@ -161,12 +175,20 @@ def load(entries: dict[str, Any], i: int, k: int, travels: bool) -> dict[str, An
         "viscous": None if entries["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k],
         "arm": entries["arm"] and {"mass": 4.0 * k, "radius": 90.0 + 70.0 * i, "angle": 77.0 * k - 90.0},
         "windows": forces(i, k, 400.0 if travels else 6.0),
-    } | ({
-        "mass": 3.0 * k + i, "friction": 0.03 * k, "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
-        "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k],
-    } if travels else {
-        "inertia": 100.0 * (k + i % 2), "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k], "friction_torque": 0.2 * k,
-    })  # fmt: skip
+    } | (
+        {
+            "mass": 3.0 * k + i,
+            "friction": 0.03 * k,
+            "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
+            "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k],
+        }
+        if travels
+        else {
+            "inertia": 100.0 * (k + i % 2),
+            "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k],
+            "friction_torque": 0.2 * k,
+        }
+    )
 
 
 def parts(k: int, room: int) -> list[dict[str, Any]]:
@@ -196,13 +218,16 @@ def motor(entries: dict[str, Any], i: int, k: int) -> None:
     limits, brake = ("rated_torque", "peak_torque", "max_speed"), entries["brake"]
     entries |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
     entries |= {
-        "inertia": 0.0 if k == 4 else 10.0 * (1 + k), "holding": "brake" if k % 3 == 1 else "motor",
-        "temperature": (None, 35.0, 20.0, 90.5, None, 60.0)[(i + k) % SIX], "rated_at": 25.0 + k, "limit": 150.0 + k,
+        "inertia": 0.0 if k == 4 else 10.0 * (1 + k),
+        "holding": "brake" if k % 3 == 1 else "motor",
+        "temperature": (None, 35.0, 20.0, 90.5, None, 60.0)[(i + k) % SIX],
+        "rated_at": 25.0 + k,
+        "limit": 150.0 + k,
         "stall_torque": entries["rated_torque"] * 1.6 if (i + k) % 2 else None,
         "rated_speed": entries["max_speed"] * 0.4 if (i + k) % 4 else None,
         "copper_losses": (None, 2e-5, 30.0)[(i + k) % 3],
         "brake": brake and {"torque": (1e-3, 50.0, 1e6)[k % 3], "closing": 9.0 * k, "opening": (0.0, 2e3, 40.0)[i % 3]},
-    }  # fmt: skip
+    }
 
 
 def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:

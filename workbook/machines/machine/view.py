@@ -28,10 +28,23 @@ class MovingAxis:
     ``given`` has its places in degrees of a turn, ``typed`` in the unit of the abscissa ``over``, as entered.
     """
 
-    def __init__(self, given: entered.Axis, number: int, library: dict[str, Law], speed: float,
-                 typed: entered.Axis, over: Abscissa) -> None:  # fmt: skip
+    def __init__(
+        self,
+        given: entered.Axis,
+        number: int,
+        library: dict[str, Law],
+        speed: float,
+        typed: entered.Axis,
+        over: Abscissa,
+    ) -> None:
         self.given, self.number, self.library, self.speed, self.typed, self.over = (
-            given, number, library, speed, typed, over)  # fmt: skip
+            given,
+            number,
+            library,
+            speed,
+            typed,
+            over,
+        )
         self.unit, self.base = UNITS[given.unit], BASES[given.unit]
 
     @property

@@ -147,8 +147,12 @@ def motion(table: Cells) -> Motion:
 @lru_cache(maxsize=128)
 def moved(table: tuple[tuple[Cell, ...], ...]) -> Motion:
     """Return the motion of a table without blank rows at its end; a row VIA prescribes what its phases have there."""
-    return Motion([Via(*(number(cell) for cell in (*row[1:4], 0.0)[:3]))
-                   if str(row[0]).strip().upper() == VIA else phase(row) for row in table])  # fmt: skip
+    return Motion(
+        [
+            Via(*(number(cell) for cell in (*row[1:4], 0.0)[:3])) if str(row[0]).strip().upper() == VIA else phase(row)
+            for row in table
+        ]
+    )
 
 
 @lru_cache(maxsize=128)

@@ -79,8 +79,17 @@ def two_sines(turn: Any) -> Sequence[Mapping[str, Any]]:
     """Return the piece of the double harmonic, from rest to a reversal at its end, or the other way round."""
     first, second = (turning(turn, 1.0, 0.5 * math.pi, past * math.pi) for past in (-1.5, -2.5))
     p = math.pi**2 / 2
-    return [{"duration": 1.0, "amplitude": p, "omega": math.pi, "phase": first,
-             "amplitude2": -p, "omega2": 2.0 * math.pi, "phase2": second}]  # fmt: skip
+    return [
+        {
+            "duration": 1.0,
+            "amplitude": p,
+            "omega": math.pi,
+            "phase": first,
+            "amplitude2": -p,
+            "omega2": 2.0 * math.pi,
+            "phase2": second,
+        }
+    ]
 
 
 FLAT, HALVES, EDGE, QUARTERS = (0.0, 1.0, 0.0), (0.5, 0.0, 0.5), (0.0, 0.0, 1.0), (0.25, 0.5, 0.25)  # stages of a pulse

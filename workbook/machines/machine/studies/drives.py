@@ -47,8 +47,10 @@ class DriveStudy:
         """Return the entries of the axis in a design, by the places of what differs in it."""
         given = self.axis.given
         more: dict[str, Any] = {} if given.rate is None else {"rate": self.rates.values[rate]}
-        for part, key, value in (("motor", self.motor_key, self.motors.values[motor]),
-                                 ("reducer", self.reducer_key, self.reducers.values[reducer])):  # fmt: skip
+        for part, key, value in (
+            ("motor", self.motor_key, self.motors.values[motor]),
+            ("reducer", self.reducer_key, self.reducers.values[reducer]),
+        ):
             more |= {part: getattr(given, part).model_copy(update={key: value})} if key else {}
         return given.model_copy(update=more)
 

@@ -59,8 +59,9 @@ def creep_use(study: DriveStudy) -> Any:
 
 CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {
     "ok_creep": lambda study: creep_use(study) <= 1.0,
-    "ok_curve": below_curve, "ok_inertia": lambda study: study.inertias <= study.limits.inertia_ratio,
-}  # fmt: skip
+    "ok_curve": below_curve,
+    "ok_inertia": lambda study: study.inertias <= study.limits.inertia_ratio,
+}
 
 
 def judged_exactly(study: DriveStudy) -> Computations:
