@@ -338,7 +338,7 @@ class Bus(NamedTuple):
 def bus_of(drives, efficiency):
     """What drives at one rate take together, at even steps and close beside all begins of their stretches."""
     edges = np.concatenate([(one.stretches + one.late - one.begin) % one.total + one.begin for one in drives])
-    close = np.concatenate([edges - 1e-8, edges + 1e-8])
+    close = np.concatenate([edges - 1e-6, edges + 1e-6])  # closer, rounding mixes both sides
     even = (np.arange(STEPS) + 0.5) * tau / STEPS
     power = np.array([one.power_at(np.concatenate([even, close])) for one in drives])
     both = np.where(power > 0.0, power / efficiency, power * efficiency).sum(axis=0)
