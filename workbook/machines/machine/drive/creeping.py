@@ -46,10 +46,17 @@ def creeping_table(sheet: Sheet, view: DriveView) -> None:
         "Torques while it creeps, and their limits",
         len(checks),
         cell("name", [check.name for check in checks]),
-        cell("value", [check.value for check in checks], formula=values, scale=view.scales.behind),
+        cell(
+            "value",
+            [check.value for check in checks],
+            formula=values,
+            scale=max(view.scales.torque, view.scales.behind),
+        ),
         cell("limit", [0.0 if math.isinf(check.limit) else check.limit for check in checks], formula=LIMITS),
         cell("use", uses(view), decimals=DECIMALS, scale=1.0),
     )
+    sheet.row += 1
+    sheet.rows(*largest_use(view))
 
 
 def uses(view: DriveView) -> list[float]:
@@ -57,8 +64,8 @@ def uses(view: DriveView) -> list[float]:
     return [round(check.use, DECIMALS) for check in view.creep_checks]
 
 
-def creeping_results(view: DriveView) -> list[Quantity]:
-    """Return the results: how much of a limit is used at most, and of which."""
+def largest_use(view: DriveView) -> list[Quantity]:
+    """Return the rows of the limit that is used most: how much, and which."""
     each, cell = uses(view), CELLS["results"]
     return [
         cell("@creep_use", max(each), scale=1.0),

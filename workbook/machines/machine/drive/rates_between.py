@@ -122,8 +122,8 @@ def target(view: DriveView) -> Quantity:
 
 def order(view: DriveView) -> Quantity:
     """Return the row of the power of the rate over which is interpolated."""
-    is_viscous = view.driven.entered.load.viscous is not None
-    return CELLS["order of a viscous load" if is_viscous else "order"]("@order", view.search.order)
+    cell = CELLS["order"] if view.driven.entered.load.viscous is None else CELLS["order of a viscous load"]
+    return cell("@order", view.search.order)
 
 
 CYCLES_USE = "IF(@holds=1,@smax,IF(@holds_tried=1,@SN_max,[@held.stands.{}]))*@reducer_fs/@reducer_peak"

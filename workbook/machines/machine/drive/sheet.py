@@ -192,7 +192,6 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]"), scale=size.behind),
         *energies(view),
         *max_rate.range_results(view),
-        *creeping.creeping_results(view),
     )
 
 
