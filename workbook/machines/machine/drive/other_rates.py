@@ -61,7 +61,16 @@ def tried(view: DriveView) -> list[Quantity]:
 def creeping(view: DriveView) -> list[Quantity]:
     """Return the columns of the torques while the drive creeps: with its process forces, or empty."""
     resists = by_angle.resisting(view, "@steady", "@rub")
-    return at_another_rate(view, view.creeping, stages.CREEPING, f'IF(creep_forces="on",[R],{resists})')
+    if view.varies:  # a sheet with the columns of a ratio that changes has no room for another
+        return at_another_rate(view, view.creeping, stages.CREEPING, f'IF(creep_forces="on",[R],{resists})')
+    force = CELLS["creeping"](
+        "RC",
+        view.by_point(view.creeping.load.resisting),
+        unit=driven_unit(view),
+        resists=resists,
+        scale=view.scales.force,
+    )
+    return [force, *at_another_rate(view, view.creeping, stages.CREEPING, "[RC]")]
 
 
 def at_another_rate(view: DriveView, then: DrivePoints, end: str, resists: str) -> list[Quantity]:
