@@ -41,7 +41,7 @@ def creep_checks(points: DrivePoints, motor: Motor, reducer: ReducerLimits, rate
         RMS torque and peak torque of the motor, peak and mean torque behind the reducer (Nm).
     """
     behind = points.load.output_torque
-    peak = motor.peak_torque - float(points.reserve(motor).min())
+    peak = float((abs(points.torque) + motor.falling.fallen(points.speed)).max())
     return (
         LimitCheck("RMS torque", points.rms_torque, float(motor.continuous(points.mean_speed))),
         LimitCheck(PEAK_TORQUE, peak, motor.peak_torque),

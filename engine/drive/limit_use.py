@@ -241,7 +241,8 @@ class RateSearch:
     def met(self, name: str) -> float:
         """Return the rate (1/s) at which a limit is reached by the line between both rates, or infinite."""
         (begin, end), share = self.way, max(self.between[name][self.begin])
-        power = begin + (end - begin) / share if share > LEAST_USE else math.inf
+        # the largest share, 1/LEAST_USE, is reached at once
+        power = begin + (end - begin) * (1.0 / share - LEAST_USE) if share > LEAST_USE else math.inf
         met = self.rate * max(0.0, power) ** (1.0 / self.order)
         return self._beyond_full(met, self.cycles_use[self.begin]) if name == CYCLES else met
 

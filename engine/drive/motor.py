@@ -29,6 +29,10 @@ class TorqueFall(NamedTuple):
         """Return the torque (Nm) of the falling line extended to speed 0; infinite if it does not fall."""
         return peak_torque + self.fall * self.knee if self.fall else math.inf
 
+    def fallen(self, speed: ArrayLike) -> Array:
+        """Return the torque (Nm) by which it has fallen at speeds (rad/s) of either direction."""
+        return np.asarray(self.fall * np.maximum(0.0, np.abs(speed) - self.knee))
+
 
 LEVEL = TorqueFall()  # of a peak torque that does not fall
 
@@ -65,7 +69,7 @@ class Motor:
 
     def peak_at(self, speed: ArrayLike) -> Array:
         """Return the peak torque (Nm) at speeds (rad/s) of either direction."""
-        return np.asarray(self.peak_torque - self.falling.fall * np.maximum(0.0, np.abs(speed) - self.falling.knee))
+        return np.asarray(self.peak_torque - self.falling.fallen(speed))
 
     def corners(self, lowest_speed: float) -> "LimitCorners":
         """Return the limits as a closed line in the plane of speed and torque, from its upper left corner.

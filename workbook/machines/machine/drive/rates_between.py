@@ -184,7 +184,7 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
     )
 
 
-AT = "MAX(0,@from+(@to-@from)/([share]+tiny))^(1/@order)"
+AT = "MAX(0,@from+(@to-@from)*(1/([share]+tiny)-@least_use))^(1/@order)"
 LIMIT_MEETS = f'=IF([share]<=@least_use,"{NOT_REACHED}",@rate*{AT})'
 CYCLES_MEET = (
     f'=IF(AND([share]<=@least_use,@cycles_use<1),"{NOT_REACHED}",MAX(@full/60,IF(@cycles_use<1,@rate,0)*{AT}))'
