@@ -46,7 +46,7 @@ def dense(drive_cycles, efficiency, n=200001):
     return t, np.array(rows)
 
 
-@pytest.mark.parametrize("number", [*range(3), *nights(30)])
+@pytest.mark.parametrize("number", [*range(3), *nights(10)])
 @pytest.mark.parametrize("common", [True, False])
 def test_power_against_samples_and_the_grid_within_its_bound(request, number, common):
     told = f"bus {number}"

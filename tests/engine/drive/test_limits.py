@@ -112,7 +112,7 @@ def limits_of(rng, drive_cycle):
     return motor, reducer
 
 
-@pytest.mark.parametrize("number", [*range(3), *nights(40)])
+@pytest.mark.parametrize("number", [*range(3), *nights(15)])
 def test_at_the_highest_rate_all_hold_and_above_it_the_named_one_fails(request, number):
     told = f"rate {number}"
     told = seed(told) if request.node.get_closest_marker("nightly") else told

@@ -29,7 +29,7 @@ RPM = 30 / pi
 STEEL = 7800.0
 
 
-def machines(everyday, night=60):
+def machines(everyday, night=25):
     """Numbers of random machines: a few of each day, and of each night others."""
     return pytest.mark.parametrize("number", [*range(everyday), *nights(night)])
 

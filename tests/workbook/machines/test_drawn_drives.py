@@ -124,7 +124,7 @@ def machines(*day, night):
     return [*(pytest.param((number, "drawn"), id=str(number)) for number in day), *by_night]
 
 
-@pytest.fixture(scope="module", params=machines(*range(100), night=300))
+@pytest.fixture(scope="module", params=machines(*range(100), night=120))
 def drawn(request):
     """One machine after another, for all tests of it."""
     return Drawn(*request.param)
@@ -158,7 +158,7 @@ def test_no_sheet_says_ok_where_the_equation_of_motion_says_fail(drawn):
     assert [line for view, one in both for line in wrong_verdicts(view, one)] == []
 
 
-@pytest.mark.parametrize("drawn", machines(*range(0, 100, 5), night=180), indirect=True)
+@pytest.mark.parametrize("drawn", machines(*range(0, 100, 5), night=60), indirect=True)
 def test_the_highest_rate_of_a_sheet_is_that_of_the_equation_of_motion(drawn):
     """All limits are held there and two per cent above it one is not, or verify tells the exact rate."""
     for view in drawn.views:
@@ -190,7 +190,7 @@ def by_formualizer(written):
     return {(c.parent.title, c.row, c.column): "" if c.value is None else c.value for c in cells}
 
 
-@pytest.mark.parametrize("numbered", machines(32, night=20))
+@pytest.mark.parametrize("numbered", machines(32, night=8))
 def test_every_cell_of_drawn_machines_agrees_with_the_engine(numbered):
     machine = drawn_machine(*numbered)
     evaluate = by_formualizer if numbered[0] % 4 == 3 else None
@@ -199,7 +199,7 @@ def test_every_cell_of_drawn_machines_agrees_with_the_engine(numbered):
     assert count > 2000
 
 
-@pytest.mark.parametrize("numbered", machines(18, night=15))
+@pytest.mark.parametrize("numbered", machines(18, night=5))
 def test_the_book_of_a_drawn_machine_verifies_and_gives_back_what_was_entered(numbered, tmp_path):
     machine = drawn_machine(*numbered)
     path, again = tmp_path / "book.xlsx", tmp_path / "again.xlsx"

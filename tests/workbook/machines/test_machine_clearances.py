@@ -99,7 +99,7 @@ def test_an_axis_that_is_not_there_is_refused(entry, said):
         machine(entry)
 
 
-@pytest.mark.parametrize("number", [*range(2), *nights(20)])
+@pytest.mark.parametrize("number", [*range(2), *nights(10)])
 def test_random_gaps_agree_with_closed_forms(request, number):
     told = f"gap {number}"
     drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
@@ -108,7 +108,7 @@ def test_random_gaps_agree_with_closed_forms(request, number):
     assert [cell for cell in wrong if cell.startswith("clear")] == []
 
 
-@pytest.mark.parametrize("number", [*range(8), *nights(100)])
+@pytest.mark.parametrize("number", [*range(8), *nights(50)])
 def test_least_gaps_are_as_exact_as_their_sheet_states(number):
     made = drawn_machine(machine({}, {"name": "Other", "first": "A3"}), random.Random(f"exact gap {number}"))
     for one in views(made):
@@ -204,7 +204,7 @@ def drawn_pairs(number):
     return type(given).model_validate(given.model_dump() | {"clearances": [clearance]})
 
 
-@pytest.mark.parametrize("number", [*range(6), *nights(200)])
+@pytest.mark.parametrize("number", [*range(6), *nights(80)])
 def test_least_gaps_by_pairs_are_as_exact_as_their_sheet_states(number):
     (one,) = views(drawn_pairs(number))
     gaps, _ = by_hand(one, 20_001)

@@ -41,7 +41,7 @@ def machine(name, rate=60.0, **motor):
 
 
 @pytest.mark.parametrize("name", [*AXES])
-@pytest.mark.parametrize("number", [*range(1), *nights(12)])
+@pytest.mark.parametrize("number", [*range(1), *nights(4)])
 @pytest.mark.sample(2)
 def test_the_rate_below_a_curve_is_that_of_an_exact_search(request, number, name):
     """At 0.6 to 1.5 times it: of a constant ratio to 1 %, and never above it. Behind a ratio that changes a peak may

@@ -88,7 +88,7 @@ def test_who_holds_and_how_losses_count(holding, method):
     require_pairs_of_the_grid(axis, ((5, 3),))
 
 
-@pytest.mark.parametrize("number", nights(20))
+@pytest.mark.parametrize("number", nights(10))
 def test_random_drives_among_the_pairs(number):
     drawn = random.Random(seed(f"placed selection {number}"))
     kind = drawn.choice(["viscous", *LIFTS])

@@ -121,7 +121,7 @@ def test_over_a_cycle_the_motor_does_the_work_of_viscous_friction_too(mechanism)
     assert value("drive1_returned") > 0.0
 
 
-@pytest.mark.parametrize("number", [*range(2), *nights(20)])
+@pytest.mark.parametrize("number", [*range(2), *nights(10)])
 def test_none_of_it_is_the_same_as_a_drive_without_it(request, number):
     """Places of each section beside bent lines in closed form: two sheets that share no cell."""
     name = f"viscous {number}"
@@ -146,7 +146,7 @@ def with_viscous(data, value):
     return data | {"axes": [one | {"load": one["load"] | {"viscous": value}}]}
 
 
-@pytest.mark.parametrize("number", nights(20))
+@pytest.mark.parametrize("number", nights(10))
 def test_random_machines_agree(request, number):
     drawn = random.Random(seed(f"viscous {number}"))
     made = drawn_machine(small(lossy(mechanism=drawn.choice((SCREW, CRANK)))), drawn)

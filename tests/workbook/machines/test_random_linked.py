@@ -107,7 +107,7 @@ def test_mirrored_and_scaled_it_asks_the_same_of_its_motor(kind):
     examined(random.Random(f"drive of a changing ratio: {kind}"), kind)
 
 
-@pytest.mark.parametrize("number", nights(25))
+@pytest.mark.parametrize("number", nights(8))
 def test_random_drives_of_a_changing_ratio(number):
     drawn = random.Random(seed(f"linked {number}"))
     examined(drawn, drawn.choice(list(KINDS)))

@@ -87,7 +87,7 @@ def names_the_slowest(cell):
     return cell.startswith(("about_first", "about_binds")) or "the drives hold from" in cell
 
 
-@pytest.mark.parametrize("number", [*range(2), *nights(20)])
+@pytest.mark.parametrize("number", [*range(2), *nights(8)])
 def test_cells_mirrored_motion_and_other_units(request, number):
     drawn = told(request, number)
     data = one_axis(drawn)
@@ -132,7 +132,7 @@ def work(made):
     return found
 
 
-@pytest.mark.parametrize("number", [*range(1), *nights(20)])
+@pytest.mark.parametrize("number", [*range(1), *nights(8)])
 def test_without_losses_the_motor_does_the_work_of_what_resists(request, number):
     data = one_axis(told(request, number))
     axis = data["axes"][0]
@@ -149,7 +149,7 @@ def test_without_losses_the_motor_does_the_work_of_what_resists(request, number)
     )
 
 
-@pytest.mark.parametrize("number", nights(10))
+@pytest.mark.parametrize("number", nights(4))
 def test_no_result_hangs_on_the_samples(request, number):
     data = one_axis(told(request, number))
     books = [TEMPLATE.declare(valid(data | {"sizes": data["sizes"] | {"cycle": cycle}})) for cycle in (12, 720)]
@@ -183,7 +183,7 @@ def failing(data, rate):
     return {limit for limit, name in CHECKS.items() if value(f"drive1_ok_{name}") == "FAIL"}
 
 
-@pytest.mark.parametrize("number", [*range(1), *nights(20)])
+@pytest.mark.parametrize("number", [*range(1), *nights(8)])
 def test_at_the_highest_rate_every_limit_holds_and_above_it_the_named_one_fails(request, number):
     drawn = told(request, number)
     data = limited(drawn, one_axis(drawn))
