@@ -121,7 +121,19 @@ def by_rms(points: DrivePoints, motor: Motor) -> Estimate:
 
 
 def by_square(limit: float, standing: float, half: float, growing: float, left: float, square: float) -> Estimate:
-    """Return the estimate of a limit (Nm) whose square is standing² + 2 half x + growing x², of which left is left."""
+    """Return the estimate of a mean torque, from where on and up to where it is within its limit M.
+
+    Its square, S² + 2 h x + G x², is M² at x = L/(√(h² + G L) + h), with L = M² − S².
+
+    Parameters
+    ----------
+    limit, standing : float, Nm
+        M, and S at standstill.
+    half, growing, left : float, N²m²
+        h, G and L.
+    square : float, N⁴m⁴
+        h² + G L.
+    """
     root = math.sqrt(max(0.0, square))
     if left > 0.0:
         return Estimate(limit, standing, (root + half) / left)
