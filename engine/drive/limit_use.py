@@ -238,11 +238,15 @@ class RateSearch:
         """The range of each limit by lines between the points at both rates."""
         return {name: self._ends(name) for name in self.estimates}
 
+    def part(self, name: str) -> float:
+        """Return the part of the way between both rates after which a limit is reached, or infinite."""
+        share = max(self.between[name][self.begin])
+        return 1.0 / share - LEAST_USE if share > LEAST_USE else math.inf  # the largest share is reached at once
+
     def met(self, name: str) -> float:
         """Return the rate (1/s) at which a limit is reached by the line between both rates, or infinite."""
-        (begin, end), share = self.way, max(self.between[name][self.begin])
-        # the largest share, 1/LEAST_USE, is reached at once
-        power = begin + (end - begin) * (1.0 / share - LEAST_USE) if share > LEAST_USE else math.inf
+        (begin, end), part = self.way, self.part(name)
+        power = begin + (end - begin) * part if math.isfinite(part) else math.inf
         met = self.rate * max(0.0, power) ** (1.0 / self.order)
         return self._beyond_full(met, self.cycles_use[self.begin]) if name == CYCLES else met
 

@@ -178,19 +178,25 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
             for column, (begin, sign) in WAYS.items()
         ),
         cell("share", [max(share[search.begin]) for share in shares], scale=1.0),
+        cell("part", [part(search, name) for name in names], formula=[PART] * len(names), scale=1.0),
         cell("met", met_at, formula=[CYCLES_MEET if name == CYCLES else LIMIT_MEETS for name in names]),
         cell("high", [met(end.high) for end in ends], formula=[high(row, name, search) for row, name in rows]),
         cell("low", [met(end.low, NEVER_HELD) for end in ends], formula=low, scale=view.rate),
     )
 
 
-AT = "MAX(0,@from+(@to-@from)*(1/([share]+tiny)-@least_use))^(1/@order)"
-LIMIT_MEETS = f'=IF([share]<=@least_use,"{NOT_REACHED}",@rate*{AT})'
-CYCLES_MEET = (
-    f'=IF(AND([share]<=@least_use,@cycles_use<1),"{NOT_REACHED}",MAX(@full/60,IF(@cycles_use<1,@rate,0)*{AT}))'
-)
+AT = "@rate*MAX(0,@from+(@to-@from)*[part])^(1/@order)"
+PART = f'=IF([share]<=@least_use,"{NOT_REACHED}",1/([share]+tiny)-@least_use)'
+LIMIT_MEETS = f'=IF(ISNUMBER([part]),{AT},"{NOT_REACHED}")'
+CYCLES_MEET = f'=IF(OR(ISNUMBER([part]),@cycles_use>=1),MAX(@full/60,IF(@cycles_use<1,{AT},0)),"{NOT_REACHED}")'
 WAYS = {"on": (0, 0), "on_b": (0, 1), "back": (1, 0), "back_b": (1, 1), "rest": (2, 0), "rest_b": (2, 1)}
 """of the columns of shares: where they begin, and whether torques are forward (0) or backward (1)"""
+
+
+def part(search: RateSearch, name: str) -> float | str:
+    """Return the part of the way to the tried rate after which a limit is reached, or the word for none."""
+    found = search.part(name) if name in search.between else math.inf
+    return NOT_REACHED if math.isinf(found) else found
 
 
 def cap(row: int, name: str) -> str:
