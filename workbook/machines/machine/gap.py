@@ -29,6 +29,7 @@ class Lowest(NamedTuple):
 
 
 PARTS, PARTS_BY_PAIRS = 2, 4  # of each piece, at whose begins the gap is worked out
+FLAT = 1000.0 * ZERO  # of the gap's size: the place of a smaller fall would keep fewer than nine digits
 
 
 class FreePositions(NamedTuple):
@@ -166,7 +167,7 @@ class ClearanceView:
         angles, gaps, slopes = self.angles, self.gaps(self.angles), self.slopes
         steps, rise = np.diff(angles, prepend=angles[0]), np.diff(gaps, prepend=gaps[0])
         fall = np.concatenate([[0.0], slopes[:-1] * si(steps[1:], DEGREE)])
-        inside = (fall < -ZERO * self.size) & (fall < 2.0 * rise)
+        inside = (fall < -FLAT * self.size) & (fall < 2.0 * rise)
         share = np.where(inside, fall / np.where(inside, 2.0 * (fall - rise), 1.0), 1.0)
         low = np.where(inside, gaps - rise + 0.5 * fall * share, gaps)
         return Lowest(fall, rise, share, low, angles - (1.0 - share) * steps)
