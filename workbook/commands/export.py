@@ -154,15 +154,7 @@ def export(
     axes, lanes, names = plan_export(machine, axis, asked, everything, switches)
     beside = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
     paths = beside if output is None or everything else [output]  # with --all, -o names the folder in which they lie
-    there = [path for path in paths if os.path.lexists(path)]
-    if there and not force:
-        verb = "exists" if len(there) == 1 else "exist"
-        raise WriteError(
-            f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
-            "there, -o names another place)"
-        )
-    for path in paths:
-        refuse_existing(path, force)
+    refuse_any_existing(paths, force)
     refuse_same_file(*paths, report)
     mark = verified_header(book, before, asked.unverified, fresh)
     with ERR.status("Exporting …"):
@@ -181,6 +173,19 @@ def export(
         write_text(path, text, force)
         say(ERR if as_json else OUT, f"Wrote {path.absolute()}")
     return AGREES
+
+
+def refuse_any_existing(paths: Sequence[Path], force: bool) -> None:
+    """Raise WriteError naming all files that are there already, unless they may be replaced."""
+    there = [path for path in paths if os.path.lexists(path)]
+    if there and not force:
+        verb = "exists" if len(there) == 1 else "exist"
+        raise WriteError(
+            f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
+            "there, -o names another place)"
+        )
+    for path in paths:
+        refuse_existing(path, force)
 
 
 def plan_export(
@@ -226,7 +231,7 @@ def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
 
 
 def show_certificates(files: Sequence[AxisFile], turned: SwitchFile | None, asked: Options, as_json: bool) -> bool:
-    """Print the certificates, what is untested, what misses a tolerance; return whether all keeps to what was asked."""
+    """Print the certificates and what :func:`tell_missed` tells; return whether all keeps to what was asked."""
     target = asked.target
     if as_json:
         certificates: list[Any] = [
@@ -242,6 +247,12 @@ def show_certificates(files: Sequence[AxisFile], turned: SwitchFile | None, aske
                 say(OUT, line)
         if turned:
             turned.show(target)
+    return tell_missed(files, turned, asked)
+
+
+def tell_missed(files: Sequence[AxisFile], turned: SwitchFile | None, asked: Options) -> bool:
+    """Print what is untested and what misses a tolerance; return whether all keeps to what was asked."""
+    target = asked.target
     for claim in (*(target.untested if files else ()), *(turned.tappets.untested if turned else ())):
         say(ERR, f"Untested: {claim.what} ({claim.source})")
     missed = [f"{file.axis.name}: {cams.excess(file.certified, asked.tolerance)}"

@@ -100,23 +100,13 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
                 f"from {p.begin:.9g} to {p.end:.9g} it keeps to no law, and splines through some "
                 "points are too far from the others; --tolerance y=1% allows more"
             )
-    laws: dict[str, Any] = {}
-    if any(not p.rests for p in movements):
-        laws["LIN"] = {"family": "LIN"}
-    phases: list[dict[str, Any]] = []
     begin, end = float(table.x[0]), float(table.x[-1])
-    near, reached = NEXT * (end - begin), begin
-    for k, p in enumerate(movements):
-        name, law = law_entry(p, k)
-        laws |= law
-        start = p.begin if p.begin - reached > near else reached
-        reached = p.end
-        places = {"start": rounded(start - begin), "stop": rounded(reached - begin)}
-        phases.append({"law": name, "lift": p.lift, **places, **boundary_rates(movements, k, near, units)})
+    near = NEXT * (end - begin)
+    laws, phases = compose_phases(movements, begin, near, units)
     phases = phases or [{"law": "DWL", "lift": 0.0, "start": 0.0, "stop": rounded(end - begin)}]
     travel = math.fsum(p.lift for p in movements)
     closes = abs(travel) <= NEXT * max((abs(p.lift) for p in movements), default=1.0)
-    if movements and end - reached <= near:
+    if movements and end - movements[-1].end <= near:
         require_end(movements, closes, near + begin)
     jumps = any(p.law.code == Spline.code for p in movements)  # the acceleration of a spline begins and ends so
     axis = {
@@ -134,6 +124,23 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
     rows = {"points": points, "phases": len(phases)}
     sizes = {name: count for name, count in rows.items() if count > getattr(Sizes(), name)}  # usually there is room
     return {"template": "machine", "title": title, "laws": laws, "sizes": sizes, "master": master, "axes": [axis]}
+
+
+def compose_phases(
+    movements: Sequence[FoundPhase], begin: float, near: float, units: tuple[str, str]
+) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """Return the entries of laws and phases of movements in a cycle from ``begin``, joined within ``near``."""
+    laws: dict[str, Any] = {} if all(p.rests for p in movements) else {"LIN": {"family": "LIN"}}
+    phases: list[dict[str, Any]] = []
+    reached = begin
+    for k, p in enumerate(movements):
+        name, law = law_entry(p, k)
+        laws |= law
+        start = p.begin if p.begin - reached > near else reached
+        reached = p.end
+        places = {"start": rounded(start - begin), "stop": rounded(reached - begin)}
+        phases.append({"law": name, "lift": p.lift, **places, **boundary_rates(movements, k, near, units)})
+    return laws, phases
 
 
 def require_end(phases: Sequence[FoundPhase], closes: bool, begin: float) -> None:

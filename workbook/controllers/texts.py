@@ -121,6 +121,25 @@ def remarks(*lines: str) -> str:
 
 def numbers(text: str, widths: Sequence[int], counted: bool = False) -> list[list[float]]:
     """Return the rows of numbers below what stands above, so many columns wide; raise TargetError, by line."""
+    lines = points_below_count(number_lines(text), counted)
+    decimals: set[str] = set()
+    separator = found_separator([line for _, line in lines])
+    if separator and all(line.endswith(separator.rstrip(" ")) for _, line in lines):
+        lines = [(n, line[:-1]) for n, line in lines]
+    rows = [row(n, line, separator, decimals) for n, line in lines]
+    if separator == ",":
+        refuse_decimal_commas(lines)
+    if rows and len(rows[0]) not in widths:
+        expected = " or ".join(map(str, widths))
+        raise TargetError(f"line {lines[0][0]}: {len(rows[0])} columns; expected {expected}")
+    for (n, _), values in zip(lines, rows, strict=True):
+        if len(values) != len(rows[0]):
+            raise TargetError(f"line {n}: {len(values)} columns; expected {len(rows[0])}, as in the line before")
+    return rows
+
+
+def number_lines(text: str) -> list[tuple[int, str]]:
+    """Return the lines from the first that begins with a number on, by their numbers from 1, without comments."""
     lines: list[tuple[int, str]] = []
     for n, whole in enumerate(text.splitlines(), 1):
         line = whole.split("#", 1)[0].translate(SIGNS).strip() if whole else ""
@@ -130,6 +149,11 @@ def numbers(text: str, widths: Sequence[int], counted: bool = False) -> list[lis
             raise TargetError(f"more than {MOST_POINTS:,} lines of numbers; expected at most so many")
     if not lines:
         raise TargetError("there is no line of numbers; expected a table of two columns or more")
+    return lines
+
+
+def points_below_count(lines: list[tuple[int, str]], counted: bool) -> list[tuple[int, str]]:
+    """Return the lines of points, below the line of their count if there is one; raise TargetError if it differs."""
     if counted and not WHOLE.fullmatch(lines[0][1]):
         raise TargetError(f"line {lines[0][0]}: {lines[0][1][:40]!r}; expected how many numbers follow")
     if WHOLE.fullmatch(lines[0][1]):
@@ -137,25 +161,18 @@ def numbers(text: str, widths: Sequence[int], counted: bool = False) -> list[lis
             raise TargetError(f"line {lines[0][0]}: {lines[0][1][:9]} points are told, {len(lines) - 1} follow")
         if len(lines) == 1:
             raise TargetError(f"line {lines[0][0]}: it tells of no points; expected two or more")
-        lines = lines[1:]
-    decimals: set[str] = set()
-    separator = found_separator([line for _, line in lines])
-    if separator and all(line.endswith(separator.rstrip(" ")) for _, line in lines):
-        lines = [(n, line[:-1]) for n, line in lines]
-    rows = [row(n, line, separator, decimals) for n, line in lines]
-    for n, line in lines if separator == "," else ():
+        return lines[1:]
+    return lines
+
+
+def refuse_decimal_commas(lines: Sequence[tuple[int, str]]) -> None:
+    """Raise TargetError for a line whose commas part columns and are the decimal sign too."""
+    for n, line in lines:
         if any(ZEROS.fullmatch(field.strip()) for field in line.split(",")):
             raise TargetError(
                 f"line {n}: {line[:40]!r}; a comma parts the columns and is the decimal sign, it seems: "
                 "expected two signs"
             )
-    if rows and len(rows[0]) not in widths:
-        expected = " or ".join(map(str, widths))
-        raise TargetError(f"line {lines[0][0]}: {len(rows[0])} columns; expected {expected}")
-    for (n, _), values in zip(lines, rows, strict=True):
-        if len(values) != len(rows[0]):
-            raise TargetError(f"line {n}: {len(values)} columns; expected {len(rows[0])}, as in the line before")
-    return rows
 
 
 def found_separator(given: Sequence[str]) -> str | None:

@@ -1,6 +1,6 @@
 """Unfinished designs: what was entered is shown with its faults, the engine works with other numbers in their place."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import deepcopy
 from typing import Any, Literal, TypeVar, get_origin
 
@@ -104,11 +104,7 @@ def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
         expected = rules.either(rules.kinds_at(model, rule.split(".")))
         return f"{where(f'{key}.{rules.KIND}')}: {f'found {kind_text}' if kind_text else 'empty'}; expected {expected}"
     if fault["type"] == "extra_forbidden":
-        above, unknown = key.removesuffix(f".{fault['loc'][-1]}"), str(fault["loc"][-1])
-        kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
-        plain = unknown.isidentifier() and len(unknown) < LONGEST
-        named = where(f"{above if len(fault['loc']) > 1 else ''}.{unknown if plain else quoted(unknown)}".strip("."))
-        return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
+        return unknown_line(fault["loc"], key, rule, model, where)
     kind, constraints = rules.field_at(model, rule)
     expected = rules.expectation(kind, constraints)
     if fault["type"] == "missing" or fault["input"] in ({}, None):
@@ -117,6 +113,15 @@ def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
         expected = f"a number of at most {LARGEST:g} in size, and of at least {SMALLEST:g} if it is more than 0"
     optional = "" if rules.is_required(model, rule) else " (optional)"
     return f"{where(key)}: found {quoted(fault['input'])}; expected {expected}{optional}"
+
+
+def unknown_line(loc: Sequence[Any], key: str, rule: str, model: type[BaseModel], where: Where) -> str:
+    """Return the line for an entry that its table does not know, with those that it knows."""
+    above, unknown = key.removesuffix(f".{loc[-1]}"), str(loc[-1])
+    kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
+    plain = unknown.isidentifier() and len(unknown) < LONGEST
+    named = where(f"{above if len(loc) > 1 else ''}.{unknown if plain else quoted(unknown)}".strip("."))
+    return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
 
 
 def of_rule(where: str, error: DesignError) -> Fault:

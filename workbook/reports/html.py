@@ -150,12 +150,6 @@ def plot(
     across, up = scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1])
     colours = [f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}" for k in range(len(lines))]
     drawn = [*((line, BEFORE) for line in before), *zip(lines, colours, strict=True)]
-    heights: list[float] = []
-    for line in lines:
-        place = float(up.at(line.y[-1]))
-        while any(abs(place - other) < APART for other in heights):
-            place += APART / 2
-        heights.append(place)
     of = {line.name: line for line in lines}
     return picture(
         title,
@@ -171,7 +165,7 @@ def plot(
         ],
         names=[
             (line.name, WIDTH - RIGHT + 8, height + 4, colour)
-            for line, colour, height in zip(lines, colours, heights, strict=True)
+            for line, colour, height in zip(lines, colours, name_heights(lines, up), strict=True)
         ],
         handles={grip.line: grip.attributes for grip in handles if grip.x is None},
         dragged=[
@@ -180,6 +174,17 @@ def plot(
             if grip.x is not None
         ],
     )
+
+
+def name_heights(lines: Sequence[Line], up: Scale) -> list[float]:
+    """Return the heights in the picture at which the names of lines stand, at their ends but clear of each other."""
+    heights: list[float] = []
+    for line in lines:
+        place = float(up.at(line.y[-1]))
+        while any(abs(place - other) < APART for other in heights):
+            place += APART / 2
+        heights.append(place)
+    return heights
 
 
 def path(x: Array, y: Array) -> str:

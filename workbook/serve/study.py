@@ -15,7 +15,7 @@ from workbook.build import read_description
 from workbook.commands.study import summary_from
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
-from workbook.fields.paths import get, join, leaves, spell, spread
+from workbook.fields.paths import Place, get, join, leaves, spell, spread
 from workbook.laws.entries import ENTRIES, references
 from workbook.pool import cores
 from workbook.reading.descriptions import parse_toml, template_named, write_machine
@@ -134,16 +134,22 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
         if last == "name" and above and above[-1] in PRODUCTS:
             words[key] = [product.name for product in getattr(machine.selection, PRODUCTS[above[-1]])]
         if isinstance(value, float) or key in words:
-            known, over = [ALL, *words[key]] if key in words else [], ALL
-            if not known:
-                low, high = sorted((value * (1.0 - SHARE), value * (1.0 + SHARE)))
-                over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
-            rows = len(get(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
-            givers = [spell([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
-            row = Field(spell(path), figure(value), over, known, givers)
             named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
+            row = field_to_vary(data, path, value, words.get(key, []))
             tables.setdefault(f"{spell(above)} {named}".strip(), []).append(row)
     return tables, [name for _, names in listed_results(machine) for name in names]
+
+
+def field_to_vary(data: Mapping[str, Any], path: Place, value: Any, words: list[str]) -> Field:
+    """Return an entry that can vary: over all its words, or over a range about its value; phases beside an edge."""
+    *above, last = path
+    known, over = [ALL, *words] if words else [], ALL
+    if not known:
+        low, high = sorted((value * (1.0 - SHARE), value * (1.0 + SHARE)))
+        over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
+    rows = len(get(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
+    givers = [spell([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
+    return Field(spell(path), figure(value), over, known, givers)
 
 
 def composed(base: str, asked: Mapping[str, list[str]]) -> str:

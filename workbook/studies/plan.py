@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -185,24 +185,8 @@ def make_plan(study: Study, base: Path, where: str) -> Plan:
 def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     """Return the dimension of an entry of a study; raise InputError, also for values that no machine can have."""
     paths = tuple(path_of(plan.base, key, f"{where}, key") for key in vary.keys)
-    entry, takes = paths[0][-1], Place()
-    if vary.takes is not None:  # the phase that gives room
-        if len(paths) > 1 or entry not in EDGES:
-            raise InputError([f"{where}, takes: {vary.keys} takes no room; expected one key, of {', '.join(EDGES)}"])
-        takes = path_of(plan.base, vary.takes, f"{where}, takes", table=True)
-        if takes == paths[0][:-1] or EDGES[entry][0] not in children(get(plan.data, takes)):
-            raise InputError([f"{where}, takes: {vary.takes!r} cannot give room; expected another phase"])
-    values, name = vary.values or [], vary.keys[0]
-    if vary.all == "laws":
-        given = next((reference for reference in references(plan.base) if split(reference.key) == paths[0]), None)
-        if given is None:
-            raise InputError([f"{where}: {name!r} names no law; expected the law of a phase"])
-        values = laws_with_same_ends(plan, paths[0], given.name)
-    elif vary.all == "catalogue":
-        products = next((PRODUCTS[part] for part in reversed(paths[0]) if part in PRODUCTS), "")
-        values = [row.name for row in getattr(getattr(plan.base, "selection", None), products, None) or []]
-        if not values:
-            raise InputError([f"{where}: {name!r} is none of a catalogue; expected the name of a motor or reducer"])
+    takes = Place() if vary.takes is None else phase_with_room(plan, vary, paths, f"{where}, takes")
+    values, name = vary.values or names_to_try(plan, vary, paths[0], where), vary.keys[0]
     scaling = plan.template.scaling
     leads = any(link.source in paths for link in plan.links)  # what it changes besides does not scale with it
     part = scaling.part(join(paths[0])) if scaling and not leads else ""
@@ -212,6 +196,34 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
         if isinstance(machine, Impossible) or (isinstance(machine, str) and dimension.part):
             raise InputError([f"{where}: {dimension.label} = {quoted(value)}: {machine}"])
     return dimension
+
+
+def phase_with_room(plan: Plan, vary: Vary, paths: Sequence[Place], where: str) -> Place:
+    """Return the place of the phase that gives the room which an edge takes; raise InputError if it has none."""
+    entry = paths[0][-1]
+    if len(paths) > 1 or entry not in EDGES:
+        raise InputError([f"{where}: {vary.keys} takes no room; expected one key, of {', '.join(EDGES)}"])
+    takes = path_of(plan.base, vary.takes or "", where, table=True)
+    if takes == paths[0][:-1] or EDGES[entry][0] not in children(get(plan.data, takes)):
+        raise InputError([f"{where}: {vary.takes!r} cannot give room; expected another phase"])
+    return takes
+
+
+def names_to_try(plan: Plan, vary: Vary, path: Place, where: str) -> list[Any]:
+    """Return the names of all laws or of all products that an entry may have; none where a study gives figures."""
+    if vary.all == "laws":
+        given = next((reference for reference in references(plan.base) if split(reference.key) == path), None)
+        if given is None:
+            raise InputError([f"{where}: {vary.keys[0]!r} names no law; expected the law of a phase"])
+        return list(laws_with_same_ends(plan, path, given.name))
+    if vary.all == "catalogue":
+        products = next((PRODUCTS[part] for part in reversed(path) if part in PRODUCTS), "")
+        rows = getattr(getattr(plan.base, "selection", None), products, None) or []
+        if not rows:
+            problem = f"{vary.keys[0]!r} is none of a catalogue; expected the name of a motor or reducer"
+            raise InputError([f"{where}: {problem}"])
+        return [row.name for row in rows]
+    return []
 
 
 def laws_with_same_ends(plan: Plan, path: Place, given: str) -> list[str]:

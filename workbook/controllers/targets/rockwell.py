@@ -1,6 +1,7 @@
 """Rockwell Logix: a CAM array, and switches as an OUTPUT_CAM array, as Tags of L5X; reads CAM_PROFILE too."""
 
 import re
+from collections.abc import Iterable
 from xml.etree.ElementTree import Element, ParseError, fromstring
 
 import numpy as np
@@ -54,15 +55,21 @@ def read(text: str) -> Table:
         raise TargetError("the two forms of the tag's data, L5K and Decorated, differ; expected the same points")
     require_dimensions(cam, len(given))
     x, y, kinds = np.array(given).reshape(-1, 3).T
-    held = {tag.get("Name"): next((member.get("Value", "") for member in tag.iter("DataValue")), "") for tag in tags}
-    slopes, names = None, [f"{cam.get('Name')}_{which}" for which in SLOPES]  # in tags of their own, if at all
-    if all(name in held for name in names):
-        for name in names:
-            if not NUMBER.fullmatch(held[name]):
-                raise TargetError(f"{name} is {held[name][:40]!r}; expected a number")
-        first, last = REAL.rounded(np.array([float(held[name]) for name in names])).tolist()
-        slopes = first, last
+    slopes = end_slopes(tags, cam.get("Name", ""))
     return Table(REAL.rounded(x), REAL.rounded(y), slopes=slopes, straight=kinds[:-1] == 0.0)
+
+
+def end_slopes(tags: Iterable[Element], cam: str) -> tuple[float, float] | None:
+    """Return the slopes at both ends of a cam, which have tags of their own; None where there are no such tags."""
+    values = {tag.get("Name"): next((member.get("Value", "") for member in tag.iter("DataValue")), "") for tag in tags}
+    names = [f"{cam}_{which}" for which in SLOPES]
+    if not all(name in values for name in names):
+        return None
+    for name in names:
+        if not NUMBER.fullmatch(values[name]):
+            raise TargetError(f"{name} is {values[name][:40]!r}; expected a number")
+    first, last = REAL.rounded(np.array([float(values[name]) for name in names])).tolist()
+    return first, last
 
 
 def only_tag(text: str, *kinds: str) -> tuple[list[Element], Element]:

@@ -111,13 +111,17 @@ class Axis(Model):
             raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
         if self.printed and self.stages:
             raise EntryError("printed", f"{self.printed} has no stages behind its reducer; expected none")
+        self._require_own_load()
+        return self
+
+    def _require_own_load(self) -> None:
+        """Raise EntryError for a load that travels on an axis that turns, and the reverse."""
         slides = self.mechanism is not None and self.mechanism.SLIDES
         moved = f"a {self.mechanism.kind}" if slides and self.mechanism else f"an axis in {self.unit}"
         load = drive_entries.TRAVELLING_LOAD
         for name in (*drive_entries.TURNING_LOAD, "arm") if slides or self.unit == "mm" else load:
             if getattr(self.load, name):
                 raise EntryError(f"load.{name}", f"no entry of {moved}; expected none")
-        return self
 
     @property
     def repeats(self) -> bool:
@@ -182,17 +186,32 @@ class AnyMachine(Exporting):
         for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
             require_distinct((row.name for row in getattr(self, key)), kind, f"{key}.{{}}.name")
         beside.require_axes(self.clearances, [axis.name for axis in self.axes])
+        self._require_drives()
+        require_room(self.selection, self.sizes)
+        self._require_axis_to_choose()
+        self._require_rows()
+        require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
+        self._require_pieces()
+        return self
+
+    def _require_drives(self) -> None:
+        """Raise EntryError for entries of drives in a machine that has none, of weights where nothing has a weight."""
         for entry in ("power", "limits", "creep_forces") if not any(axis.motor for axis in self.axes) else ():
             if getattr(self, entry) != type(self).model_fields[entry].default:
                 raise EntryError(entry, "no axis has a drive; expected none")
         if self.gravity != type(self).model_fields["gravity"].default and not self.weighs:
             raise EntryError("gravity", "no axis with a drive has a weight; expected none")
-        require_room(self.selection, self.sizes)
+
+    def _require_axis_to_choose(self) -> None:
+        """Raise EntryError where Selection chooses the drive of an axis that has none."""
         name, driven = self.selection.axis, [axis.name for axis in self.axes if axis.mechanism]
         if name is not None and not driven:
             raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has a drive")
         if name is not None and place_of(name, driven) < 0:
             raise DesignFaultsError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", driven[0])])
+
+    def _require_rows(self) -> None:
+        """Raise EntryError for a product that no catalogue has, and for more rows than a table has."""
         for i, axis in enumerate(self.axes):
             for entry, rows in (("motor", self.selection.motors), ("reducer", self.selection.reducers)):
                 name = getattr(getattr(axis, entry), "name", "")
@@ -207,7 +226,9 @@ class AnyMachine(Exporting):
                 if len(given_rows) > getattr(self.sizes, room):
                     problem = f"{len(given_rows)} rows do not fit into {getattr(self.sizes, room)}; raise sizes.{room}"
                     raise EntryError(f"axes.{i}.{entry}", problem)
-        require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
+
+    def _require_pieces(self) -> None:
+        """Raise DesignFaultsError for an axis whose motion has more pieces than its table has rows."""
         number, faults = piece_counts(self.laws), []
         needed = [
             sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
@@ -221,7 +242,6 @@ class AnyMachine(Exporting):
                 faults.append(DesignError(f"axes.{i}.phases", problem, rule, still))
         if faults:
             raise DesignFaultsError(faults)
-        return self
 
     def built_as(self, names: Mapping[str, str]) -> None:
         """Keep what the axes with drives were called when the book was built."""

@@ -66,26 +66,36 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             axis["closes"] = ("feed", "open", "position", "open", "feed", "position")[(i + k) % SIX]
             for n, phase in enumerate(axis["phases"]):
                 phase |= passing(k, n, laws, 0.01)
-    driven = [axis for axis in data["axes"] if axis["motor"] is not None]
-    data |= {"power": {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k, "price": 0.1 * k}} if driven else {}
-    data |= {"creep_forces": ("off", "on")[k % 2]} if driven else {}
-    data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
+    vary_drives_together(data, k)
     for i, clearance in enumerate(data["clearances"]):
-        clearance |= {
-            "first_factor": (1.0, -1.0, 0.37)[(i + k) % 3],
-            "second_factor": (-0.8, 1.3, 0.0)[k % 3],
-            "offset": 11.0 * k,
-            "least": -1e4 if (i + k) % 2 else 3.0,
-        }
-        clearance["pairs"] = [
-            {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
-            for n, pair in enumerate(clearance["pairs"])
-        ]
+        vary_clearance(clearance, i, k)
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     if pace == "cycle":
         in_units_of(data, master["unit"], master[pace])
     return data
+
+
+def vary_drives_together(data: dict[str, Any], k: int) -> None:
+    """Give a machine that has drives another supply, creeping and gravity."""
+    driven = [axis for axis in data["axes"] if axis["motor"] is not None]
+    data |= {"power": {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k, "price": 0.1 * k}} if driven else {}
+    data |= {"creep_forces": ("off", "on")[k % 2]} if driven else {}
+    data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
+
+
+def vary_clearance(clearance: dict[str, Any], i: int, k: int) -> None:
+    """Give a clearance other factors, another offset, and other pairs where it has some."""
+    clearance |= {
+        "first_factor": (1.0, -1.0, 0.37)[(i + k) % 3],
+        "second_factor": (-0.8, 1.3, 0.0)[k % 3],
+        "offset": 11.0 * k,
+        "least": -1e4 if (i + k) % 2 else 3.0,
+    }
+    clearance["pairs"] = [
+        {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
+        for n, pair in enumerate(clearance["pairs"])
+    ]
 
 
 def choose(data: dict[str, Any], k: int) -> None:

@@ -77,15 +77,12 @@ def operators() -> Callable[[Any, str, Any], Any]:
             if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
                 return raised(left, right)
         elif kind in RANGES or other in RANGES:
-            first, two = (
-                x if k in NUMBERS else array_of(x) if k in RANGES else None for x, k in ((left, kind), (right, other))
-            )
-            cells = None if first is None or two is None else array_operation(first, operator, two)
+            first, second = number_or_array(left), number_or_array(right)
+            cells = None if first is None or second is None else array_operation(first, operator, second)
             if cells is not None:
                 return Array(cells)
             left, right = plain(left), plain(right)
-            sizes = {(len(x), len(x[0])) for x in (left, right) if isinstance(x, tuple)}
-            if len(sizes) == 1 and all(isinstance(x, tuple) or type(x) in NUMBERS for x in (left, right)):
+            if are_alike(left, right):
                 rows = zip(*(x if isinstance(x, tuple) else repeat(repeat(x)) for x in (left, right)), strict=False)
                 return tuple(tuple(map(operate, row, repeat(operator), other)) for row, other in rows)
             cross(left, right)
@@ -94,28 +91,47 @@ def operators() -> Callable[[Any, str, Any], Any]:
     return operate
 
 
+def number_or_array(value: Any) -> Any:
+    """Return a number as it is, a range of numbers as an array; None for all else."""
+    kind = type(value)
+    return value if kind in NUMBERS else array_of(value) if kind in RANGES else None
+
+
+def are_alike(left: Any, right: Any) -> bool:
+    """Return whether both are ranges of the same size, or a range and a number."""
+    ranges = [x for x in (left, right) if isinstance(x, tuple)]
+    sizes = {(len(x), len(x[0])) for x in ranges}
+    return len(sizes) == 1 and all(isinstance(x, tuple) or type(x) in NUMBERS for x in (left, right))
+
+
 def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
     """Return the result of an operator on arrays of equal size, or array and number; None where it is not plain."""
     kinds = [array.dtype for array in (a, b) if isinstance(array, np.ndarray)]
     if len(kinds) == 2 and a.shape != b.shape:
         return None
-    truths = bool in kinds
-    cells: NDArray[Any] | None = None
     if operator in SUMS:
-        if truths:
-            a, b = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
-        cells = SUMS[operator](a, b)
-    elif truths:
+        return if_finite(SUMS[operator](*(map(as_numbers, (a, b)) if bool in kinds else (a, b))))
+    if bool in kinds:
         return None
-    elif operator in COMPARED:
+    if operator in COMPARED:
         apart = np.abs(a - b)
         doubtful = (apart > 0) & (apart <= 2.0 * NEAR * np.abs(b))  # the same to 15 digits, perhaps
         return None if doubtful.any() else COMPARED[operator](a, b)
-    elif operator == "Div" and np.all(b):
-        cells = a / b
-    elif operator == "Pow" and ((type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)):
-        cells = a**b
-    return cells if cells is not None and np.isfinite(cells).all() else None
+    if operator == "Div" and np.all(b):
+        return if_finite(a / b)
+    if operator == "Pow" and ((type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)):
+        return if_finite(a**b)
+    return None
+
+
+def as_numbers(value: Any) -> NDArray[Any]:
+    """Return an array of truth values as numbers."""
+    return np.asarray(value, dtype=float)
+
+
+def if_finite(cells: NDArray[Any]) -> NDArray[Any] | None:
+    """Return an array whose numbers are all finite; None for any other."""
+    return cells if np.isfinite(cells).all() else None
 
 
 def index(array: Any, row: Any, column: Any = None) -> Any:

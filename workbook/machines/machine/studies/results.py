@@ -47,10 +47,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     figures: Computations = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
     figures |= {f"{name}_cycle": partial(cycles, rate) for name in ("about", "timing")}
     checks: Computations = {}
-    for law in [named_law for named_law in named_laws(machine.laws) if named_law.page.has_sheet]:
-        figures |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
-        verdicts = law.page.verdicts(law, machine.sizes)
-        checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts if not q.rule}
+    add_laws(machine, figures, checks)
     drives = []
     for axis in whole.axes:
         axis_results, axis_checks = of_axis(axis, faster)
@@ -63,11 +60,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
             drives.append(DriveStudy(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
             figures |= each_drive.results(drives[-1])
             checks |= limits.checks(drives[-1])
-    for k, given in enumerate(machine.clearances, 1):
-        apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
-        figures[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
-        figures[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
-        checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(limit_of_gap(apart()).ok), apart)
+    add_clearances(machine, rows, figures, checks)
     figures |= of_drives(machine, drives) if drives else {}
     slow = checks_of_drives(machine, drives) if drives else {}
     judged = [limits.judged_exactly(drive) for drive in drives]
@@ -83,6 +76,23 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     each = {f"drive{drive.axis.number}_{name}" for drive in drives for name in each_drive.SLOW}
     every = ("about_highest", "about_binds") if drives else ()
     return Results(figures | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
+
+
+def add_laws(machine: AnyMachine, figures: Computations, checks: Computations) -> None:
+    """Add the coefficients and checks of the laws that have sheets of their own."""
+    for law in [named_law for named_law in named_laws(machine.laws) if named_law.page.has_sheet]:
+        figures |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
+        verdicts = law.page.verdicts(law, machine.sizes)
+        checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts if not q.rule}
+
+
+def add_clearances(machine: AnyMachine, rows: Callable[[], Any], figures: Computations, checks: Computations) -> None:
+    """Add the least gap of each clearance, where it is, and its check."""
+    for k, given in enumerate(machine.clearances, 1):
+        apart = cache(partial(lambda k, given: ClearanceView(given, k, rows()), k, given))
+        figures[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
+        figures[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
+        checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(limit_of_gap(apart()).ok), apart)
 
 
 def all_hold(judged: Sequence[Callable[[], Any]]) -> Any:
