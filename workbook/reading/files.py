@@ -8,27 +8,30 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from functools import cached_property
 from pathlib import Path
+from traceback import walk_tb
 from typing import Any
 
 from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
+from openpyxl.descriptors.base import Descriptor
 from openpyxl.reader.excel import ExcelReader
 from openpyxl.utils.cell import range_boundaries
 
 from workbook.book.address import Address, Fit, Place
 from workbook.book.columns import Moving
 from workbook.book.formula import Area
-from workbook.errors import ReadError
+from workbook.errors import ReadError, quoted
 from workbook.reading.cells import fill_sheet, saved_values
 from workbook.reading.contents import Cells, Contents, Patterns, plain_value
 from workbook.reading.guard import Inspected, guard
 from workbook.reading.package import StrippedArchive
-from workbook.reading.rows import LAST_COLUMN, LAST_ROW, SAVE_AS
+from workbook.reading.rows import LAST_COLUMN, LAST_ROW, SAVE_AS, tag
 from workbook.text_files import require_file
 
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of a name
 BUILT = datetime(2020, 1, 1)
+EXPECTED = {int: "a whole number", float: "a number", bool: "0 or 1", str: "a text"}
 
 
 class LiteralText(str):
@@ -107,6 +110,7 @@ def open_book(path: Path) -> BookFile:
 
 def load_workbook(path: Path, inspected: Inspected) -> Workbook:
     """Let openpyxl read a file that passed the guard, but for rows and drawings; raise ReadError where it cannot."""
+    reader = None
     try:
         with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints a complaint
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
@@ -115,6 +119,7 @@ def load_workbook(path: Path, inspected: Inspected) -> Workbook:
             reader.archive = StrippedArchive(path, inspected.parts)
             reader.read()
             for sheet in reader.wb.worksheets:
+                reader.archive.part = inspected.sheets[sheet.title].name
                 fill_sheet(sheet, inspected.sheets[sheet.title], reader.shared_strings)
             return reader.wb
     except PermissionError as error:
@@ -122,15 +127,39 @@ def load_workbook(path: Path, inspected: Inspected) -> Workbook:
     except MemoryError as error:
         raise ReadError(f"{path}: too large for the memory of this machine") from error
     except Exception as error:  # openpyxl trusts the XML: what is amiss comes up as any exception of Python's own
-        raise ReadError(f"{path}: damaged: openpyxl cannot read it ({innermost_cause(error)}); {SAVE_AS}") from error
+        raise ReadError(f"{path}: damaged: {part_opened(reader)}{refused_attribute(error)}; {SAVE_AS}") from error
 
 
-def innermost_cause(error: BaseException) -> str:
-    """Return the innermost cause of an error in a short line."""
+def part_opened(reader: ExcelReader | None) -> str:
+    """Return the part at which openpyxl stopped, before a colon; nothing where it did not come to any."""
+    part = reader.archive.part if reader is not None and isinstance(reader.archive, StrippedArchive) else ""
+    return f"{part}: " if part else ""
+
+
+def refused_attribute(error: BaseException) -> str:
+    """Return in a line the attribute, its value and what openpyxl expects there; its own message where it tells less.
+
+    Its errors name neither part nor element: those are the locals of its functions that read an element (``from_tree``)
+    and set an attribute (``__set__`` of a descriptor), in 3.1.5.
+    """
     while error.__cause__ is not None:
         error = error.__cause__
     message = " ".join(str(error).split())
-    return f"{type(error).__name__}: {message}"[:160].strip(": ")
+    element, refused = "", ""
+    for frame, _ in walk_tb(error.__traceback__):
+        held = frame.f_locals
+        if frame.f_code.co_name == "from_tree" and hasattr(held.get("node"), "attrib"):
+            element = f"<{tag(held['node'])}> "
+        elif frame.f_code.co_name == "__set__" and isinstance(held.get("self"), Descriptor):
+            rule, value = held["self"], held["value"]
+            words = ", ".join(sorted(str(word) for word in getattr(rule, "values", ()) if word))
+            kind = EXPECTED.get(getattr(rule, "expected_type", None), "another value")
+            expected = message if isinstance(error, ValueError) and not words else f"expected {words or kind}"
+            what = f"lacks {rule.name}" if value is None else f"holds {rule.name} = {quoted(value)}"
+            refused = f"{element}{what}; {expected}"
+    if isinstance(error, IndexError | OverflowError):
+        message = "a number in it is beyond the table that it counts in"
+    return refused or f"{element}cannot be read: {message}"[:200]
 
 
 def find_places(workbook: Workbook) -> dict[str, Place]:

@@ -141,10 +141,12 @@ class StrippedArchive(zipfile.ZipFile):
     def __init__(self, path: Path, pages: Mapping[str, Element]) -> None:
         super().__init__(path)
         self.pages = pages
+        self.part = ""  # the last that was opened, in quotes
 
     def open(self, name: str | zipfile.ZipInfo, *args: Any, **how: Any) -> IO[bytes]:
         """Open a part for reading."""
         part = name if isinstance(name, str) else name.filename
+        self.part = short(part)
         if DRAWING.fullmatch(part):
             return io.BytesIO(NOTHING_DRAWN)
         return io.BytesIO(tostring(self.pages[part])) if part in self.pages else super().open(name, *args, **how)
