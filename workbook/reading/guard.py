@@ -74,7 +74,7 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
     sheets: dict[str, Rows] = {}
     for title, part in titled.items():
         if part not in scans or (rows := scans[part].rows) is None:
-            raise Refusal(f"its sheet {short(title)} is no worksheet, or one of the strict kind; {SAVE_AS}")
+            raise Refusal(f"its sheet {short(title)} is no worksheet; {SAVE_AS}")
         sheets[title] = rows
     return Inspected(
         [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)],

@@ -26,6 +26,7 @@ MOST_IN_TAG = 100_000  # characters of all attributes of an element
 MOST_DEPTH = 100
 CHUNK = 65_536  # bytes that are parsed before what they make is looked at
 DATA, ROW, CELL = f"{MAIN}sheetData", f"{MAIN}row", f"{MAIN}c"
+STRICT = "{http://purl.oclc.org/ooxml/spreadsheetml/main}"  # ISO/IEC 29500-1; Excel writes the other by default
 PLACES = {DATA: [f"{MAIN}worksheet"], ROW: [f"{MAIN}worksheet", DATA], CELL: [f"{MAIN}worksheet", DATA, ROW]}
 """the elements of a worksheet that stand in a single place only, and what they stand in"""
 FILLED = frozenset({"mergeCell", "hyperlink", "comment"})  # openpyxl visits every cell of their ranges
@@ -93,6 +94,8 @@ class Scan:
         path, attributes = self._path, element.attrib
         if attributes and sum(map(len, attributes.values())) > MOST_IN_TAG:
             raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
+        if not path and element.tag.startswith(STRICT):
+            raise Refusal(f"a Strict Open XML workbook; {SAVE_AS} (Excel Workbook, not Strict Open XML)")
         if not path:
             self.root, self._pivot = element, tag(element).startswith("pivotCache")
             self.rows = Rows(self.name, self.count) if element.tag == f"{MAIN}worksheet" else None

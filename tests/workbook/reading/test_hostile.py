@@ -325,6 +325,16 @@ def test_a_part_parsed_again_and_again(book):
     assert "refers twice" in refused(book({"xl/workbook.xml": change}))
 
 
+STRICT = b"http://purl.oclc.org/ooxml/spreadsheetml/"
+
+
+def test_a_strict_workbook_is_named_as_such_with_the_way_out(book, slim):
+    """As Excel writes it: the namespaces of ISO/IEC 29500-1."""
+    names = [name for name, data in unpack(slim) if b"spreadsheetml/2006/main" in data]
+    change = sub(rb"http://schemas.openxmlformats.org/spreadsheetml/2006/", STRICT)
+    assert re.search("a Strict Open XML .* save it as .xlsx", refused(book(dict.fromkeys(names, change))))
+
+
 # what is read, but odd
 
 
