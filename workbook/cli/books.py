@@ -208,6 +208,7 @@ def diff(
     as_json: Json = False,
     html: Path | None = to("FILE.html", "Write a page with both timing diagrams.", "--html"),
     force: Force = False,
+    everything: bool = flag("--all", "List everything: every result and every cell."),
 ) -> None:
     """Tell what differs between two workbooks or descriptions: entries, results, checks, formulas, cells of your own.
 
@@ -215,7 +216,7 @@ def diff(
     """
     from workbook.commands import oracle as command
 
-    raise typer.Exit(command.diff(old, new, as_json, html, force))
+    raise typer.Exit(command.diff(old, new, as_json, html, force, everything))
 
 
 @app.command()

@@ -24,7 +24,7 @@ WITNESSES = (FIRST, "formualizer")  # the evaluators asked by default, where the
 COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
 
 
-def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) -> int:
+def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool, everything: bool = False) -> int:
     """Tell what differs between two books or descriptions; return the exit code."""
     page.require_writable(html, (".html",), force)
     with ERR.status(shown(f"Comparing {old} and {new} …")):
@@ -39,7 +39,7 @@ def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool) ->
     elif differences.same:
         say(OUT, "The same machine")
     else:
-        difference_reports.show(OUT, differences)
+        difference_reports.show(OUT, differences, everything)
     return AGREES if differences.same else DISAGREES
 
 

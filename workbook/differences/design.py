@@ -128,14 +128,14 @@ def read_design(path: Path) -> Design:
     edited = [f"{cell.sheet}!{cell.cell} ({cell.what}): {cell.computed}" for cell in report.findings]
     ours = {pair.address.sheet for pair in match.pairs}
     own = [f"the sheet {title!r}" for title in file.workbook.sheetnames if title not in ours]
-    formulas = file.contents.formulas
-    own += [f"{a}: {formulas[a]}" for a in file.contents.formula_cells if a not in match.numbers and a in formulas]
+    own += [f"{a}: {file.value(a)}" for a in file.contents.formula_cells if a not in match.numbers]
     own += [line.replace(" are not carried over", "") for line in left_behind(match, ours)]
     return Design(path, machine, TEMPLATES[machine.template].declare(machine), edited, own)
 
 
 EMPTY = (None, "")
 SMALLEST = 1e-12  # difference of two numbers that are the same: rounding in a file changes the last digits
+SHOWN = 0.005  # per cent, below which the difference of a result is shown as 0.00 %
 
 
 class Change(NamedTuple):
@@ -158,6 +158,11 @@ class Change(NamedTuple):
     def per_cent(self) -> float | None:
         """The difference over the old value, in per cent; None where that is 0."""
         return None if self.difference is None or not self.old else 100.0 * self.difference / abs(self.old)
+
+    @property
+    def is_shown(self) -> bool:
+        """Whether the difference is more than a last digit."""
+        return self.per_cent is None or abs(self.per_cent) >= SHOWN
 
 
 @dataclass(frozen=True)

@@ -31,7 +31,7 @@ from workbook.text_files import require_file
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of a name
 BUILT = datetime(2020, 1, 1)
-EXPECTED = {int: "a whole number", float: "a number", bool: "0 or 1", str: "a text"}
+EXPECTED: dict[object, str] = {int: "a whole number", float: "a number", bool: "0 or 1", str: "a text"}
 
 
 class LiteralText(str):

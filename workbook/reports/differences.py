@@ -1,5 +1,6 @@
 """Differences of two designs: on the terminal, as JSON, as a page with both timing diagrams."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,9 @@ from workbook.templates import TEMPLATES
 KINDS = (("entries", "Entries"), ("results", "Results"), ("checks", "Checks"))
 LINES = (("edited", "Formulas and texts edited"), ("own", "Cells, sheets and charts of your own"))
 HEADINGS = ("where", "what", "old", "new", "unit", "difference", "")
+MOST = 25  # differences of a kind that are listed unless all are asked for
+CELL = re.compile(r"(?P<column>[^:(]*![A-Z]{1,3})(?P<row>\d+)")
+DIGITS = re.compile(r"\d+(?:\.\d+)?(?:E[+-]?\d+)?", re.IGNORECASE)
 SAMPLES = 721  # of a diagram
 
 
@@ -41,15 +45,41 @@ def figure(value: Any) -> str:
     return "–" if value in (None, "") or value != value else f"{value:.7g}" if isinstance(value, float) else str(value)
 
 
-def show(console: Console, differences: Differences) -> None:
-    """Print the differences as tables and lines."""
+def show(console: Console, differences: Differences, everything: bool = False) -> None:
+    """Print the differences as tables and lines: of each kind the first, formulas by patterns, the rest as a number."""
     for name, title in KINDS:
         changes = getattr(differences, name)
-        if changes:
-            show_table(console, HEADINGS, map(row, changes), title=title, box=None, pad_edge=False)
+        chosen = changes if everything else [x for x in changes if name != "results" or x.is_shown][:MOST]
+        if chosen:
+            show_table(console, HEADINGS, map(row, chosen), title=title, box=None, pad_edge=False)
+        show_rest(console, len(changes) - len(chosen), name)
     for name, title in LINES:
-        for sign, line in signed(getattr(differences, name)):
-            say(console, f"{title}: {sign} {line}")
+        lines = signed(getattr(differences, name))
+        groups = [f"{sign} {text}" for sign, text in lines] if everything else grouped(lines)
+        for text in groups if everything else groups[:MOST]:
+            say(console, f"{title}: {text}")
+        show_rest(console, 0 if everything else len(groups) - MOST, title.lower())
+
+
+def show_rest(console: Console, count: int, what: str) -> None:
+    """Print how many differences of a kind are not listed, if any."""
+    if count > 0:
+        say(console, f"… and {count:,} more {what}; --all lists them")
+
+
+def grouped(lines: list[tuple[str, str]]) -> list[str]:
+    """Return lines on cells, those of a column whose texts differ in numbers alone as one with its first and last."""
+    groups: dict[tuple[str, ...], list[tuple[str, str]]] = {}
+    for sign, line in lines:
+        cell = CELL.match(line)
+        column = cell["column"] if cell else line
+        groups.setdefault((sign, column, DIGITS.sub("#", line)), []).append((cell["row"] if cell else "", line))
+    texts = []
+    for (sign, column, _), cells in groups.items():
+        (first, line), count = cells[0], len(cells)
+        span = f"{column}{first} … {cells[-1][0]}, {count} cells{line[len(column) + len(first) :]}"
+        texts.append(f"{sign} {span if count > 1 else line}")
+    return texts
 
 
 def signed(lines: dict[str, list[str]]) -> list[tuple[str, str]]:

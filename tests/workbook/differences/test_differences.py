@@ -8,12 +8,14 @@ from pathlib import Path
 
 import openpyxl
 import pytest
+from rich.console import Console
 
 from tests import cutting
 from workbook.build import build
 from workbook.commands.oracle import diff
-from workbook.differences.design import compare, read_design
+from workbook.differences.design import Change, Differences, compare, read_design
 from workbook.reading.descriptions import read_machine, validated, write_machine
+from workbook.reports.differences import MOST, grouped, show
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert, libreoffice_path
@@ -173,3 +175,34 @@ def test_git_shows_a_changed_book_as_docs_differences_says(folder, data, tmp_pat
     shown = git("diff")
     assert "MC03 row 2" in shown
     assert "+5.00 %" in shown
+
+
+def changed_results(count):
+    """So many results that moved, and one by its last digit."""
+    moved = [Change("Drive", f"result {n}", "Nm", 1.0, 2.0) for n in range(count)]
+    return [*moved, Change("Drive", "a last digit", "Nm", 1.0, 1.0 + 1e-9)]
+
+
+@pytest.mark.parametrize("everything", [False, True])
+def test_people_read_what_moved_and_a_formula_once_and_all_where_they_ask(everything, capsys):
+    formulas = [f"Cycle 1!C{row} (position, row {row}): =A{row}*2" for row in range(15, 115)]
+    found = Differences([], changed_results(30), [], {"old": [], "new": formulas}, {"old": [], "new": []})
+    show(Console(width=200), found, everything)
+    said = capsys.readouterr().out
+    assert said.count("Cycle 1!C") == (100 if everything else 1)
+    assert said.count("+100.00 %") == (30 if everything else MOST)
+    assert ("a last digit" in said) == everything
+    if not everything:
+        assert f"… and {31 - MOST} more results; --all lists them" in said
+        assert "+ Cycle 1!C15 … 114, 100 cells (position, row 15): =A15*2" in said
+
+
+def test_formulas_that_differ_in_more_than_numbers_are_lines_of_their_own():
+    lines = [
+        ("+", "S!C1: =A1*2"),
+        ("+", "S!C2: =A2*3"),
+        ("−", "S!C3: =A3*2"),
+        ("+", "S!D4: =A4*2"),
+        ("+", "S!C5: =B5*2"),
+    ]
+    assert grouped(lines) == ["+ S!C1 … 2, 2 cells: =A1*2", "− S!C3: =A3*2", "+ S!D4: =A4*2", "+ S!C5: =B5*2"]
