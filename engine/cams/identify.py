@@ -53,13 +53,8 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     """
     of = of._replace(thinned=share * float(np.ptp(of.y)))
     begins, ends = (of.moves_at(side) for side in (0, -1))
-    home = np.flatnonzero(_dwelling(of) & (np.abs(of.y[:-1]) <= of.near))
-    if turns and begins and ends and home.size:
-        k = int(home[0])
-        later = _rolled(of, k)
-        phases = _phases(later, rebuilt.shifted(float(of.x[-1] - of.x[k])))
-        if all(phase.fits and phase.rests for phase in phases) and _keeps_to(later, phases):
-            return IdentifiedMotion(phases, _allowed(of), float(of.x[k] - of.x[0]))
+    if turns and begins and ends and (motion := _from_first_dwell(of, rebuilt)):
+        return motion
     of = of._replace(begins=begins, ends=ends, seam=of.rates_across() if begins and ends else None)
     phases = _phases(of, rebuilt)
     if _keeps_to(of, phases):
@@ -68,6 +63,19 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     through = splined(of, rebuilt, (slopes[0], slopes[1]), max(of.thinned, of.near))
     missed = [replace(phase, fits=False) for phase in phases or [_line_of(of)]]
     return IdentifiedMotion(through or missed, _allowed(of))
+
+
+def _from_first_dwell(of: CamPoints, rebuilt: CamProfile) -> IdentifiedMotion | None:
+    """Return the movements of a cycle counted from its first dwell at 0; None unless each is from rest to rest."""
+    home = np.flatnonzero(_dwelling(of) & (np.abs(of.y[:-1]) <= of.near))
+    if not home.size:
+        return None
+    k = int(home[0])
+    later = _rolled(of, k)
+    phases = _phases(later, rebuilt.shifted(float(of.x[-1] - of.x[k])))
+    if all(phase.fits and phase.rests for phase in phases) and _keeps_to(later, phases):
+        return IdentifiedMotion(phases, _allowed(of), float(of.x[k] - of.x[0]))
+    return None
 
 
 def motion_at(phases: Sequence[FoundPhase], x: Array, rest: float) -> Array:

@@ -12,14 +12,14 @@ from workbook.commands.export import LOAD, SHAFT, SwitchFile, choose_axes, parse
 from workbook.commands.verify import open_finished, verified_header
 from workbook.controllers import as_description
 from workbook.controllers.registry import target as target_named
-from workbook.controllers.table import equidistant
+from workbook.controllers.table import Table, equidistant
 from workbook.controllers.tabulation import certify_table
 from workbook.controllers.target import Target, Track, differences, read_table, text_of
 from workbook.errors import AGREES, DISAGREES, ReadError, TargetError, visible
 from workbook.reading.descriptions import template_named, validated, write_machine
 from workbook.reports.cams import certificate_data, excess, show
 from workbook.reports.terminal import ERR, print_or_write, say, say_data, say_json
-from workbook.template_outputs import CamSwitch
+from workbook.template_outputs import CamAxis, CamSwitch
 from workbook.templates import TEMPLATES
 from workbook.writing.output_files import refuse_existing, refuse_itself
 
@@ -104,14 +104,8 @@ def compare(
     verified_header(book, before, unverified, fresh)
     if table is None or meant is None:
         return compare_tracks(book, template.switches(machine), file, target, as_json)
-    profile = meant.profile
-    for given, own in zip(table.x[[0, -1]], profile.edges[[0, -1]], strict=True):
-        if abs(float(given) - float(own)) > max(NEAR, SAME) * profile.total:
-            raise TargetError(
-                f"{file}: x runs from {table.x[0]:.9g} to {table.x[-1]:.9g}; {meant.name} from "
-                f"{profile.edges[0]:.9g} to {profile.edges[-1]:.9g} {meant.x_unit}: expected the same cycle"
-            )
-    certified = certify_table(target, table, profile)
+    require_same_cycle(file, table, meant)
+    certified = certify_table(target, table, meant.profile)
     if as_json:
         say_json(certificate_data(meant, certified, target, str(file)))
     else:
@@ -120,6 +114,17 @@ def compare(
         return AGREES
     say(ERR, f"{meant.name}: {excess(certified, held)}", "red")
     return DISAGREES
+
+
+def require_same_cycle(file: Path, table: Table, axis: CamAxis) -> None:
+    """Raise TargetError where the table of a file begins or ends elsewhere than the cycle of an axis."""
+    profile = axis.profile
+    for given, own in zip(table.x[[0, -1]], profile.edges[[0, -1]], strict=True):
+        if abs(float(given) - float(own)) > max(NEAR, SAME) * profile.total:
+            raise TargetError(
+                f"{file}: x runs from {table.x[0]:.9g} to {table.x[-1]:.9g}; {axis.name} from "
+                f"{profile.edges[0]:.9g} to {profile.edges[-1]:.9g} {axis.x_unit}: expected the same cycle"
+            )
 
 
 def read_tracks(file: Path, target: Target) -> list[Track]:

@@ -48,16 +48,19 @@ class DescriptionWriter:
             yield "\n".join(lines)
         plain = {key.name for key, _ in entries}
         for name, value in data.items():
-            inner, below = f"{title}.{name}".strip("."), f"{path}.{name}".strip(".")
-            if name in plain or not isinstance(value, dict | list):
-                continue
-            if isinstance(value, list):
-                for row in value:
-                    yield from self.tables(inner, f"{below}.*", row, many=True)
-            elif path == "laws":
-                yield from self.tables(f"laws.{key_of(name)}", f"laws.{value.get('family', name)}", value)
-            else:
-                yield from self.tables(inner, below, value)
+            if name not in plain:
+                yield from self.tables_below(title, path, name, value)
+
+    def tables_below(self, title: str, path: str, name: str, value: Any) -> Iterator[str]:
+        """Yield the tables of an entry that is a table or a list of tables."""
+        inner, below = f"{title}.{name}".strip("."), f"{path}.{name}".strip(".")
+        if isinstance(value, list):
+            for row in value:
+                yield from self.tables(inner, f"{below}.*", row, many=True)
+        elif isinstance(value, dict) and path == "laws":
+            yield from self.tables(f"laws.{key_of(name)}", f"laws.{value.get('family', name)}", value)
+        elif isinstance(value, dict):
+            yield from self.tables(inner, below, value)
 
     def entry(self, key: Key, kind: str, value: Any) -> Iterator[str]:
         """Yield the lines of an entry."""
@@ -74,6 +77,10 @@ class DescriptionWriter:
         yield from (f"  {toml(row)}," for row in value)
         yield "]"
 
+    def unwritten(self, keys: Sequence[Key], kind: str) -> list[Key]:
+        """Return the keys of a kind that have not been written yet."""
+        return [key for key in keys if (key.path, kind) not in self.written]
+
     def rest(self) -> Iterator[str]:
         """Yield in comments the keys that have not been written yet, and a line for each family of laws."""
         laws = ["# [laws]"]
@@ -82,14 +89,9 @@ class DescriptionWriter:
                 code = part.path.rpartition(".")[2]
                 laws.append(f"# {code} = {toml({'family': code} | {key.name: example_of(key) for key in part.keys})}")
                 continue
-            keys = [key for key in part.keys if (key.path, part.kind) not in self.written]
-            rows = [
-                row
-                for key in part.keys
-                if key not in keys
-                for row in key.rows
-                if (row.path, part.kind) not in self.written
-            ]
+            keys = self.unwritten(part.keys, part.kind)
+            written = (key for key in part.keys if key not in keys)
+            rows = [row for key in written for row in self.unwritten(key.rows, part.kind)]
             lines = [text for key in keys for text in unused_key_lines(key)]
             for row in rows:
                 lines += line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))

@@ -160,16 +160,12 @@ class ModelWalk:
     def _key(self, path: str, field: FieldInfo, of: str = "", listed_in: Any = None) -> Key:
         kind, constraints = unwrap(field.annotation, field.metadata)
         table = next(iter(tables(get_args(kind)[0])), None) if get_origin(kind) is list else None
-        cell = self._cells.get(path) or self._of_law(path)
-        meaning = field.description or WORDS.get(path) or (cell.label if cell else "")
-        meaning = meaning or (doc_line(table) if table else list_meaning(path))
-        more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
+        meaning, unit = self._meaning(path, field, table)
         default = None if field.is_required() else field.get_default(call_default_factory=True)
         rows = [
             self._key(join(f"{path}.*", name), field, of, first_value(default, name))
             for name, field in (table.model_fields.items() if table else ())
         ]
-        unit = cell.unit if cell else str(more.get("unit", ""))
         shown = listed_in if listed_in is not None else self._example(path, of)
         shown = field.examples[0] if shown is None and field.examples else shown
         if shown is None and default in (None, "", []):
@@ -184,6 +180,14 @@ class ModelWalk:
             shown,
             tuple(rows),
         )
+
+    def _meaning(self, path: str, field: FieldInfo, table: type[BaseModel] | None) -> tuple[str, str]:
+        """Return what a key means and its unit: as its field says, else as its cell shows."""
+        cell = self._cells.get(path) or self._of_law(path)
+        meaning = field.description or WORDS.get(path) or (cell.label if cell else "")
+        more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
+        unit = cell.unit if cell else str(more.get("unit", ""))
+        return meaning or (doc_line(table) if table else list_meaning(path)), unit
 
     def _of_law(self, path: str) -> Quantity | None:
         """Return a cell for an entry of a family of laws that the committed description has no law of."""

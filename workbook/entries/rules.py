@@ -201,20 +201,30 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
     if kind is str:
         return f"a text of 1 to {longest(constraints)} characters that does not begin with ="
     if get_origin(kind) is list:
-        least = next((c.min_length for c in constraints if isinstance(c, MinLen)), 0)
-        most = next((c.max_length for c in constraints if isinstance(c, MaxLen)), None)
-        if most is not None:
-            return f"{least} entries" if least == most else f"a list of {least} to {most} entries"
-        return f"a list of at least {least} entries" if least else "a list"
+        return list_expectation(constraints)
     if kinds(kind):
         return f"the entries of a {either(kinds(kind))}"
     if tables(kind):
         return f"the entries {listed(kind)}"
+    return f"{'a whole number' if kind is int else 'a number'} {bounds_expectation(constraints)}".strip()
+
+
+def list_expectation(constraints: list[Any]) -> str:
+    """Return in words how many entries a list must have."""
+    least = next((c.min_length for c in constraints if isinstance(c, MinLen)), 0)
+    most = next((c.max_length for c in constraints if isinstance(c, MaxLen)), None)
+    if most is not None:
+        return f"{least} entries" if least == most else f"a list of {least} to {most} entries"
+    return f"a list of at least {least} entries" if least else "a list"
+
+
+def bounds_expectation(constraints: list[Any]) -> str:
+    """Return in words the bounds of a number."""
     bounds = [BOUNDS[type(c)].format(astuple(c)[0]) for c in known(constraints)]
     low, high = ([c for c in known(constraints) if isinstance(c, kinds)] for kinds in (Gt | Ge, Lt | Le))
     if low and high:
         bounds = [BETWEEN[type(low[0]), type(high[0])].format(astuple(low[0])[0], astuple(high[0])[0])]
-    return " ".join(["a whole number" if kind is int else "a number", " and ".join(bounds)]).strip()
+    return " and ".join(bounds)
 
 
 def either(choices: Iterable[Any]) -> str:

@@ -126,15 +126,20 @@ def load_oracle(path: Path) -> Oracle:
         raise ReadError(f"{path}: {len(oracles)} oracles; expected one, such as pump = Oracle('Pump sizing')")
     oracle = oracles[0]
     oracle.names = {name: value for name, value in variables.items() if isinstance(value, Input)}
+    require_inputs(oracle, path)
+    if not oracle.outputs and not oracle.tables:
+        raise ReadError(f"{path}: no output is declared; expected @{next(iter(variables), 'oracle')}.output(CELL)")
+    return oracle
+
+
+def require_inputs(oracle: Oracle, path: Path) -> None:
+    """Raise ReadError for a function with a parameter that is no input of its file."""
     declared: list[Output | Table] = [*oracle.outputs, *oracle.tables]
     for row in declared:
         named = isinstance(row, Output) and row.inputs is not None
         if unknown := [name for name in parameters(row) if name not in oracle.names and not named]:
             expected = ", ".join(oracle.names) or "none is declared"
             raise ReadError(f"{path}: {row.of.__name__}({unknown[0]}): no input is called so; expected {expected}")
-    if not oracle.outputs and not oracle.tables:
-        raise ReadError(f"{path}: no output is declared; expected @{next(iter(variables), 'oracle')}.output(CELL)")
-    return oracle
 
 
 # Values of the inputs at which a workbook is compared: as entered, at the ends of ranges, and between

@@ -105,17 +105,25 @@ class Judge:
                 yield Fault(cell, "saved", saved, computed)
         read = self.file.contents.read(inputs)
         yield from (Fault(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
+        yield from self.other_units()
+        yield from self.replaced_formulas(inputs)
+        yield from self.empty()
+
+    def other_units(self) -> Iterator[Fault]:
+        """Yield the cells beside which another unit stands than is declared."""
         for cell, unit in self.units.items():
             beside = unit_of(self.file, cell)
             if unit and beside and normalised_unit(beside) != normalised_unit(unit):
                 yield Fault(cell, "unit", beside, unit)
+
+    def replaced_formulas(self, inputs: Sequence[Address]) -> Iterator[Fault]:
+        """Yield the numbers that stand where the cells above and below have the same formula, inputs aside."""
         formulas = self.file.contents.formulas
-        for cell, value in self.file.contents.constants.items():  # numbers between two formulas that are alike
+        for cell, value in self.file.contents.constants.items():
             above, below = (formulas.get(cell._replace(row=cell.row + step)) for step in (-1, 1))
             alike = above is not None and below is not None and above.shape == below.shape
             if alike and is_number(value) and cell.sheet in self.sheets and cell not in inputs:
                 yield Fault(cell, "replaced", value, "a formula, as above and below it")
-        yield from self.empty()
 
     def empty(self) -> Iterator[Fault]:
         """Yield the empty cells that a formula reads by themselves, each with the first such formula."""

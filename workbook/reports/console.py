@@ -196,19 +196,25 @@ def show_summary(outcomes: Sequence[Outcome], console: Console) -> None:
         counts = (f"{o.report.compared:,}", f"{len(o.report.causes):,}") if o.report else ("-", "-")
         table.add_row(shown(str(o.path)), *counts, shown(shown_verdict.row, shown_verdict.colour))
     console.print(table)
-    for o in outcomes:  # why it cannot be read, or the worst of its findings
-        for text in o.reason.splitlines() if o.verdict == "unreadable" else ():
-            say(console, text)
-        lines = [*map(line, o.report.causes), *(check.line for check in o.report.failing)] if o.report else []
-        for text in lines[:WORST]:
-            say(console, f"{o.path}: {text}")
-        if len(lines) > WORST:
-            say(console, f"{o.path}: and {len(lines) - WORST:,} more; verify it alone, or add --report")
+    for o in outcomes:
+        show_worst(o, console)
     compared = sum(o.report.compared for o in outcomes if o.report)
     count = Counter[str](outcome.verdict for outcome in outcomes)
     texts = [f"{count[verdict]} {words.several}" for verdict, words in VERDICTS.items() if count[verdict]]
     verified = sum(outcome.report is not None for outcome in outcomes)
     say(console, f"{compared:,} formula cells compared in {verified} workbooks: {', '.join(texts)}.")
+
+
+def show_worst(outcome: Outcome, console: Console) -> None:
+    """Print why a workbook cannot be read, or the worst of its findings."""
+    for text in outcome.reason.splitlines() if outcome.verdict == "unreadable" else ():
+        say(console, text)
+    report = outcome.report
+    lines = [*map(line, report.causes), *(check.line for check in report.failing)] if report else []
+    for text in lines[:WORST]:
+        say(console, f"{outcome.path}: {text}")
+    if len(lines) > WORST:
+        say(console, f"{outcome.path}: and {len(lines) - WORST:,} more; verify it alone, or add --report")
 
 
 def catalogue() -> list[dict[str, Any]]:

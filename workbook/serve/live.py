@@ -64,17 +64,22 @@ def edges(text: str, machine: Any) -> Iterator[Edge]:
             yield Edge(axis.name, axis.shift, [shift.span(1)], lane=True)
         elif not shift and not axis.shift and name:  # there is room for it
             yield Edge(axis.name, 0.0, [(name.end(), name.end())], lane=True, before="\nshift = ")
-        lists = (match.span() for match in PHASES.finditer(text, head[0], end))
-        numbers = (match for place in lists for match in ENTRY.finditer(text, *place))
-        typed = [
-            (float(number[1]), number.span(1))
-            for number in numbers
-            if "#" not in text[text.rfind("\n", 0, number.start()) + 1 : number.start()]
-        ]
+        typed = typed_edges(text, head[0], end)
         entered = [value for phase in axis.phases for value in (phase.start, phase.stop)]
         if [value for value, _ in typed] == entered:
             for value in dict.fromkeys(entered):
                 yield Edge(axis.name, value, [place for entry, place in typed if entry == value])
+
+
+def typed_edges(text: str, begin: int, end: int) -> list[tuple[float, tuple[int, int]]]:
+    """Return the numbers of the phases between two places of a text that stand in no comment, and where they stand."""
+    lists = (match.span() for match in PHASES.finditer(text, begin, end))
+    numbers = (match for place in lists for match in ENTRY.finditer(text, *place))
+    return [
+        (float(number[1]), number.span(1))
+        for number in numbers
+        if "#" not in text[text.rfind("\n", 0, number.start()) + 1 : number.start()]
+    ]
 
 
 def handles(lines: list[Line], edges: Iterable[Edge], shifts: dict[str, float]) -> Iterator[Handle]:

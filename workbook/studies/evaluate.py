@@ -18,7 +18,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.studies.paths import nearest
 from workbook.studies.plan import Plan, book_names
-from workbook.studies.space import Bound
+from workbook.studies.space import Bound, Study
 from workbook.template_outputs import Column, Results, Values
 from workbook.templates import TEMPLATES
 
@@ -214,16 +214,21 @@ def require_names(plan: Plan, where: str) -> Labels:
             continue
         value = usual.named[name]() if name in usual.named else book_value(book, name)
         value = value.ravel()[0].item() if hasattr(value, "ravel") else value
-        text = isinstance(value, str)
-        if name in study.goals and text:
-            lines.append(f"{where}: {name} is a text, {value!r}; expected a number to minimise or maximise")
-        bound = study.bounds.get(name)
-        if bound is not None and text == isinstance(bound, Bound):
-            expected = f'{name} = "OK"' if text else f"{name} = {{ max = ... }}"
-            lines.append(f"{where}: constraints: {name} is {'a text' if text else 'a number'}; expected {expected}")
+        lines += [f"{where}: {line}" for line in misused(study, name, value)]
     if lines:
         raise InputError(lines)
     return {name: label(book, name) for name in dict.fromkeys([*study.names, *plan.study.bounds, *checks])}
+
+
+def misused(study: Study, name: str, value: Any) -> Iterator[str]:
+    """Yield what is wrong with the use of a result in a study: a text as a goal, a bound that does not suit it."""
+    text = isinstance(value, str)
+    if name in study.goals and text:
+        yield f"{name} is a text, {value!r}; expected a number to minimise or maximise"
+    bound = study.bounds.get(name)
+    if bound is not None and text == isinstance(bound, Bound):
+        expected = f'{name} = "OK"' if text else f"{name} = {{ max = ... }}"
+        yield f"constraints: {name} is {'a text' if text else 'a number'}; expected {expected}"
 
 
 def listed_results(machine: Machine) -> Iterator[tuple[str, list[tuple[str, Label]]]]:
