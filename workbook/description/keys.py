@@ -137,10 +137,14 @@ class ModelWalk:
             if nested and issubclass(nested[0], Laws):
                 yield from self._laws(join(path, name))
             elif nested:
-                annotated, constraints = unwrap(fields[name].annotation, fields[name].metadata)
-                many = f": {expectation(annotated, constraints)}" if get_origin(annotated) is list else ""
-                about = doc_line(nested[0].__base__ if nested[1:] else nested[0])
-                yield from self.sections(nested, join(path, name) + (".*" if many else ""), about + many)
+                yield from self._nested(nested, join(path, name), fields[name])
+
+    def _nested(self, models: tuple[type[BaseModel], ...], path: str, field: FieldInfo) -> Iterator[Section]:
+        """Yield the sections of a field that is a table, or a list of tables."""
+        annotated, constraints = unwrap(field.annotation, field.metadata)
+        many = f": {expectation(annotated, constraints)}" if get_origin(annotated) is list else ""
+        about = doc_line(models[0].__base__ if models[1:] else models[0])
+        yield from self.sections(models, path + (".*" if many else ""), about + many)
 
     def _example(self, path: str, kind: str = "") -> Any:
         """Return the value of a key in the first description that has it, in a table of a kind."""

@@ -2,7 +2,7 @@
 
 import csv
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -75,9 +75,7 @@ def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]
             if len(cells) > len(head):
                 faults.append(f"{where}: {len(cells)} cells; expected {len(head)}, as in the head")
                 continue
-            filled = zip(head, cells, strict=False)  # cells at the end may be missing
-            given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
-            rows.append({entry: cell for entry, cell in given.items() if cell is not None})
+            rows.append(product_of(head, cells, columns, separator))
             faults += [f"{where}, {problem}" for problem in useless(model, columns, rows[-1])]
     except csv.Error as error:
         raise ReadError(f"{path}: line {table.line_num}: {error}; expected a catalogue, a .csv file") from error
@@ -86,6 +84,13 @@ def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]
     if not rows:
         raise ReadError(f"{path}: there is no product below the head; expected one a line")
     return rows
+
+
+def product_of(head: Sequence[str], cells: Sequence[str], columns: Mapping[str, str], separator: str) -> Product:
+    """Return the entries of a product from the cells of its line, of which those at the end may be missing."""
+    filled = zip(head, cells, strict=False)
+    given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
+    return {entry: cell for entry, cell in given.items() if cell is not None}
 
 
 def require_head(path: Path, head: list[str], model: type[Row], columns: dict[str, str]) -> None:

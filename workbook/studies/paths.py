@@ -1,7 +1,7 @@
 """Find entries by paths as a study has them: ``axes.MC01.phases[1].law``, rows by their names or counted from 1."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 from typing import Any
 
@@ -28,24 +28,26 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> Plac
     path: list[str] = []
     for whole, number, plain in PART.findall(key):
         part, known = whole[1:-1] or number or plain, children(entry)
-        if isinstance(entry, list):
-            names = [getattr(row, "name", None) for row in entry]
-            counted = number or (part not in names and part.isdecimal())  # axes.2.phases.1, as messages have it
-            row = str(int(part) - 1) if counted else str(names.index(part)) if part in names else ""
-            entry = child(entry, row)
-            part = part if entry is MISSING else row
-        else:
-            entry = MISSING if number else child(entry, part)
+        step = row_of(entry, part, bool(number)) if isinstance(entry, list) else "" if number else part
+        entry = child(entry, step) if step else MISSING
         if entry is MISSING:
             problem = f"has no {part!r}; expected {nearest(part, known)}" if known else f"is empty before {part!r}"
             raise InputError([f"{where}: {key!r} {problem}"])
-        path.append(part)
+        path.append(step)
     if table and not isinstance(entry, BaseModel):
         raise InputError([f"{where}: {key!r} is no table of entries; expected a phase"])
     if not table and (not path or isinstance(entry, BaseModel | list)):
         expected = f"expected one of {nearest('', children(entry))} in it"
         raise InputError([f"{where}: {key!r} is a table of entries; {expected}"])
     return tuple(path)
+
+
+def row_of(rows: Sequence[Any], part: str, is_number: bool) -> str:
+    """Return the number, from 0, of the row that has a name or a number from 1; empty where no row has the name."""
+    names = [getattr(row, "name", None) for row in rows]
+    if is_number or (part not in names and part.isdecimal()):  # axes.2.phases.1, as messages have it
+        return str(int(part) - 1)
+    return str(names.index(part)) if part in names else ""
 
 
 def children(entry: Any) -> list[str]:

@@ -42,10 +42,10 @@ class WholeRange(NamedTuple):
 
 def whole_range(drives: Iterable[DriveView]) -> WholeRange:
     """Return the rates that all drives hold; of drives that hold none, or none together, the words for it."""
-    each = [AxisRates(one.axis.number, one.axis.given.name, view.rates) for view in drives for one in [view.driven]]
-    unmet = next((one for one in each if one.rates.high == AT_NO_RATE), None)
-    low = first(each, lambda one: one.rates.low, max)
-    high = unmet or first(each, lambda one: one.rates.high, min)
+    each = [AxisRates(view.driven.axis.number, view.driven.axis.given.name, view.rates) for view in drives]
+    unmet = next((axis for axis in each if axis.rates.high == AT_NO_RATE), None)
+    low = first(each, lambda axis: axis.rates.low, max)
+    high = unmet or first(each, lambda axis: axis.rates.high, min)
     low = low if low and low.rates.low else None
     low_limit = f"{low.name}: {low.rates.low_limit}" if low else NONE_BINDS
     high_limit = f"{high.name}: {high.rates.high_limit}" if high else NONE_BINDS

@@ -77,15 +77,19 @@ def operators() -> Callable[[Any, str, Any], Any]:
             if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
                 return raised(left, right)
         elif kind in RANGES or other in RANGES:
-            first, second = number_or_array(left), number_or_array(right)
-            cells = None if first is None or second is None else array_operation(first, operator, second)
-            if cells is not None:
-                return Array(cells)
-            left, right = plain(left), plain(right)
-            if are_alike(left, right):
-                rows = zip(*(x if isinstance(x, tuple) else repeat(repeat(x)) for x in (left, right)), strict=False)
-                return tuple(tuple(map(operate, row, repeat(operator), other)) for row, other in rows)
-            cross(left, right)
+            return operate_on_ranges(left, operator, right)
+        return checked(left, operator, right)
+
+    def operate_on_ranges(left: Any, operator: str, right: Any) -> Any:
+        first, second = number_or_array(left), number_or_array(right)
+        cells = None if first is None or second is None else array_operation(first, operator, second)
+        if cells is not None:
+            return Array(cells)
+        left, right = plain(left), plain(right)
+        if are_alike(left, right):
+            rows = zip(*(x if isinstance(x, tuple) else repeat(repeat(x)) for x in (left, right)), strict=False)
+            return tuple(tuple(map(operate, row, repeat(operator), other)) for row, other in rows)
+        cross(left, right)
         return checked(left, operator, right)
 
     return operate

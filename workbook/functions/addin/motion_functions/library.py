@@ -127,11 +127,7 @@ def law(code: str, parameters: Rows, lift: float = 1.0, begin: End = REST, end: 
     """Return the law of a code over a lift between ends; refuses unknown codes, parameters or ends it cannot have."""
     if code == "OWN":
         require(begin == end == REST)
-        if any(len(row) != OWN_WIDTH for row in parameters):
-            raise Refused(VALUE)
-        durations = [row[0] for row in parameters]
-        require(min(durations) >= 0.0 and abs(sum(durations) - 1.0) <= SUM_TOLERANCE)
-        return Law([Piece(*row).scaled(lift) for row in parameters])
+        return own_law(parameters, lift)
     if code not in LAWS:
         raise Refused(VALUE)
     declared = LAWS[code]
@@ -148,6 +144,15 @@ def law(code: str, parameters: Rows, lift: float = 1.0, begin: End = REST, end: 
     require(begin == end == REST)  # it begins and ends as it does, whatever is beside it
     pieces = declared.pieces(*p) if declared.pieces else []
     return Law([Piece(**entries).scaled(lift) for entries in pieces], declared.begin * lift)
+
+
+def own_law(rows: Rows, lift: float) -> Law:
+    """Return the law of pieces in rows over a lift; refuses rows of another width, durations whose sum is not 1."""
+    if any(len(row) != OWN_WIDTH for row in rows):
+        raise Refused(VALUE)
+    durations = [row[0] for row in rows]
+    require(min(durations) >= 0.0 and abs(sum(durations) - 1.0) <= SUM_TOLERANCE)
+    return Law([Piece(*row).scaled(lift) for row in rows])
 
 
 def require(possible: bool) -> None:

@@ -61,21 +61,26 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
             figures |= each_drive.results(drives[-1])
             checks |= limits.checks(drives[-1])
     add_clearances(machine, rows, figures, checks)
-    figures |= of_drives(machine, drives) if drives else {}
-    slow = checks_of_drives(machine, drives) if drives else {}
-    judged = [limits.judged_exactly(drive) for drive in drives]
-    exact = {name: judge for judgements in judged for name, judge in judgements.items()}
-    if drives:
-        held = [partial(limits.hold_machine_rate, drive, rate.each) for drive in drives]
-        exactly = [
-            partial(limits.hold_machine_rate_exactly, drive, rate.each, by)
-            for drive, by in zip(drives, judged, strict=True)
-        ]
-        (slow if any(drive.axis.given.rate for drive in drives) else checks)[RATE_CHECK] = partial(all_hold, held)
-        exact[RATE_CHECK] = partial(all_hold, exactly)
+    if not drives:
+        return Results(figures | checks, list(checks), set(), {})
+    figures |= of_drives(machine, drives)
+    slow = checks_of_drives(machine, drives)
+    held = [partial(limits.hold_machine_rate, drive, rate.each) for drive in drives]
+    (slow if any(drive.axis.given.rate for drive in drives) else checks)[RATE_CHECK] = partial(all_hold, held)
     each = {f"drive{drive.axis.number}_{name}" for drive in drives for name in each_drive.SLOW}
-    every = ("about_highest", "about_binds") if drives else ()
-    return Results(figures | checks | slow, [*checks, *slow], {*slow, *each, *every}, exact)
+    slow_names = {*slow, *each, "about_highest", "about_binds"}
+    return Results(figures | checks | slow, [*checks, *slow], slow_names, exact_judgements(drives, rate))
+
+
+def exact_judgements(drives: Sequence[DriveStudy], rate: Column) -> Computations:
+    """Return the checks that the exact engine decides, at rates of the machine."""
+    judged = [limits.judged_exactly(drive) for drive in drives]
+    exactly = [
+        partial(limits.hold_machine_rate_exactly, drive, rate.each, by)
+        for drive, by in zip(drives, judged, strict=True)
+    ]
+    exact = {name: judge for judgements in judged for name, judge in judgements.items()}
+    return exact | {RATE_CHECK: partial(all_hold, exactly)}
 
 
 def add_laws(machine: AnyMachine, figures: Computations, checks: Computations) -> None:
