@@ -24,6 +24,7 @@ CHECKS = (
     "lint-imports",
     "motionbook templates --check",
     "python -m docs.description --check",
+    "python .ci/commits.py",
 )
 OVER_CORES = ("-n", "auto", "--dist", "worksteal")  # neighbours stay together: they share their books
 OFFLINE = re.compile("(NewConnection|NameResolution|ConnectTimeout|ReadTimeout|Proxy)Error")
@@ -33,7 +34,7 @@ USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook
 {0} start.py test [PYTEST ARGUMENTS]   the tests of every day, as CI runs them
 {0} start.py test --all [...]          and the long random and mutation runs, for a night
 {0} start.py test --share [...]        every 16th test of the night, another part by each commit's hash
-{0} start.py check                     format, lint, types, import rule, templates up to date
+{0} start.py check                     format, lint, types, import rule, templates, subjects of commits
 The first run sets motionbook up in the folder .venv beside start.py."""
 
 

@@ -10,7 +10,8 @@ import tempfile
 from html import escape
 from pathlib import Path
 
-from workbook.build import committed_descriptions
+from workbook.build import COMMITTED, committed_descriptions, write_book
+from workbook.reading.descriptions import read_machine
 from workbook.witnesses.engines import convert
 
 FOLDER = Path(__file__).parent / "contact"
@@ -44,10 +45,19 @@ def contact() -> Path:
 def pages(description: Path) -> list[Path]:
     """Print the workbook of a description; return a picture of each page."""
     with tempfile.TemporaryDirectory() as folder:
-        pdf = convert(description.with_suffix(".xlsx"), "pdf", Path(folder))
+        pdf = convert(book_of(description, Path(folder)), "pdf", Path(folder))
         made = FOLDER / description.stem
         subprocess.run(["pdftoppm", "-png", "-r", str(RESOLUTION), str(pdf), str(made)], check=True)
     return sorted(FOLDER.glob(f"{description.stem}-[0-9]*.png"))
+
+
+def book_of(description: Path, folder: Path) -> Path:
+    """Return the committed workbook of a description; of one that is not in git, a workbook built in the folder."""
+    if description.stem in COMMITTED:
+        return description.with_suffix(".xlsx")
+    book = folder / f"{description.stem}.xlsx"
+    write_book(read_machine(description), book)
+    return book
 
 
 def figure(page: Path) -> str:

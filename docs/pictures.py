@@ -13,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 from docs import browsing
-from docs.contact import contact
+from docs.contact import book_of, contact
 from tests.functions.calc import Calc
 from workbook.functions import publish
 from workbook.template import FOLDER
@@ -38,9 +38,9 @@ PICTURES = (  # file, workbook, page of the printed book, left, top, width, heig
 
 def printed(name: str, folder: Path) -> Path:
     """Print a book to PDF."""
-    book = FOLDER / f"{name}.xlsx"
     if name != FUNCTIONS:
-        return convert(book, "pdf", folder)
+        return convert(book_of(FOLDER / f"{name}.toml", folder), "pdf", folder)
+    book = FOLDER / f"{name}.xlsx"
     calc = Calc()
     try:
         publish.write_add_in(folder / "motion.oxt")

@@ -14,8 +14,9 @@ import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer i
 from tests import known_red, tiers
 from tests.workbook.judging.hands import Known
 from tests.workbook.press import registered
-from workbook.build import build
+from workbook.build import COMMITTED, build
 from workbook.cli import main
+from workbook.reading.descriptions import read_machine
 
 HERE = Path(__file__).parent
 QUICK = [
@@ -111,6 +112,22 @@ def motionbook(monkeypatch, capsys):
         return left.value.code, said.out, said.err
 
     return run
+
+
+@pytest.fixture(scope="session")
+def committed_book(tmp_path_factory):
+    """Give the book of a committed description: that in git, or built once."""
+    folder = tmp_path_factory.mktemp("templates")
+
+    def book_of(description):
+        if description.stem in COMMITTED:
+            return description.with_suffix(".xlsx")
+        book = folder / f"{description.stem}.xlsx"
+        if not book.exists():
+            build(read_machine(description), book)
+        return book
+
+    return book_of
 
 
 @pytest.fixture(scope="module")

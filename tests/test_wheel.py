@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -29,6 +30,9 @@ def motionbook(tmp_path_factory):
     run(*pip, "wheel", *options, "--wheel-dir", str(folder), str(ROOT))
     (wheel,) = folder.glob("*.whl")
     assert wheel.name.startswith(f"motionbook-{workbook.__version__}-")
+    names = zipfile.ZipFile(wheel).namelist()
+    assert {name.partition("/")[0] for name in names if ".dist-info" not in name} == {"engine", "workbook"}
+    assert {"engine/py.typed", "workbook/py.typed", "workbook/shipped/machine.toml"} <= set(names)
     run(*pip, "install", "--no-deps", "--no-index", "--quiet", "--target", str(folder / "site"), str(wheel))
     environment = os.environ | {"PYTHONPATH": str(folder / "site")}
     return lambda *arguments: run(sys.executable, "-m", "workbook", *arguments, cwd=folder, env=environment)
@@ -39,6 +43,7 @@ def test_the_wheel_runs_outside_the_repository(motionbook):
     assert {law["code"] for law in json.loads(motionbook("laws", "--json"))} >= {"TVP", "CIC", "MTP"}
     motionbook("new", "machine", "-o", "mine.toml")
     motionbook("build", "mine.toml")
+    assert "cutting-machine.xlsx" in motionbook("build")  # the description that comes with it
     assert "every one computes what" in " ".join(motionbook("verify", "mine.xlsx").split())
 
 

@@ -27,11 +27,14 @@ from workbook.template import FOLDER
 from workbook.template_outputs import NOTHING_JUDGED, ExactJudgement
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreement import agreed_values
-from workbook.writing.archive import same_book
+from workbook.writing.archive import book_digest, same_book
 from workbook.writing.output_files import refuse_existing
 from workbook.writing.write import save
 
 LARGE = 10_000_000  # bytes of a file: a smaller file is far within the limits of reading
+DIGESTS = "books.sha256"  # in the folder of the templates: a line for each workbook, in git or not
+COMMITTED = ("cutting-machine", "flying-cutter", "indexing-overlap", "motion-composer", "motion-laws")
+"""the workbooks that are in git, beside motion-functions; `motionbook templates` builds the others"""
 NUMBERED = re.compile(r"\b[Aa]xis (\d+)(?=:|$)")
 READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "reducers": read_reducers}
 
@@ -153,29 +156,34 @@ def regenerate(path: Path, output: Path, overwrite: bool = False) -> BookVerdict
 
 
 def committed_descriptions() -> list[Path]:
-    """Return the committed machine descriptions, several of some templates; the workbook of each lies beside it."""
+    """Return the committed machine descriptions, several of some templates; its workbook, if any, lies beside it."""
     return sorted(FOLDER.glob("*.toml"))
 
 
 def write_templates() -> list[Path]:
-    """Generate the workbook of every committed machine description, and the files of the functions."""
+    """Generate the workbook of every committed description, the digests of all, and the files of the functions."""
     from workbook.functions import publish  # slow to import, and no other command needs it
 
     books = [description.with_suffix(".xlsx") for description in committed_descriptions()]
     for book in collecting_between(books):
         write_book(read_machine(book.with_suffix(".toml")), book, overwrite=True)
-    return [*books, *publish.write_files()]
+    lines = [f"{book_digest(book)}  {book.name}\n" for book in books]
+    (FOLDER / DIGESTS).write_text("".join(lines), encoding="utf-8", newline="\n")
+    return [*books, FOLDER / DIGESTS, *publish.write_files()]
 
 
 def stale_templates() -> list[Path]:
-    """Return the committed files that today's code would generate differently."""
+    """Return the files that today's code would generate differently: by digest, and by content where they are there."""
     from workbook.functions import publish
 
     stale = []
+    lines = (FOLDER / DIGESTS).read_text(encoding="utf-8").splitlines() if (FOLDER / DIGESTS).exists() else []
+    digests = {name: digest for digest, name in map(str.split, lines)}
     with tempfile.TemporaryDirectory() as folder:
         for description in collecting_between(committed_descriptions()):
             book = description.with_suffix(".xlsx")
             write_book(read_machine(description), fresh := Path(folder) / book.name)
-            if not (book.exists() and same_book(fresh, book)):
+            is_same = same_book(fresh, book) if book.exists() else book.stem not in COMMITTED
+            if not is_same or digests.get(book.name) != book_digest(fresh):
                 stale.append(book)
     return [*stale, *publish.stale_files()]

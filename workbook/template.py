@@ -5,15 +5,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar
 
-import workbook
 from workbook.book.declare import FIRST, Book, Text
 from workbook.book.summary import TITLE, checks_sheet, close_summary, head, repeat_verdict
 from workbook.entries.machine import Machine
 from workbook.fields.paths import has_key
 from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
+from workbook.text_files import FOLDER as FOLDER  # known by this module to many
 from workbook.unfinished_book import with_entries
 
-FOLDER = Path(workbook.__file__).parent.parent / "templates"
 M = TypeVar("M", bound=Machine)
 MOST = 99  # parts of a kind that are distinguished by numbers
 

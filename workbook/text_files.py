@@ -8,6 +8,9 @@ from pathlib import Path
 
 from workbook.errors import ReadError
 
+PACKAGE = Path(__file__).parent
+FOLDER = PACKAGE / "shipped" if (PACKAGE / "shipped").exists() else PACKAGE.parent / "templates"
+"""the descriptions and catalogues that come with motionbook: in a wheel (hatch_build.py), or in the repository"""
 MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 MOST = 1_000_000  # bytes; the largest description or catalogue that fits into a book has 60,000
 KINDS = {stat.S_IFDIR: "this is a folder", stat.S_IFREG: ""}

@@ -57,8 +57,8 @@ def test_a_random_machine_comes_back_from_its_book(layout, k, tmp_path):
 
 @pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
 @pytest.mark.sample(4)
-def test_every_committed_book_verifies(path):
-    assert verify(path.with_suffix(".xlsx")).findings == []
+def test_every_committed_book_verifies(path, committed_book):
+    assert verify(committed_book(path)).findings == []
 
 
 @pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)

@@ -9,15 +9,13 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
-import workbook
 from workbook.entries.design import fault_line, numbers_of
 from workbook.errors import InputError, ReadError, quoted
 from workbook.selection.catalogue import MotorRow, ReducerRow
-from workbook.text_files import read_text
+from workbook.text_files import FOLDER, read_text
 
 Row = TypeVar("Row", MotorRow, ReducerRow)
 Product = dict[str, Any]  # what a line of a catalogue says of a product, by entry
-FOLDER = Path(workbook.__file__).parent.parent.joinpath("templates")
 TEXTS = ("name", "source")
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")  # Python takes 1_000 and ١٢ too
 MOTOR_COLUMNS = {

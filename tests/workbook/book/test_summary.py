@@ -98,8 +98,8 @@ def test_what_identifies_a_machine_goes_out_and_in(told, tmp_path, build_book):
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_a_book_prints_on_few_pages(name, tmp_path):
-    pdf = convert(FOLDER / f"{name}.xlsx", "pdf", tmp_path)
+def test_a_book_prints_on_few_pages(name, tmp_path, committed_book):
+    pdf = convert(committed_book(FOLDER / f"{name}.toml"), "pdf", tmp_path)
     told = subprocess.run(["pdfinfo", pdf], capture_output=True, text=True, check=True).stdout
     pages = int(next(line.split()[1] for line in told.splitlines() if line.startswith("Pages:")))
     assert pages <= PAGES[name]

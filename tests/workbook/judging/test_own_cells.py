@@ -138,8 +138,8 @@ def test_a_book_without_values_is_worked_out_by_libreoffice(name, filled, tmp_pa
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", COMMITTED)
-def test_own_cells_in_the_committed_books(name, tmp_path):
-    book = Filled(described(name).with_suffix(".xlsx"), tmp_path)
+def test_own_cells_in_the_committed_books(name, tmp_path, committed_book):
+    book = Filled(committed_book(described(name)), tmp_path)
     silent(book.path, book.count, present("pycel", "formualizer", "ironcalc", "formulon", "libreoffice"))
 
 

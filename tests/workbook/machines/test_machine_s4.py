@@ -185,8 +185,8 @@ def test_entries_that_cannot_be_get_one_line(changed, line):
 
 @pytest.mark.parametrize("path", [SCREW, CONVEYOR], ids=["screw", "conveyor"])
 @pytest.mark.sample(1)
-def test_the_committed_books_tell_their_sheet_of_figures(path):
-    machine, notes = read_inputs(path.with_suffix(".xlsx"))
+def test_the_committed_books_tell_their_sheet_of_figures(path, committed_book):
+    machine, notes = read_inputs(committed_book(path))
     assert (machine.axes[0].printed, notes) == ("S4", [])
 
 

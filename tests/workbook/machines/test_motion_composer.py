@@ -2,6 +2,7 @@
 
 import math
 import random
+import subprocess
 
 import openpyxl
 import pytest
@@ -10,10 +11,11 @@ from tests.laws import MOVING
 from tests.mutation.machines import own_pieces, stages
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import EXERCISE, MACHINE, composed
-from workbook.build import build, committed_descriptions, read_inputs, stale_templates
+from workbook.build import COMMITTED, DIGESTS, build, committed_descriptions, read_inputs, stale_templates
 from workbook.errors import InputError
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
+from workbook.writing.archive import book_digest
 
 DESCRIPTION = FOLDER / "motion-composer.toml"
 EXAMPLES = [FOLDER / f"motion-composer-example-{k}.toml" for k in (1, 2, 3)]
@@ -229,9 +231,14 @@ def drawn(dice):
 # --- The committed files --------------------------------------------------------------------------
 
 
-def test_every_committed_description_has_its_book():
+def test_every_committed_description_has_its_digest_and_six_books_are_in_git():
     assert {DESCRIPTION, *EXAMPLES} <= set(committed_descriptions())
-    assert [p.name for p in committed_descriptions() if not p.with_suffix(".xlsx").exists()] == []
+    lines = (FOLDER / DIGESTS).read_text(encoding="utf-8").splitlines()
+    assert [line.split()[1] for line in lines] == [p.with_suffix(".xlsx").name for p in committed_descriptions()]
+    listed = subprocess.run(["git", "ls-files", "*.xlsx"], cwd=FOLDER, capture_output=True, text=True, check=False)
+    assert listed.returncode or set(listed.stdout.split()) == {
+        f"{name}.xlsx" for name in (*COMMITTED, "motion-functions")
+    }
 
 
 def test_a_stale_example_is_found(tmp_path, monkeypatch):
@@ -239,8 +246,14 @@ def test_a_stale_example_is_found(tmp_path, monkeypatch):
     monkeypatch.setattr("workbook.build.FOLDER", tmp_path)
     example = tmp_path / "other-name.toml"
     example.write_text(write_machine(described(EXAMPLES[1])), encoding="utf-8")
-    assert stale_templates() == [example.with_suffix(".xlsx")]
-    build(read_machine(example), example.with_suffix(".xlsx"))
+    book = example.with_suffix(".xlsx")
+    assert stale_templates() == [book]
+    build(read_machine(example), book)
+    (tmp_path / DIGESTS).write_text(f"{book_digest(book)}  {book.name}\n", encoding="utf-8")
     assert stale_templates() == []
-    build(described(), example.with_suffix(".xlsx"), overwrite=True)
-    assert stale_templates() == [example.with_suffix(".xlsx")]
+    build(described(), book, overwrite=True)
+    assert stale_templates() == [book]
+    book.unlink()  # as in git
+    assert stale_templates() == []
+    (tmp_path / DIGESTS).write_text(f"{'0' * 64}  {book.name}\n", encoding="utf-8")
+    assert stale_templates() == [book]

@@ -16,7 +16,7 @@ from workbook.reading.files import open_book
 
 DAY, NIGHT = 200, 60
 COMMANDS = {"verify": ("book.xlsx", "--jobs", 1), "diff": ("sound.xlsx", "book.xlsx"),
-            "export": ("book.xlsx", "--axis", "A1", "--to", "csv", "-o", "../axis.csv", "--force")}  # fmt: skip
+            "export": ("book.xlsx", "--axis", "α", "--to", "csv", "-o", "../axis.csv", "--force")}  # fmt: skip
 
 
 @pytest.fixture(scope="module")

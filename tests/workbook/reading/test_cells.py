@@ -11,9 +11,11 @@ from openpyxl.comments import Comment
 from openpyxl.styles import Font
 from openpyxl.worksheet.formula import ArrayFormula
 
+from workbook.build import COMMITTED
 from workbook.reading.files import open_book
+from workbook.template import FOLDER
 
-BOOKS = sorted(path for path in Path("templates").glob("*.xlsx") if "functions" not in path.name)
+BOOKS = [FOLDER / f"{name}.xlsx" for name in COMMITTED]
 
 
 def cells_of(workbook: Workbook) -> dict[tuple[str, int, int], tuple[object, ...]]:

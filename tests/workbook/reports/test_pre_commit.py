@@ -27,7 +27,7 @@ def hook(tmp_path_factory):
     folder = tmp_path_factory.mktemp("hook")
     for name in ("engine", "workbook", "templates"):
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "*.xlsx"))
-    for name in ("pyproject.toml", "README.md", "LICENSE", ".pre-commit-hooks.yaml"):
+    for name in ("pyproject.toml", "README.md", "LICENSE", "hatch_build.py", ".pre-commit-hooks.yaml"):
         shutil.copy(ROOT / name, folder / name)
     commit(folder)
     return folder

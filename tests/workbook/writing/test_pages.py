@@ -18,23 +18,23 @@ WIDE, HIGH = 297 / 25.4 * 72, 210 / 25.4 * 72
 
 
 @cache
-def opened(path):
-    return openpyxl.load_workbook(path.with_suffix(".xlsx"))
+def opened(book):
+    return openpyxl.load_workbook(book)
 
 
-def printed(path):
+def printed(path, book):
     """Yield each sheet of a book with its page in the file, its last printed row, and where its pages begin and end."""
     machine = read_machine(path)
     for sheet in (one for one in TEMPLATES[machine.template].declare(machine).sheets if not one.unprinted):
-        page = opened(path)[sheet.title]
+        page = opened(book)[sheet.title]
         last = int(page.print_area.rpartition("$")[2])
         ends = [one.id for one in page.row_breaks.brk]
         yield sheet, page, last, list(pairwise([0, *ends, last]))
 
 
 @pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
-def test_no_chart_is_cut_by_the_end_of_a_page(path):
-    for sheet, page, last, between in printed(path):
+def test_no_chart_is_cut_by_the_end_of_a_page(path, committed_book):
+    for sheet, page, last, between in printed(path, committed_book(path)):
         across = openpyxl.utils.range_boundaries(page.print_area.rpartition("!")[2])[2]
         for chart, row, column, width, height in sheet.charts:
             high = [page.row_dimensions[r].height or 15 for r in range(row, row + height)]
@@ -45,8 +45,8 @@ def test_no_chart_is_cut_by_the_end_of_a_page(path):
 
 
 @pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
-def test_no_table_is_cut_that_a_page_has_room_for(path):
-    for sheet, page, last, between in printed(path):
+def test_no_table_is_cut_that_a_page_has_room_for(path, committed_book):
+    for sheet, page, last, between in printed(path, committed_book(path)):
         tables = [(block.row - 3, block.row + block.size - 1, block.name) for block in sheet.blocks if block.is_table]
         for first, end, name in tables:
             if end <= last and fits(page, first - 1, end, sheet.head, 0.9):
@@ -66,9 +66,9 @@ def fits(page, first, last, head, share):
 
 
 @pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
-def test_no_page_is_higher_than_paper(path):
+def test_no_page_is_higher_than_paper(path, committed_book):
     """Else the program breaks it once more, where it likes."""
-    for sheet, page, _, between in printed(path):
+    for sheet, page, _, between in printed(path, committed_book(path)):
         if not page.page_setup.fitToHeight:
             for top, end in between:
                 assert fits(page, max(top, sheet.head) + 1, end, sheet.head, 1.0), (sheet.title, top, end)
