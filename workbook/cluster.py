@@ -52,7 +52,7 @@ def pool(jobs: int | None, scheduler: str | None) -> Iterator[Pool]:
 def local(jobs: int) -> Iterator[Any]:
     """Give a client of processes of this machine; they end with the block."""
     import dask
-    from distributed import Client, LocalCluster
+    from distributed import Client, LocalCluster, Security
 
     with (
         dask.config.set(LOCAL),
@@ -64,6 +64,7 @@ def local(jobs: int) -> Iterator[Any]:
             memory_limit=0,
             silence_logs=logging.CRITICAL,
             preload="workbook.cluster",
+            security=Security.temporary(),  # keys in memory: who else is on this machine cannot hand in tasks
         ) as cluster,
         Client(cluster) as client,
     ):

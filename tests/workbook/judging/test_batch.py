@@ -324,3 +324,15 @@ def group_ends(group):
             return True
         time.sleep(0.1)
     return False
+
+
+def test_a_local_cluster_takes_tasks_from_nobody_without_its_keys():
+    from distributed import Client
+
+    with pool(2, None) as workers:
+        address = workers.client.scheduler.address
+        assert address.startswith("tls://127.0.0.1:")
+        assert sorted(result for _, result in workers.each(abs, [-1, -2])) == [1, 2]
+        for stranger in (address, address.replace("tls", "tcp")):
+            with pytest.raises((OSError, TypeError)):
+                Client(stranger, timeout="5s", set_as_default=False)
