@@ -5,7 +5,7 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, get_args, get_origin
 
-import tomli_w
+import tomlkit
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
@@ -239,7 +239,7 @@ def toml(value: Any) -> str:
         return f"{{ {', '.join(f'{k} = {toml(v)}' for k, v in value.items() if v is not None)} }}" if value else "{}"
     if isinstance(value, list):
         return f"[{', '.join(map(toml, value))}]"
-    return tomli_w.dumps({"x": value}).removeprefix("x = ").rstrip("\n")
+    return str(tomlkit.item(value).as_string())
 
 
 def default_of(key: Key) -> str:

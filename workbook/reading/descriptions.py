@@ -5,8 +5,6 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-import tomli_w
-
 from workbook.entries.design import RefusedError, Where, as_entered, fault_line, finished
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, quoted
@@ -69,7 +67,9 @@ def counted_from_1(key: str) -> str:
 
 def write_machine(machine: Machine) -> str:
     """Return the TOML of a machine description; catalogues that come with the templates are referred to."""
-    return tomli_w.dumps(referred(as_entered(machine)))
+    import tomlkit  # for this alone: most commands write no description
+
+    return tomlkit.dumps(referred(as_entered(machine)))
 
 
 def described(template: Template[M], data: dict[str, Any], where: Where) -> M:

@@ -8,7 +8,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import tomli_w
+import tomlkit
 from pydantic import ValidationError
 
 from workbook.build import read_description
@@ -169,7 +169,7 @@ def composed(base: str, asked: Mapping[str, list[str]]) -> str:
     values = dict(zip(asked["key"], asked["values"], strict=True))
     givers = {key: {"takes": phase} for key, phase in zip(asked["key"], asked.get("takes", []), strict=False) if phase}
     study["vary"] = [{"key": key} | varied(key, values[key]) | givers.get(key, {}) for key in asked.get("vary", [])]
-    return tomli_w.dumps(study)
+    return tomlkit.dumps(study)
 
 
 def varied(key: str, text: str) -> dict[str, Any]:
