@@ -27,6 +27,8 @@ from engine.drive.rate_estimates import (
     SPEEDS,
     TARGET,
     TARGET_BETWEEN,
+    TARGET_CURVE,
+    TINY,
     Ends,
     Estimate,
     RateRange,
@@ -200,14 +202,37 @@ class RateSearch:
         """
         return 1.0 if self.points.load.train.viscous > 0.0 else 2.0
 
+    @property
+    def at_curve(self) -> float:
+        """The estimated rate at which the curve is met over the present rate, at most the tried one."""
+        return min(self.estimated[BELOW].high, self.tried) / self.rate
+
+    @property
+    def above_line(self) -> float:
+        """The rate's factor there less that of the straight line between both rates, over whose square it is drawn."""
+        begin = 0.0 if self.begin == 2 else 1.0
+        above = max(0.0, (self.at_curve - begin) * (self.factor - self.at_curve)) / (self.factor + begin)
+        return (self.order - 1.0) * above
+
+    @property
+    def curve_target(self) -> float:
+        """The use of a falling curve at the ends of the range: less what speed is above its line, and between points.
+
+        A torque that grows with the speed is largest between points at a constant ratio too.
+        """
+        speed = self.motor.falling.fall * self.speed / self.motor.falling.corner(self.motor.peak_torque)
+        return TARGET_CURVE - speed * self.above_line
+
     @cached_property
     def caps(self) -> dict[str, float]:
-        """The largest torque (Nm) at a point, at the ends of the range, of each limit of torques at points."""
+        """The use of each limit at the ends of the range; of torques at points the largest of these (Nm)."""
         motor, behind = self.over
-        limits = {name: min(self.estimates[name].limit, NO_LIMIT) for name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES)}
-        return {
-            name: self.target * limit / (motor if name == PEAK_TORQUE else behind) for name, limit in limits.items()
-        }
+        caps = dict.fromkeys(self.estimates, self.target)
+        for name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES):
+            caps[name] *= min(self.estimates[name].limit, NO_LIMIT) / (motor if name == PEAK_TORQUE else behind)
+        if BELOW in caps:
+            caps[BELOW] = self.curve_target
+        return caps
 
     @cached_property
     def between(self) -> dict[str, tuple[Shares, ...]]:
@@ -227,7 +252,7 @@ class RateSearch:
                 each = (Shares.of_torques(*way, self.caps[name]) for way in ways)
             else:
                 used = estimate.standing / estimate.limit, self.uses[name], self.uses_tried[name]
-                each = (Shares.of_uses(*way, self.target) for way in (used[1:], used[:0:-1], used[::2]))
+                each = (Shares.of_uses(*way, self.caps[name]) for way in (used[1:], used[:0:-1], used[::2]))
             shares[name] = tuple(
                 share if is_begin else Shares(0.0) for share, is_begin in zip(each, begins, strict=True)
             )
@@ -241,6 +266,8 @@ class RateSearch:
     def part(self, name: str) -> float:
         """Return the part of the way between both rates after which a limit is reached, or infinite."""
         share = max(self.between[name][self.begin])
+        if self.holds and self.order == 1.0 and LEAST_USE < share < 1.0:  # beyond it a line over the square is safe
+            return (math.sqrt(max(0.0, 1.0 + (self.factor**2 - 1.0) / share)) - 1.0) / (self.factor - 1.0 + TINY)
         return 1.0 / share - LEAST_USE if share > LEAST_USE else math.inf  # the largest share is reached at once
 
     def met(self, name: str) -> float:
@@ -256,8 +283,6 @@ class RateSearch:
             return Ends(met if math.isfinite(met) else 0.0, self.tried)
         if name in SPEEDS:
             met = estimated.high * (1.0 - HAIR if self.has_constant_ratio else self.target)
-        if name == BELOW and self.has_constant_ratio:  # speed grows with the root of x: a line over x lies below it
-            met = min(met, self.target * estimated.high)
         return Ends(estimated.low, met)
 
     @property

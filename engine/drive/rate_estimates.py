@@ -15,6 +15,7 @@ TINY = 1e-30  # more than 0, so that a quotient has a value
 NO_LIMIT = 1.0 / TINY  # stands for an infinite rate
 PEAK_TORQUE, REDUCER_TORQUE, SPEEDS = "peak torque", "reducer peak torque", ("motor speed", "reducer input speed")
 TARGET, TARGET_BETWEEN = 0.999, 0.997  # use of a limit at the ends of the range; where peaks lie between points
+TARGET_CURVE = 0.992  # of a peak torque that falls with speed
 HAIR = 1e-6  # by which the range ends before the rate at which a speed is at its limit
 BEYOND, ASTRAY = 0.02, 0.1  # by which the rate that is tried is beyond the estimate: of it, and of the way to it
 

@@ -21,6 +21,7 @@ from engine.drive.drivetrain import Drivetrain
 from engine.drive.limit_use import RateSearch
 from engine.drive.limits import LimitChecks, ReducerLimits, at_speed
 from engine.drive.mechanisms.variable_ratio import OutOfReachError
+from engine.drive.motor import TorqueFall
 from engine.drive.quadrature import SHARES, WEIGHTS, QuadratureCycle
 from engine.drive.rate_range import rate_range
 from engine.drive.results import DriveResults
@@ -195,9 +196,11 @@ def limits_near(points, drawn):
 
 
 def falling(motor, drawn):
-    """The motor with a stall torque above its rated one."""
+    """The motor with a stall torque above its rated one, and a peak torque that falls beyond a speed."""
     stall, speed = motor.rated_torque * drawn.uniform(1.0, 2.5), motor.max_speed * drawn.uniform(0.3, 1.0)
-    return replace(motor, stall_torque=stall, rated_speed=speed)
+    knee, end = drawn.uniform(0.1, 0.9) * motor.max_speed, drawn.uniform(0.1, 0.9) * motor.peak_torque
+    curve = TorqueFall.between((knee, motor.peak_torque), (motor.max_speed, end))
+    return replace(motor, stall_torque=stall, rated_speed=speed, falling=curve)
 
 
 def searched(drive_cycle, motor, reducer):

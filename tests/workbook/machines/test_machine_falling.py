@@ -44,15 +44,14 @@ def machine(name, rate=60.0, **motor):
 @pytest.mark.parametrize("number", [*range(1), *nights(4)])
 @pytest.mark.sample(2)
 def test_the_rate_below_a_curve_is_that_of_an_exact_search(request, number, name):
-    """At 0.6 to 1.5 times it: of a constant ratio to 1 %, and never above it. Behind a ratio that changes a peak may
-    lie between points, where the curve falls with the speed too: to 2 %, measured 1.5 %."""
+    """At 0.6 to 1.5 times it, and never above it: of a constant ratio to 1 %, else to 3 %."""
     told = f"falling {number} {name}"
     drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
     (view,) = straight.drives_of(machine(name, 60.0))
     exact = exact_rates(view).high
     (view,) = straight.drives_of(machine(name, exact * drawn.uniform(0.6, 1.5)))
-    below, above = (0.01, 1e-9) if name == "constant" else (0.02, 0.02)
-    assert (1.0 - below) * exact <= view.rates.high <= (1.0 + above) * exact
+    below = 0.01 if name == "constant" else 0.03
+    assert (1.0 - below) * exact <= view.rates.high <= (1.0 + 1e-9) * exact
 
 
 @pytest.mark.parametrize("name", AXES)
@@ -81,7 +80,7 @@ def test_at_the_highest_rate_the_torque_is_below_the_curve_and_above_it_is_not(n
     there, above = (computed(TEMPLATE, machine(name, times * rate)) for times in (0.999, 1.01))
     assert (there("drive1_ok_curve"), above("drive1_ok_curve")) == ("OK", "FAIL")
     assert there("drive1_ok_peak") == above("drive1_ok_peak") == "OK"
-    assert 0.0 <= there("drive1_spare") < 5e-3 * CURVES[name]["peak_torque"]
+    assert 0.0 <= there("drive1_spare") < 1.5e-2 * CURVES[name]["peak_torque"]
     assert above("drive1_spare") < 0.0
     assert " Nm more than the motor has at its speed; the drive holds from 0 to " in above("drive1_ok_curve_says")
 

@@ -12,6 +12,7 @@ from engine.drive.rate_estimates import (
     SPEEDS,
     TARGET,
     TARGET_BETWEEN,
+    TARGET_CURVE,
     Ends,
     Shares,
 )
@@ -108,6 +109,7 @@ def tried(view: DriveView) -> list[Quantity]:
         cell("@from", search.way[0]),
         cell("@to", search.way[1]),
         target(view),
+        *(curve_target(view) if view.knows_falling else []),
         *([cell("@released", met(search.released), released=RELEASED, not_reached=NOT_REACHED)] if view.brakes else []),
     ]
 
@@ -118,6 +120,17 @@ def target(view: DriveView) -> Quantity:
     if view.varies or view.driven.by_angle or view.driven.entered.load.viscous is None:
         return CELLS["target"]("@target", value)
     return CELLS["target of a viscous load"]("@target", value, between=TARGET_BETWEEN, at_an_end=TARGET)
+
+
+def curve_target(view: DriveView) -> list[Quantity]:
+    """Return the rows of the use of the motor's curve at the ends of the range."""
+    cell, search = CELLS["curve"], view.search
+    falls = BELOW in search.estimates
+    return [
+        cell("@at_curve", search.at_curve if falls else search.factor, row=names_of(view).index(BELOW) + 1),
+        cell("@above_line", search.above_line if falls else 0.0, scale=1.0),
+        cell("@target_curve", search.curve_target if falls else TARGET_CURVE, most=TARGET_CURVE),
+    ]
 
 
 def order(view: DriveView) -> Quantity:
@@ -145,7 +158,7 @@ def way(names: list[str], begin: int, sign: int) -> list[str]:
         else:
             low, high = (use.format(row, row) for use in uses)
             limit, grows = f"[@held.limit.{row}]=0", f"({high}-{low}>@least_use*{low})*({high}-{low})"
-            share = f"IF({limit},0,MIN(1/@least_use,{grows}/MAX(tiny,@target-{low})))"
+            share = f"IF({limit},0,MIN(1/@least_use,{grows}/MAX(tiny,[cap]-{low})))"
         found.append(f"={holds}{share}")
     return found
 
@@ -170,7 +183,7 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
         cell("then", [search.uses_tried.get(name, 0.0) for name in names], formula=then),
         cell(
             "cap",
-            [search.caps.get(name, search.target) for name in names],
+            [search.caps.get(name, TARGET_CURVE) for name in names],
             formula=[cap(row, name) for row, name in rows],
         ),
         *(
@@ -178,7 +191,7 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
             for column, (begin, sign) in WAYS.items()
         ),
         cell("share", [max(share[search.begin]) for share in shares], scale=1.0),
-        cell("part", [part(search, name) for name in names], formula=[PART] * len(names), scale=1.0),
+        cell("part", [part(search, name) for name in names], formula=[part_formula(view)] * len(names), scale=1.0),
         cell("met", met_at, formula=[CYCLES_MEET if name == CYCLES else LIMIT_MEETS for name in names]),
         cell("high", [met(end.high) for end in ends], formula=[high(row, name, search) for row, name in rows]),
         cell("low", [met(end.low, NEVER_HELD) for end in ends], formula=low, scale=view.rate),
@@ -186,11 +199,17 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
 
 
 AT = "@rate*MAX(0,@from+(@to-@from)*[part])^(1/@order)"
-PART = f'=IF([share]<=@least_use,"{NOT_REACHED}",1/([share]+tiny)-@least_use)'
+PART = f'=IF([share]<=@least_use,"{NOT_REACHED}",{{}}1/([share]+tiny)-@least_use){{}}'
+FARTHER = "IF(@holds*(2-@order)*([share]<1)=1,(SQRT(MAX(0,1+(@times^2-1)/[share]))-1)/(@times-1+tiny),"
 LIMIT_MEETS = f'=IF(ISNUMBER([part]),{AT},"{NOT_REACHED}")'
 CYCLES_MEET = f'=IF(OR(ISNUMBER([part]),@cycles_use>=1),MAX(@full/60,IF(@cycles_use<1,{AT},0)),"{NOT_REACHED}")'
 WAYS = {"on": (0, 0), "on_b": (0, 1), "back": (1, 0), "back_b": (1, 1), "rest": (2, 0), "rest_b": (2, 1)}
 """of the columns of shares: where they begin, and whether torques are forward (0) or backward (1)"""
+
+
+def part_formula(view: DriveView) -> str:
+    """Return the formula of the part: of a viscous load beyond the tried rate by a line over the rate's square."""
+    return PART.format("", "") if view.driven.entered.load.viscous is None else PART.format(FARTHER, ")")
 
 
 def part(search: RateSearch, name: str) -> float | str:
@@ -202,7 +221,7 @@ def part(search: RateSearch, name: str) -> float | str:
 def cap(row: int, name: str) -> str:
     """Return the formula of the use of a limit, or of the torque at points, at the ends of the range."""
     if name not in MEETS:
-        return "=@target+0"
+        return f"={'@target_curve' if name == BELOW else '@target'}+0"
     return f"=@target*[@held.cap.{row}]/{'@over_T' if name == PEAK_TORQUE else '@over_S'}"
 
 
@@ -212,8 +231,6 @@ def high(row: int, name: str, search: RateSearch) -> str:
     if name in SPEEDS:
         least = "(1-1E-6)" if search.has_constant_ratio else "@target"
         held = f'IF(ISNUMBER({rate}),{rate}*{least},"{NOT_REACHED}")'
-    elif name == BELOW and search.has_constant_ratio:
-        held = f"IF(ISNUMBER({rate}),MIN([met],@target*{rate}),[met])"
     else:
         held = "[met]"
     return f"=IF(@to<@from,@tried,{held})"
