@@ -27,16 +27,13 @@ from engine.drive.rate_estimates import (
     SPEEDS,
     TARGET,
     TARGET_BETWEEN,
-    TARGET_CURVE,
     TINY,
+    CurveTarget,
     Ends,
     Estimate,
     RateRange,
     Shares,
-    by_mean,
-    by_points,
-    by_rms,
-    by_speed,
+    estimates_of,
     largest,
 )
 
@@ -55,22 +52,7 @@ class RateSearch:
     @cached_property
     def estimates(self) -> dict[str, Estimate]:
         """The estimate of each limit; of the reducer's peak torque in full, and beyond its cycles."""
-        points, motor, reducer = self.points, self.motor, self.reducer
-        peak, fastest, behind = motor.peak_torque, motor.max_speed, points.load.output_torque
-        standing = points.load.output_torque_at_rest
-        estimates = {
-            "RMS torque": by_rms(points, motor),
-            PEAK_TORQUE: by_points(points.torque, points.standing, peak),
-            "motor speed": by_speed(self.speed, fastest),
-            "reducer input speed": by_speed(self.speed, reducer.input_speed),
-            REDUCER_TORQUE: by_points(behind, standing, reducer.peak_torque),
-            CYCLES: by_points(behind, standing, reducer.peak_torque / reducer.cycle_factor),
-            "reducer mean torque": by_mean(points, reducer.mean_torque),
-        }
-        if motor.falling.fall:
-            forward, backward = points.falling_use(motor).max(axis=(1, 2)).tolist()
-            estimates[BELOW] = Estimate(motor.falling.corner(peak), estimates[PEAK_TORQUE].standing, forward, backward)
-        return estimates
+        return estimates_of(self.points, self.speed, self.motor, self.reducer)
 
     @cached_property
     def estimated(self) -> dict[str, Ends]:
@@ -202,26 +184,12 @@ class RateSearch:
         """
         return 1.0 if self.points.load.train.viscous > 0.0 else 2.0
 
-    @property
-    def at_curve(self) -> float:
-        """The estimated rate at which the curve is met over the present rate, at most the tried one."""
-        return min(self.estimated[BELOW].high, self.tried) / self.rate
-
-    @property
-    def above_line(self) -> float:
-        """The rate's factor there less that of the straight line between both rates, over whose square it is drawn."""
+    @cached_property
+    def curve_target(self) -> CurveTarget:
+        """The use of a falling curve at the ends of the range."""
+        at, fall = min(self.estimated[BELOW].high, self.tried) / self.rate, self.motor.falling.fall
         begin = 0.0 if self.begin == 2 else 1.0
-        above = max(0.0, (self.at_curve - begin) * (self.factor - self.at_curve)) / (self.factor + begin)
-        return (self.order - 1.0) * above
-
-    @property
-    def curve_target(self) -> float:
-        """The use of a falling curve at the ends of the range: less what speed is above its line, and between points.
-
-        A torque that grows with the speed is largest between points at a constant ratio too.
-        """
-        speed = self.motor.falling.fall * self.speed / self.motor.falling.corner(self.motor.peak_torque)
-        return TARGET_CURVE - speed * self.above_line
+        return CurveTarget.of(at, (begin, self.factor), fall * self.speed / self.estimates[BELOW].limit, self.order)
 
     @cached_property
     def caps(self) -> dict[str, float]:
@@ -231,7 +199,7 @@ class RateSearch:
         for name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES):
             caps[name] *= min(self.estimates[name].limit, NO_LIMIT) / (motor if name == PEAK_TORQUE else behind)
         if BELOW in caps:
-            caps[BELOW] = self.curve_target
+            caps[BELOW] = self.curve_target.use
         return caps
 
     @cached_property

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.drive_points import DrivePoints
+from engine.drive.limits import BELOW, CYCLES, ReducerLimits
 from engine.drive.motor import Motor
 from engine.laws.base import Array
 
@@ -172,6 +173,72 @@ def by_mean(points: DrivePoints, limit: float) -> Estimate:
 def by_speed(speed: float, limit: float) -> Estimate:
     """Return the estimate of a speed limit (rad/s), which is exact."""
     return Estimate(limit, 0.0, (speed / limit) ** 2)
+
+
+def estimates_of(points: DrivePoints, speed: float, motor: Motor, reducer: ReducerLimits) -> dict[str, Estimate]:
+    """Return the estimate of each limit of a motor and a reducer by its name.
+
+    Parameters
+    ----------
+    points : DrivePoints
+        At the present rate.
+    speed : float, rad/s
+        The largest of the motor.
+    motor : Motor
+    reducer : ReducerLimits
+
+    Returns
+    -------
+    dict of str to Estimate
+        Of the reducer's peak torque in full, and beyond its cycles; of a curve only if the peak torque falls.
+    """
+    peak, behind, standing = motor.peak_torque, points.load.output_torque, points.load.output_torque_at_rest
+    estimates = {
+        "RMS torque": by_rms(points, motor),
+        PEAK_TORQUE: by_points(points.torque, points.standing, peak),
+        "motor speed": by_speed(speed, motor.max_speed),
+        "reducer input speed": by_speed(speed, reducer.input_speed),
+        REDUCER_TORQUE: by_points(behind, standing, reducer.peak_torque),
+        CYCLES: by_points(behind, standing, reducer.peak_torque / reducer.cycle_factor),
+        "reducer mean torque": by_mean(points, reducer.mean_torque),
+    }
+    if motor.falling.fall:
+        forward, backward = points.falling_use(motor).max(axis=(1, 2)).tolist()
+        estimates[BELOW] = Estimate(motor.falling.corner(peak), estimates[PEAK_TORQUE].standing, forward, backward)
+    return estimates
+
+
+class CurveTarget(NamedTuple):
+    """The use of a peak torque that falls with speed, at the ends of a range of rates."""
+
+    at: float  # estimated factor of the rate at which the curve is met
+    above: float  # that factor less the straight line over the square of the rate there
+    use: float
+
+    @classmethod
+    def of(cls, at: float, ends: tuple[float, float], speed: float, order: float) -> "CurveTarget":
+        """Return the target: less what the speed is above its line.
+
+        What is left is for peaks between points: a sum of torque and speed is largest there at a constant ratio too.
+
+        Parameters
+        ----------
+        at : float
+            Estimated factor of the rate at which the curve is met.
+        ends : tuple of float
+            Factors of the rate between which lines are drawn.
+        speed : float
+            The use of the curve by the present speed alone.
+        order : float
+            The power of the rate over which lines are drawn.
+
+        Returns
+        -------
+        CurveTarget
+        """
+        begin, end = ends
+        above = (order - 1.0) * max(0.0, (at - begin) * (end - at)) / (end + begin)
+        return cls(at, above, TARGET_CURVE - speed * above)
 
 
 def largest(values: Array) -> float:

@@ -13,6 +13,7 @@ from engine.drive.rate_estimates import (
     TARGET,
     TARGET_BETWEEN,
     TARGET_CURVE,
+    CurveTarget,
     Ends,
     Shares,
 )
@@ -126,10 +127,11 @@ def curve_target(view: DriveView) -> list[Quantity]:
     """Return the rows of the use of the motor's curve at the ends of the range."""
     cell, search = CELLS["curve"], view.search
     falls = BELOW in search.estimates
+    target = search.curve_target if falls else CurveTarget(search.factor, 0.0, TARGET_CURVE)
     return [
-        cell("@at_curve", search.at_curve if falls else search.factor, row=names_of(view).index(BELOW) + 1),
-        cell("@above_line", search.above_line if falls else 0.0, scale=1.0),
-        cell("@target_curve", search.curve_target if falls else TARGET_CURVE, most=TARGET_CURVE),
+        cell("@at_curve", target.at, row=names_of(view).index(BELOW) + 1),
+        cell("@above_line", target.above, scale=1.0),
+        cell("@target_curve", target.use, most=TARGET_CURVE),
     ]
 
 
