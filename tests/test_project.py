@@ -126,3 +126,13 @@ def test_the_index_of_the_docs_names_every_page() -> None:
 
 def test_the_readme_is_short() -> None:
     assert len((ROOT / "README.md").read_text(encoding="utf-8").split()) <= 1200
+
+
+@pytest.mark.parametrize(
+    ("subject", "is_fine"),
+    [("Mend the night", True), ("Bring a press", True), ("Pass over empty rows", True), ("Mended the night", False),
+     ("Adds a press", False), ("A press", False), ("tests: mend", False), ("Mend it.", False), ("Mend " * 15, False)],
+)  # fmt: skip
+def test_a_subject_of_a_commit_is_a_short_imperative(subject: str, is_fine: bool) -> None:
+    fault_of = runpy.run_path(str(ROOT / ".ci/commits.py"))["fault_of"]
+    assert (fault_of(subject.strip()) == "") is is_fine
