@@ -8,6 +8,7 @@ import sys
 from collections import defaultdict
 from concurrent.futures import ProcessPoolExecutor
 from filecmp import cmp
+from functools import lru_cache
 from math import pi
 
 import openpyxl
@@ -15,6 +16,8 @@ import pytest
 
 from engine.drive.bounds import CHANGING
 from engine.drive.limits import at_speed
+from tests.mutation import examine
+from tests.mutation.bench import Bench
 from tests.tiers import seed
 from tests.workbook.cells import disagreeing, disagreeing_in
 from tests.workbook.machines.drawn_drives import TEMPLATE, drawn_machine
@@ -118,6 +121,12 @@ class Drawn:
         self.simulated = [Simulated(view.tables.axis, self.machine) for view in self.views]
 
 
+@lru_cache(maxsize=100)
+def drawn_again(number, text):
+    """A drawn machine, of which some tests ask for few and others for all."""
+    return Drawn(number, text)
+
+
 def machines(*day, night):
     """Numbers of drawn machines and what they are drawn from: by night another each time."""
     by_night = (pytest.param((k, seed("drawn")), marks=pytest.mark.nightly, id=f"night {k}") for k in range(night))
@@ -127,7 +136,7 @@ def machines(*day, night):
 @pytest.fixture(scope="module", params=machines(*range(100), night=120))
 def drawn(request):
     """One machine after another, for all tests of it."""
-    return Drawn(*request.param)
+    return drawn_again(*request.param)
 
 
 def test_the_exact_engine_and_the_equation_of_motion_agree(drawn):
@@ -158,7 +167,7 @@ def test_no_sheet_says_ok_where_the_equation_of_motion_says_fail(drawn):
     assert [line for view, one in both for line in wrong_verdicts(view, one)] == []
 
 
-@pytest.mark.parametrize("drawn", machines(*range(0, 100, 5), night=60), indirect=True)
+@pytest.mark.parametrize("drawn", machines(*range(0, 100, 10), night=60), indirect=True)
 def test_the_highest_rate_of_a_sheet_is_that_of_the_equation_of_motion(drawn):
     """All limits are held there and two per cent above it one is not, or verify tells the exact rate."""
     for view in drawn.views:
@@ -190,13 +199,27 @@ def by_formualizer(written):
     return {(c.parent.title, c.row, c.column): "" if c.value is None else c.value for c in cells}
 
 
-@pytest.mark.parametrize("numbered", machines(32, night=8))
-def test_every_cell_of_drawn_machines_agrees_with_the_engine(numbered):
+@pytest.mark.parametrize("numbered", machines(2, 19, 32, night=16))
+def test_every_cell_of_drawn_machines_and_of_a_variation_agrees_with_the_engine(numbered):
+    """A drawn machine has what drives can have, mixed: stages, windows, brakes, viscous friction, falling curves."""
+    number, _ = numbered
     machine = drawn_machine(*numbered)
-    evaluate = by_formualizer if numbered[0] % 4 == 3 else None
-    wrong, count = disagreeing_in(TEMPLATE, machine, evaluate) if evaluate else disagreeing(TEMPLATE, machine)
-    assert wrong == []
-    assert count > 2000
+    for one in (machine, TEMPLATE.variants(machine)[number % 6]):
+        by_hand = disagreeing_in(TEMPLATE, one, by_formualizer) if number % 4 == 3 else disagreeing(TEMPLATE, one)
+        wrong, count = by_hand
+        assert wrong == []
+        assert count > 2000
+
+
+@pytest.mark.parametrize("numbered", machines(night=4))
+def test_every_mutant_of_the_sheet_of_a_drawn_drive_is_found(numbered):
+    bench = Bench(TEMPLATE, drawn_machine(*numbered))
+    drives = {block.sheet.title for name, block in bench.declared.blocks.items() if name.startswith("drive1_")}
+    mutants = [one for one in bench.orchard.sample(600, numbered[0]) if one.address.sheet in drives]
+    assert len(mutants) > 50
+    assert [
+        str(v.mutant) for v in examine.examined(bench, mutants, []) if not v.found(False) and not v.equivalent
+    ] == []
 
 
 @pytest.mark.parametrize("numbered", machines(18, night=5))

@@ -4,14 +4,9 @@ import math
 
 import pytest
 
-from tests.mutation.bench import Bench
-from tests.mutation.examine import examined
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from tests.workbook.machines.test_machine_linked import MOTOR
-from workbook.build import build
-from workbook.judging.verify import verify
-from workbook.machines.machine.time_based import convert_to_seconds
 from workbook.reading.descriptions import validated
 
 PRESS = {"kind": "press crank", "crank_radius": 60.0, "rod_length": 240.0, "efficiency": 1.0}
@@ -63,14 +58,6 @@ def test_cells_agree_with_the_engine_and_entries_come_back(name):
     wrong, _ = disagreeing(TEMPLATE, machine)
     assert wrong == []
     assert entered(TEMPLATE, machine) == (machine, [])
-
-
-@pytest.mark.parametrize("turn", range(6))
-@pytest.mark.parametrize("name", AXES)
-@pytest.mark.sample(4)
-def test_cells_agree_at_every_variation(name, turn):
-    wrong, _ = disagreeing(TEMPLATE, TEMPLATE.variants(small(AXES[name]))[turn])
-    assert wrong == []
 
 
 def test_the_slide_in_its_dead_centres_is_that_of_the_textbook():
@@ -146,37 +133,3 @@ def test_a_rod_that_is_too_short_fails_by_name_and_is_carried():
 def test_what_is_no_load_of_it_is_refused(one, words):
     with pytest.raises(ValueError, match=words):
         small(one)
-
-
-@pytest.mark.parametrize("name", ["press", "arm"])
-def test_in_seconds_it_is_the_same(name):
-    machine = small(AXES[name])
-    timed = convert_to_seconds(machine)
-    assert entered(TEMPLATE, timed) == (timed, [])
-    one, other = computed(TEMPLATE, machine), computed(TEMPLATE, timed)
-    for figure in ("tmax", "rms", "energy", "highest"):
-        assert other(f"drive1_{figure}") == pytest.approx(one(f"drive1_{figure}"), rel=1e-9), figure
-
-
-def test_a_book_of_both_is_clean(tmp_path):
-    path = tmp_path / "book.xlsx"
-    build(small(AXES["press"], AXES["arm"] | {"name": "Arm"}), path)
-    assert verify(path).findings == []
-
-
-@pytest.mark.parametrize(
-    ("name", "cells", "least"),
-    [
-        ("press", {"psi", "c", "above", "X", "tan", "dx", "ddx", "vs", "as", "R", "F", "psi0", "ok_turns"}, 40),
-        ("arm", {"arm", "R", "ok_turns"}, 10),
-    ],
-)
-def test_every_mutant_of_the_new_cells_is_found(name, cells, least):
-    bench = Bench(TEMPLATE, small(AXES[name]))
-    sheet = bench.declared.blocks["drive1_pt"].sheet.title
-    places = {(c.row, c.column) for c in bench.declared.cells()
-              if c.block.sheet.title == sheet and c.quantity.name.removeprefix("drive1_") in cells}  # fmt: skip
-    sample = [one for one in bench.orchard.sample(6000, 7) if one.address.sheet == sheet]
-    mutants = [one for one in sample if (one.address.row, one.address.column) in places]
-    assert len(mutants) > least
-    assert [str(v.mutant) for v in examined(bench, mutants, []) if not v.found(False) and not v.equivalent] == []

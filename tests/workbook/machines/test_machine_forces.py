@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tests.workbook.cells import computed, entered
+from tests.workbook.cells import computed
 from tests.workbook.machines.test_machine import TEMPLATE, described, driven
 from workbook.fields.units import KW
 
@@ -24,15 +24,6 @@ def forced(*windows, phases=RISE, **entries):
         {"start": start, "stop": stop, "force": force, "resists": resists} for start, stop, force, resists in windows
     ]
     return driven(*phases, load={"mass": 20.0, "friction": 0.1, "windows": told}, **entries)
-
-
-def test_no_result_hangs_on_the_samples():
-    axis = forced((10, 70, 900.0, "moving"), (300, 45, -250.0, "always"), shift=33.3,
-                  reducer={"ratio": 3.0, "efficiency": 0.9})  # fmt: skip
-    few, many = (computed(TEMPLATE, small([axis], cycle=cycle)) for cycle in (12, 90))
-    for name in FIGURES:
-        assert few(f"drive1_{name}") == many(f"drive1_{name}"), name
-    assert entered(TEMPLATE, small([axis])) == (small([axis]), [])
 
 
 def test_the_rms_point_lies_at_the_mean_speed():

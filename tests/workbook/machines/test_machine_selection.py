@@ -117,16 +117,6 @@ def test_no_torque_of_a_listed_pair_comes_nearer_to_its_motors_curve_than_is_sai
         assert value("sel_own_spare") == pytest.approx(left.min(), rel=1e-9, abs=1e-9 * motor["peak_torque"])
 
 
-def test_no_result_hangs_on_the_samples():
-    found = []
-    for cycle in (12, 90):
-        given = machine(**WIDE).model_dump()
-        given["sizes"]["cycle"] = cycle
-        value = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
-        found.append([value("sel_best", column) for column in ("motor", "reducer", "rms", "peak", "spare")])
-    assert found[0] == found[1]
-
-
 def test_a_machine_without_the_entry_has_no_sheet_and_its_drives_no_more_cells():
     bare = machine().model_copy(update={"selection": machine().selection.model_copy(update={"axis": None})})
     book = TEMPLATE.declare(bare)
