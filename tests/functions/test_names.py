@@ -42,7 +42,7 @@ def by_day(cases):
 
 def often(case):
     """Whether it is one of the many of a law that has points of its own."""
-    return case.function in {"S", "V", "A", "J", "XI"} and case.law != "LIN"
+    return case.function in {"S", "V", "A", "J", "XI", "CV", "CA", "CARMS", "CJ"} and case.law != "LIN"
 
 
 @pytest.mark.parametrize("function", [f.key for f in FUNCTIONS])
