@@ -197,6 +197,7 @@ def test_the_function_wizard_shows_every_function_with_its_arguments(calc):
 
 
 @pytest.mark.parametrize(("locale", "language"), [("it-IT", "it"), ("de-AT", "de"), ("en-GB", "en"), ("fr-FR", "en")])
+@pytest.mark.sample(2)
 def test_the_texts_come_in_the_users_language(calc, locale, language):
     path = calc.written(
         [

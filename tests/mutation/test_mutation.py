@@ -65,7 +65,7 @@ def test_every_mutant_is_found(name: str, part: int) -> None:
 
 @every_template
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.sample(8)
+@pytest.mark.sample(3)
 def test_verify_names_the_cell_first(name: str, kind: str) -> None:
     for mutant in of_kind(name, kind, WHOLE):
         report = bench(name).verified(mutant)
@@ -74,7 +74,7 @@ def test_verify_names_the_cell_first(name: str, kind: str) -> None:
 
 @every_template
 @pytest.mark.parametrize("kind", [k for k in KINDS if k not in ("anchor", "value")])
-@pytest.mark.sample(6)
+@pytest.mark.sample(3)
 def test_one_cell_evaluated_alone_tells_what_verify_reports_of_it(name: str, kind: str) -> None:
     for mutant in of_kind(name, kind, 1):
         report = bench(name).verified(mutant, OfValues)

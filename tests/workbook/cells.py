@@ -73,13 +73,13 @@ def by_pycel(template, book):
     return layout, layout.model.evaluate({a: content for a, content in held.items() if a not in formulas})
 
 
-def computed(template, machine):
+def computed(template, machine, by_cells=False):
     """The values of a book's blocks by name, of a column of a table a list: the engine's; by night what pycel computes.
 
     That the cells compute what the engine does, :func:`disagreeing` shows of each kind of machine every day.
     """
     book = template.declare(machine)
-    values = by_pycel(template, book)[1] if tiers.night else None
+    values = by_pycel(template, book)[1] if by_cells or tiers.night else None
 
     def value(name, column=None):
         block = book.blocks[name]

@@ -43,7 +43,7 @@ CASES = [pytest.param(name, *place, marks=[] if name == COMPOSED else pytest.mar
 
 
 @pytest.mark.parametrize(("name", "block", "column"), CASES)
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 def test_an_emptied_entry_is_missing_and_not_its_default(name, block, column, tmp_path):
     machine = machine_of(name)
     build(machine, tmp_path / "book.xlsx")
@@ -88,7 +88,7 @@ BETWEEN = [("motion-composer", "axis1"), ("motion-composer", "OWN_pieces"), ("ac
 
 
 @pytest.mark.parametrize(("name", "table"), BETWEEN)
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 def test_a_row_left_blank_above_another_is_told_in_one_line(name, table, tmp_path):
     template, machine = committed_as(name)
     short = {"cycle": 12, "law": 10}
@@ -146,6 +146,7 @@ LISTS = {
 
 
 @pytest.mark.parametrize("what", LISTS)
+@pytest.mark.sample(3)
 def test_a_list_without_rows_is_the_same_in_the_description_and_in_its_book(what, tmp_path):
     given = described(TEMPLATES["machine"], description() | LISTS[what], counted_from_1)
     build(given, tmp_path / "book.xlsx")

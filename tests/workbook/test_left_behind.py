@@ -73,7 +73,7 @@ OWN = {
 
 
 @pytest.mark.parametrize("what", OWN)
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 def test_what_is_left_behind_is_named(what, built, tmp_path):
     put, line = OWN[what]
     book = openpyxl.load_workbook(built)

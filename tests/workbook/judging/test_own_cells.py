@@ -80,7 +80,7 @@ def silent(path, count, witnesses):
     return report
 
 
-@pytest.mark.parametrize("name", by_day(["press", *COMMITTED], "press", "motion-composer"))
+@pytest.mark.parametrize("name", by_day(["press", *COMMITTED], "press"))
 def test_own_cells_are_no_finding(name, filled):
     book = filled(name)
     report = silent(book.path, book.count, present(*QUICK_WITNESSES))
@@ -188,7 +188,7 @@ def fed(press, folder, formula, cells, name="timing_rate"):
         ("=SUMIF(Mine!A1:A2,\">45\")+40", {"A1": 40, "A2": 50}, 90),
     ],
 )  # fmt: skip
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 def test_own_cells_that_feed_an_input_count_as_agreed(formula, cells, value, press, tmp_path):
     path = fed(press, tmp_path, formula, cells)
     report = verify(path, present("pycel", "formualizer"))
@@ -223,7 +223,7 @@ def test_an_input_that_needs_a_name_or_a_table_is_agreed_or_refused_in_one_line(
 
 
 @pytest.mark.parametrize("formula", ["=RAND()*90", "=Mine!A1", "=Mine!A1+Mine!B1", "=Mine!A2", "=IFERROR(Mine!A1,1)"])
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_own_cells_on_which_no_two_agree_are_refused_in_one_line(formula, press, tmp_path):
     path = fed(press, tmp_path, formula, {"A1": "=RAND()*90", "A2": "=NOSUCHFUNCTION(90)"})
     with pytest.raises(InputError) as caught:

@@ -226,7 +226,7 @@ def test_the_last_look_at_a_turn_is_exact(law, changed):
     """Of a saw, and of a drum whose tools work for an instant."""
     machine = entries(SAW, law=law, beyond="reversal", **changed)
     machine["laws"]["OWN"]["pieces"] = RISING
-    value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine))
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(machine), by_cells=True)
     cut = CutterView(given := TEMPLATE.model.model_validate(machine), laws(given.laws)).cut
     turns = [value("drive_turns", "at")[k] for k in (3, 7)]
     assert cut.at(turns).speed == pytest.approx(0.0, abs=1e-12)

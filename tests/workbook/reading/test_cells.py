@@ -38,7 +38,7 @@ def looks_of(workbook: Workbook) -> dict[tuple[str, int], tuple[object, ...]]:
 
 
 @pytest.mark.parametrize("path", BOOKS, ids=lambda path: path.stem)
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 def test_a_book_has_the_cells_that_openpyxl_reads(path: Path) -> None:
     ours, theirs = open_book(path).workbook, load_workbook(path)
     assert cells_of(ours) == cells_of(theirs)

@@ -290,6 +290,7 @@ def test_deep_nesting(book):
         (b"<a b='%s'/>" % (b" " * 110_000), "characters of attributes"),
     ],
 )  # fmt: skip
+@pytest.mark.sample(6)
 def test_absurd_sheets_are_refused(new, says, book):
     assert says in refused(book({SHEET: sub(ROW, new)}, method=zipfile.ZIP_STORED))
 

@@ -147,7 +147,7 @@ def test_a_witness_is_given_few_files_of_what_was_entered(refused, formula, file
 
 
 @pytest.mark.parametrize("formula", ['INDIRECT("Own!A1")', "OFFSET(Own!B2,-1,-1)", "OFFSET(Own!A2,-1,0)+0*SHEET()"])
-@pytest.mark.sample(2)
+@pytest.mark.sample(1)
 def test_cells_that_a_formula_does_not_name_are_there_when_it_is_computed(formula, tmp_path):
     file, cells = entered("=3+4", f"={formula}", 1)
     for path in (tmp_path / "book.xlsx", tmp_path / "gone.xlsx"):
@@ -244,7 +244,7 @@ def test_a_formula_beyond_doubt_is_taken_alike(command, saved, book, motionbook)
     ],
 )
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda c: c[0])
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 def test_a_formula_in_doubt_is_refused_alike(command, formula, saved, says, book, motionbook, tmp_path):
     cell = book(formula, saved)
     code, out, said = motionbook(*command)

@@ -44,7 +44,7 @@ def made(request, tmp_path_factory):
     return path, TEMPLATES[machine.template].declare(machine)
 
 
-@pytest.mark.sample(6)
+@pytest.mark.sample(3)
 def test_each_formula_is_saved_with_the_engines_value_to_the_last_digit(made):
     path, book = made
     sheets = {sheet.title: sheet for sheet in openpyxl.load_workbook(path, data_only=True).worksheets}
@@ -78,7 +78,7 @@ def differing(path, book, witness):
 
 @pytest.mark.parametrize("witness", OTHERS)
 @pytest.mark.parametrize("name", by_day(DESCRIBED, COMPOSED))
-@pytest.mark.sample(3)
+@pytest.mark.sample(2)
 def test_other_programs_compute_what_is_saved(name, witness, tmp_path):
     template, machine = committed_as(name)
     machine = smaller(machine)
