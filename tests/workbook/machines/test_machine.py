@@ -59,13 +59,6 @@ def test_more_axes_than_24_are_refused():
         described(many(25))
 
 
-def test_an_axis_rests_between_its_phases():
-    told = described([axis(1, (0, 90, 0.0, "DWL"), (90, 135, 20.0, "MTP"), (135, 360, 0.0, "DWL"))], cycle=72)
-    left = described([axis(1, (90, 135, 20.0, "MTP"))], cycle=72)
-    for column in ("y", "gg", "a"):
-        assert computed(TEMPLATE, told)("cycle1", column) == computed(TEMPLATE, left)("cycle1", column)
-
-
 def test_a_shift_tells_the_motion_later_and_nothing_else():
     phases = ((30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))
     still, late = (described([axis(1, *phases, shift=shift)], cycle=24) for shift in (0.0, 45.0 - 720.0))

@@ -8,7 +8,6 @@ import openpyxl
 import pytest
 
 from tests.mutation.machines import machine as drawn_machine
-from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.composed import MACHINE, composed, description
 from workbook.build import build, read_inputs
@@ -78,16 +77,6 @@ def test_every_cell_is_the_engines_and_what_is_entered_comes_back(over):
         assert disagreeing(MACHINE, one)[0] == []
 
 
-@pytest.mark.parametrize("number", nights(6))
-def test_random_machines_agree_over_any_abscissa(number):
-    dice = random.Random(number)
-    phases = [(dice.choice(("CIC", "MTP", "TVP", "DWL")), 0.0, dice.uniform(0.1, 40)) for _ in range(5)]
-    over, unit = dice.choice(("°", "rad", "mm", "s")), dice.choice(("mm", "°"))
-    machine = composed(phases, dice.choice(({}, LINE)), over=over, unit=unit)
-    for _ in range(4):
-        assert disagreeing(MACHINE, drawn_machine(machine, dice))[0] == []
-
-
 def test_what_two_curved_phases_meet_with_is_in_the_units_shown():
     rise, on = ("PO5", 40.0, 50.0), ("PO5", 60.0, 50.0, 1.5, -0.02)
     machine = composed((rise, on), LINE, {"cycle": 10}, over="mm", unit="mm", closes="feed")
@@ -132,13 +121,6 @@ def test_twenty_four_phases_and_a_thousand_samples():
 
 
 # --- Open, and elsewhere --------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("closes", "verdict"), [("position", "FAIL"), ("feed", "OK"), ("open", "OK")])
-def test_an_axis_that_does_not_come_back(closes, verdict):
-    value = computed(MACHINE, composed((("CIC", 7.0, 2.0), ("CIC", -3.0, 4.0)), closes=closes))
-    assert (value("axis1_closes"), value("axis1_position"), value("overall")) == (verdict, "OK", verdict)
-    assert value("axes", "travel") == pytest.approx([4.0], rel=1e-12)
 
 
 @pytest.mark.parametrize(("closes", "verdict"), [("position", "FAIL"), ("open", "OK")])

@@ -1,12 +1,8 @@
 """Phases of a machine's axes that hand velocity over, beside rests and lines, and what drives make of them."""
 
-import itertools
-import random
-
 import pytest
 
 from engine.drive.results import DriveResults
-from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.drive.driven import Driven
@@ -74,28 +70,6 @@ def test_a_law_that_cannot_take_a_velocity_fails_by_row_and_reason():
     value = computed(MACHINE, one)
     said = "A row 1: OWN cannot end with a velocity: it begins and ends at rest"
     assert (value("axis1_meets"), value("axis1_meets_says")) == ("FAIL", said)
-
-
-def drawn(seed):
-    """Two axes of random phases: rests, lines, curves, entered rates; any may begin or end the cycle."""
-    dice = random.Random(seed)
-    axes = []
-    for name in "AB":
-        edges, phases = sorted(dice.uniform(0, 360) for _ in range(dice.randint(2, 8))), []
-        edges = [0.0, *edges[1:-1], 360.0] if dice.random() < 0.5 else edges
-        for start, stop in itertools.pairwise(edges):
-            if stop - start > 3.0 and dice.random() < 0.8 and len(phases) < 6:
-                law = dice.choice(("LIN", "LIN", "PO5", "PO7", "MSN", "SCV", "CUB", "CIC", "OWN", "DWL"))
-                passing = {"velocity": dice.uniform(-0.03, 0.03)} if dice.random() < 0.3 else {}
-                lift = 0.0 if law == "DWL" else dice.uniform(-60, 60)
-                phases.append(phase(start, stop, lift, law, **passing))
-        axes.append(axis(name, *(phases or [STEP]), shift=dice.choice((0.0, 77.0)), smoothness="velocity"))
-    return machine(*axes, motion_pieces=60)
-
-
-@pytest.mark.parametrize("seed", [0, *nights(10)])
-def test_random_phases_come_to_what_the_engine_says(seed):
-    assert disagreeing(MACHINE, drawn(seed))[0] == []
 
 
 def results(one):

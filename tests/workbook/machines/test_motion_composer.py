@@ -92,13 +92,6 @@ def test_examples_have_s3_thousand_samples(path):
     assert MACHINE.declare(machine).blocks["cycle1"].size == 1000
 
 
-def test_every_formula_cell_has_an_engine_value():
-    cells = list(MACHINE.declare(described(cycle=360)).cells())
-    formulas = [c for c in cells if isinstance(c.content, str) and c.content.startswith("=")]
-    assert not [f"{c.block.name}.{c.quantity.name}[{c.i}]" for c in formulas if c.expected is None]
-    assert len([c for c in formulas if c.block.name == "cycle1"]) == 361 * 10
-
-
 # --- Junctions and closure ------------------------------------------------------------------------
 
 
@@ -142,12 +135,6 @@ def test_a_law_that_does_not_reach_its_lift_jumps_in_position():
     assert value("axis1", "y")[0] == pytest.approx(2.5)
 
 
-def test_the_motion_begins_where_it_is_told_to():
-    value = computed(MACHINE, composed(position=-3.5))
-    assert value("cycle1", "y")[0] == pytest.approx(-3.5)
-    assert value("axes", "high") == pytest.approx([16.5])
-
-
 # --- Units, entries -------------------------------------------------------------------------------
 
 
@@ -186,12 +173,6 @@ def test_a_wrong_entry_names_the_cell(column, entry, said, tmp_path):
 
 
 # --- Against the engine ---------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("law", MOVING)
-def test_pycel_agrees_with_each_law(law):
-    phases = ((law, 20.0, 40.0), ("DWL", 0.0, 15.0), (law, -20.0, 65.0))
-    assert disagreeing(MACHINE, composed(phases, sizes={"cycle": 48}))[0] == []
 
 
 def test_every_check_of_the_motion_that_can_fail_does_so_in_some_variant():
