@@ -112,6 +112,7 @@ def test_s1_equation_of_the_motors_torque():
 
 
 @pytest.mark.parametrize("law", MOVING)
+@pytest.mark.sample(2)
 def test_pycel_agrees_with_the_engine_in_every_cell(law):
     """A law that its drive cannot integrate moves the axes without one."""
     wrong, count = disagreeing(TEMPLATE, described(laws=(law if law in SHAPED else "MTP", law, law)))

@@ -167,7 +167,7 @@ def test_the_saw_has_no_mean_speed_and_needs_its_stroke():
 
 @pytest.mark.parametrize("law", MOVING)
 @pytest.mark.parametrize("length", [180.0, 900.0])
-@pytest.mark.sample(6)
+@pytest.mark.sample(2)
 def test_pycel_agrees_with_the_engine_in_every_cell(law, length):
     machine = entries(law=law, product_length=length)
     machine["laws"]["OWN"]["pieces"] = RISING
@@ -181,7 +181,7 @@ def drawn(number):
 
 
 @pytest.mark.parametrize("number", [*range(8), *nights(60)])
-@pytest.mark.sample(4)
+@pytest.mark.sample(2)
 def test_a_drawn_cutter_is_as_its_sheet_states(number):
     """Cells agree with the engine, results with the exact engine to their bounds, judged limits with the checks."""
     given = drawn(number)
@@ -211,7 +211,7 @@ def test_a_motor_exactly_at_its_limits_holds_them(number):
     [*((share, "reversal") for share in (-1e-6, -1e-12, 0.0, 1e-12, 2e-9, 1e-6, 1e-3)), (0.0, "standstill")],
 )
 @pytest.mark.parametrize("law", ["ACS", "TVP", "CIC", "CUB", "MTP"])
-@pytest.mark.sample(6)
+@pytest.mark.sample(2)
 def test_a_tool_that_barely_turns_round_is_judged_alike_in_cells_and_engine(law, share, beyond):
     """A share of the longest product without standstill more, or less."""
     machine = described(law=law)
@@ -222,6 +222,7 @@ def test_a_tool_that_barely_turns_round_is_judged_alike_in_cells_and_engine(law,
 
 @pytest.mark.parametrize("law", MOVING)
 @pytest.mark.parametrize("changed", [{}, {"kind": "drum", "product_length": 900.0, "drum__tool_angle": 0.0}])
+@pytest.mark.sample(4)
 def test_the_last_look_at_a_turn_is_exact(law, changed):
     """Of a saw, and of a drum whose tools work for an instant."""
     machine = entries(SAW, law=law, beyond="reversal", **changed)

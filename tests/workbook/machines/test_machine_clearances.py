@@ -80,17 +80,6 @@ def test_the_check_says_where_and_by_how_much():
     ) == "OK"  # fmt: skip
 
 
-def test_clearances_come_back_from_a_book_by_the_names_of_their_axes():
-    made = machine({"least": 1.0}, {"name": "Other", "first": "A3", "second": "A1", "offset": 2.0})
-    assert entered(TEMPLATE, made) == (made, [])
-
-
-def test_the_samples_change_nothing():
-    few, many = (computed(TEMPLATE, machine({"second_factor": 0.4}, cycle=cycle)) for cycle in (12, 720))
-    for column in ("gap", "at"):
-        assert few("clearances", column) == many("clearances", column)
-
-
 @pytest.mark.parametrize(
     ("entry", "said"), [({"first": "A9"}, "no axis is named 'A9'"), ({"second": "a1"}, "is the first axis too")]
 )
@@ -99,7 +88,7 @@ def test_an_axis_that_is_not_there_is_refused(entry, said):
         machine(entry)
 
 
-@pytest.mark.parametrize("number", [*range(2), *nights(10)])
+@pytest.mark.parametrize("number", [0, *nights(10)])
 def test_random_gaps_agree_with_closed_forms(request, number):
     told = f"gap {number}"
     drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)

@@ -100,6 +100,7 @@ TAKEN = {
 
 
 @pytest.mark.parametrize("name", TAKEN)
+@pytest.mark.sample(1)
 def test_every_law_is_taken_by_a_drive(name):
     """Those too that an earlier sheet could not integrate."""
     one = TAKEN[name]()

@@ -1,7 +1,6 @@
 """Drives by a table of positions, in cells: against a constant ratio, energy, other samples; what is no table."""
 
 import math
-import random
 
 import pytest
 
@@ -42,15 +41,6 @@ def test_six_points_of_a_crank_once_out_and_back_give_results():
     assert computed(TEMPLATE, made)("drive1_rms") > 0.0
 
 
-@pytest.mark.nightly
-def test_an_axis_that_turns_agrees_too_at_a_table_of_which_points_are_left_empty():
-    load = {"inertia": 200.0, "torque": 1.0, "friction_torque": 0.3}
-    machine = driven(table((-20, -5), (20, 5), (70, 21)), unit="°", load=load)
-    wrong, _ = disagreeing(TEMPLATE, machine)
-    assert wrong == []
-    assert entered(TEMPLATE, machine) == (machine, [])
-
-
 def test_a_straight_table_is_a_pinion():
     """r = 20 mm: 20 mm a rad, by points of any distance; the pinion's drive goes by closed forms, not by nodes."""
     points = [(angle, angle * 0.017453292519943295 * 20.0) for angle in (-10.0, 25.0, 31.0, 90.0)]
@@ -66,23 +56,10 @@ def test_a_straight_table_is_a_pinion():
     [(angle, angle * 0.7371) for angle in (-31.7, 3.3, 12.1, 88.8)],
     [(angle, angle * 0.0213) for angle in (0.0, 0.7, 177.7, 178.1)],
 ], ids=["two points", "four", "narrow parts"])  # fmt: skip
+@pytest.mark.sample(1)
 def test_rounding_of_a_straight_table_is_no_disagreement(points):
     """Its φ'' is 0 but for rounding, which cells and engine have each of their own."""
     assert disagreeing(TEMPLATE, driven(table(*points), (20, 140, 0.5, "ACS"), (190, 330, -0.5, "MTP")))[0] == []
-
-
-@pytest.mark.nightly
-def test_no_result_hangs_on_the_samples_and_the_motor_does_the_work_of_friction_and_force():
-    load = {"mass": 12.0, "friction": 0.1, "windows": [{"start": 10.0, "stop": 150.0, "force": 500.0}]}
-    told = BENT | {"efficiency": 1.0}
-    few, many = (
-        computed(TEMPLATE, small(linked(*PHASES, mechanism=told, load=load), positions=4, cycle=cycle))
-        for cycle in (12, 90)
-    )
-    for name in FIGURES:
-        assert few(f"drive1_{name}") == many(f"drive1_{name}"), name
-    net = few("drive1_energy") - few("drive1_returned")
-    assert net == pytest.approx(0.1 * 12.0 * 9.81 * 0.04 + 500.0 * 0.02, rel=1e-3)
 
 
 @pytest.mark.nightly
@@ -111,22 +88,3 @@ def test_what_is_no_table_is_built_and_fails_by_point_or_row_and_amount(points, 
 def test_more_points_than_there_is_room_for_are_refused():
     with pytest.raises(ValueError, match=r"raise sizes\.positions"):
         driven(table(*((10 * k, k) for k in range(5))))
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize("seed", range(12))
-def test_random_tables_agree(seed):
-    drawn = random.Random(seed)
-    angle, y, points = drawn.uniform(-90, 0), drawn.uniform(-9, 0), []
-    slope = drawn.uniform(0.1, 0.4)
-    for _ in range(4):
-        points.append((angle, y))
-        step = drawn.uniform(20, 70)
-        angle, y = angle + step, y + step * slope * drawn.uniform(0.85, 1.15)
-    room = points[-1][1]
-    there, back = room * drawn.uniform(0.6, 1.0), -room * drawn.uniform(0.2, 0.6)
-    phases = (20, 140, there, drawn.choice(("CIC", "MTP"))), (150, 250, back, "CIC"), (250, 330, -there - back, "MTP")
-    told = table(*points, efficiency=drawn.uniform(0.6, 1.0))
-    one = linked(*phases, mechanism=told, **LOSSY)
-    wrong, _ = disagreeing(TEMPLATE, small(one, positions=4, phases=3))
-    assert wrong == []

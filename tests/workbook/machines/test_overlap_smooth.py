@@ -28,6 +28,7 @@ SAID = {
 
 
 @pytest.mark.parametrize("what", SAID)
+@pytest.mark.sample(3)
 def test_the_joint_that_is_less_smooth_than_asked_is_named(what):
     transfer, tool, mill, die = SAID[what]
     one = machine(transfer, tool)
