@@ -9,7 +9,6 @@ from tests.workbook.controllers.examples import handed
 from tests.workbook.reading.forks import run
 from workbook.controllers.registry import target
 
-ROCKWELL = target("rockwell").write(handed(target("rockwell")))
 CODESYS = target("codesys").write(handed(target("codesys")))
 LAUGHS = "".join(f'<!ENTITY a{k} "{f"&a{k - 1};" * 10}">' for k in range(1, 10))
 MANY = 1_000_000

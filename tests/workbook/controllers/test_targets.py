@@ -28,7 +28,6 @@ from workbook.template_outputs import CamAxis
 
 GOLDEN = Path(__file__).parent / "golden"
 NUMBER = r"(-?\d+\.?\d*(?:[eE]-?\d+)?)"
-REAL_ONES = ("rockwell", "br")
 WHOLE = ("mitsubishi", "br")
 
 
