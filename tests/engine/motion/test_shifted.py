@@ -41,7 +41,7 @@ def test_a_feed_goes_on():
     assert np.diff(y).min() > -1e-14
 
 
-@pytest.mark.parametrize("number", [*range(6), *nights(100)])
+@pytest.mark.parametrize("number", [*range(6), *nights(40)])
 def test_the_least_gap_against_samples(request, number):
     told = f"gap {number}"
     rng = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)

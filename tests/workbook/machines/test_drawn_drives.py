@@ -133,7 +133,7 @@ def machines(*day, night):
     return [*(pytest.param((number, "drawn"), id=str(number)) for number in day), *by_night]
 
 
-@pytest.fixture(scope="module", params=machines(*range(100), night=120))
+@pytest.fixture(scope="module", params=machines(*range(100), night=80))
 def drawn(request):
     """One machine after another, for all tests of it."""
     return drawn_again(*request.param)
@@ -167,7 +167,7 @@ def test_no_sheet_says_ok_where_the_equation_of_motion_says_fail(drawn):
     assert [line for view, one in both for line in wrong_verdicts(view, one)] == []
 
 
-@pytest.mark.parametrize("drawn", machines(*range(0, 100, 10), night=60), indirect=True)
+@pytest.mark.parametrize("drawn", machines(*range(0, 100, 10), night=30), indirect=True)
 def test_the_highest_rate_of_a_sheet_is_that_of_the_equation_of_motion(drawn):
     """All limits are held there and two per cent above it one is not, or verify tells the exact rate."""
     for view in drawn.views:

@@ -130,7 +130,7 @@ def test_what_cannot_be_is_built_and_fails_by_row_and_amount(changed, check, sai
     data["axes"][0]["mechanism"] |= changed
     machine = validated(TEMPLATE, data, str)
     assert machine.design.faults[0].message.startswith(said)
-    value = computed(TEMPLATE, machine)
+    value = computed(TEMPLATE, machine, by_cells=True)
     assert value(f"drive1_ok_{check}") == "FAIL"
     if check != "sized":  # where too little is entered, cells have nothing to compute from
         assert all(isinstance(one, float | int) for one in [*value("drive1_pt", "T"), *value("drive1_cycle", "phi")])

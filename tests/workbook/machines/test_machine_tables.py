@@ -78,7 +78,7 @@ def test_what_is_no_table_is_built_and_fails_by_point_or_row_and_amount(points, 
     data["axes"][0]["mechanism"]["points"] = table(*points)["points"]
     machine = validated(TEMPLATE, data, str)
     assert machine.design.faults[0].message.startswith(said)
-    value = computed(TEMPLATE, machine)
+    value = computed(TEMPLATE, machine, by_cells=True)
     assert value(f"drive1_ok_{check}") == "FAIL"
     assert value(f"drive1_ok_{check}_says").startswith("point 3 does not rise" if check == "linked" else said[:60])
     if check != "sized":  # where too little is entered, cells have nothing to compute from
