@@ -1,12 +1,14 @@
 """The class of templates, and the parts that every template's book has."""
 
-from collections.abc import Callable, Container, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Generic, NamedTuple, TypeVar
 
 from workbook.book.declare import FIRST, Book, Text
 from workbook.book.summary import TITLE, checks_sheet, close_summary, head, repeat_verdict
+from workbook.book_layout import NAME as LAYOUT
+from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine
 from workbook.fields.paths import has_key
 from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
@@ -14,7 +16,6 @@ from workbook.text_files import FOLDER as FOLDER  # known by this module to many
 from workbook.unfinished_book import with_entries
 
 M = TypeVar("M", bound=Machine)
-MOST = 99  # parts of a kind that are distinguished by numbers
 
 
 class Alternative(NamedTuple, Generic[M]):
@@ -35,16 +36,10 @@ class Template(Generic[M]):
     model: type[M]
     finished: Callable[[M], Book]
     variants: Callable[[M], list[M]]
-    sizes: dict[str, tuple[str, int]]
-    """of each entry of a description's ``sizes`` the block that shows it, and by how many rows that is longer; ``#`` in
-    its name stands for the least number that a file has"""
     check: Callable[[M], None] = lambda machine: None  # raises EntryError for entries that only the engine can refuse
-    laid_out: Callable[[M, Container[str]], M] = lambda machine, names: machine
-    """gives a machine the layout that a file has by its defined names, where sheets depend on the description"""
     axes: Callable[[M], list[CamAxis]] = lambda machine: []  # the motions that a controller can be given
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []  # what it is to turn on and off meanwhile
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
-    fixed: Callable[[M], dict[str, Any]] = lambda machine: {}  # by key the entries that a layout alone tells
     judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED  # of its book, by the exact engine
     others: Mapping[str, Alternative[M]] = field(default_factory=dict)  # by the key that only such a description has
     folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template
@@ -58,16 +53,11 @@ class Template(Generic[M]):
         return NOTHING_JUDGED if machine.design.replaced else self.judgement(machine)
 
     def declare(self, machine: M) -> Book:
-        """Declare the book of a machine, with what was entered of an unfinished design."""
-        return with_entries(self.finished(machine), machine)
-
-    def sized(self, names: Container[str]) -> Iterator[tuple[str, str, int]]:
-        """Yield each size that a file of these names shows, with the block, and by how many rows that is longer."""
-        for size, (block, extra) in self.sizes.items():
-            numbered = (block.replace("#", str(i)) for i in range(1, MOST + 1))
-            size_name = next((name for name in numbered if name in names), None)
-            if size_name is not None:
-                yield size, size_name, extra
+        """Declare the book of a machine, with its layout, and with what was entered of an unfinished design."""
+        book = self.finished(machine)
+        layout = book.blocks[LAYOUT]
+        layout.quantities = tuple(q._replace(value=layout_text(machine, book)) for q in layout.quantities)
+        return with_entries(book, machine)
 
     @property
     def description(self) -> Path:

@@ -226,8 +226,7 @@ def too_weak(press: Press) -> Press:
 
 
 TEMPLATE = Template(
-    "press", Press, declare, variants, {"phases": ("axis1", 0), "cycle": ("cycle1", 1), "motors": ("motors", 0)},
-    folder=Path(__file__).parent,
+    "press", Press, declare, variants, folder=Path(__file__).parent,
 )  # fmt: skip
 
 

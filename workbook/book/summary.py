@@ -218,6 +218,7 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
     sheet.rows(
         cell("book_template", book.template),
         cell("book_version", workbook.__version__),
+        cell("book_layout", ""),
     )
     sheet.heading("Sources")
     for key in sources:

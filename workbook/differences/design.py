@@ -13,7 +13,8 @@ from workbook.book.quantity import FAIL, OK, SAYS
 from workbook.book.rows import as_rows, is_number
 from workbook.entries.machine import Machine
 from workbook.judging.carry_over import left_behind
-from workbook.judging.layout import layout_findings, match_layout
+from workbook.judging.layout import layout_findings
+from workbook.judging.matching import Match
 from workbook.judging.repair import repair_book
 from workbook.judging.report import Report
 from workbook.judging.structure import check_structure
@@ -122,7 +123,7 @@ def read_design(path: Path) -> Design:
     file = open_book(path)
     entries = Entries(file, agreed_values, repair_book)
     machine = entries.machine()
-    match, _ = match_layout(file, entries.template, machine)
+    match = Match(file, entries.template.declare(machine))
     report = Report(file.path, entries.template.name, findings=[*entries.moved, *layout_findings(match)])
     check_structure(match, report)
     edited = [f"{cell.sheet}!{cell.cell} ({cell.what}): {cell.computed}" for cell in report.findings]

@@ -79,6 +79,10 @@ class Machine(Model):
     def _spelled(cls, data: Any) -> Any:
         return cls.spelled(data)
 
+    def layout_entries(self) -> dict[str, Any]:
+        """Return by key the entries that tell the layout of its book, where these are other than as entered."""
+        return {}
+
     def built_as(self, names: Mapping[str, str]) -> None:
         """Keep the names that parts had when their book was built, by the names of the cells that hold them."""
 

@@ -40,6 +40,16 @@ class EmptyCell:
 
 
 @dataclass(frozen=True)
+class MakesCells:
+    """Marks an entry by which a book has more cells: a list by its rows, all else by being there.
+
+    The layout of a book has a ``stand_in`` for it; of a list without one its rows, without what cells hold.
+    """
+
+    stand_in: Any = None
+
+
+@dataclass(frozen=True)
 class CountsAs:
     """Marks an entry with the value that takes its place in an unfinished design where it breaks a rule."""
 

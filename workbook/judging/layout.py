@@ -2,50 +2,19 @@
 
 from collections import defaultdict
 from collections.abc import Iterator
-from itertools import groupby, product
+from itertools import groupby
 from typing import Any
 
 from openpyxl.utils import get_column_letter
 
 from workbook.book.address import Address, Fit
 from workbook.book.declare import Block
-from workbook.entries.machine import Machine
 from workbook.judging.matching import Match
 from workbook.judging.report import LAYOUT, Finding, Report
-from workbook.reading.files import BookFile
-from workbook.templates import AnyTemplate
 
 FOLLOWING = frozenset(("value", "error", "follows", "saved"))
-NEAR = (1, 2, 3, -1)  # rows by which a table may have been larger or smaller
 UNDO = "undo that, or take the table from a copy; `regenerate` carries over what is entered"
 SPARE = "no row between the table's own: delete it, and enter what it should hold in a spare row"
-
-
-def match_layout(file: BookFile, template: AnyTemplate, machine: Machine) -> tuple[Match, Machine]:
-    """Match the file with its declaration; return also the machine by whose sizes most tables are as declared.
-
-    Where a row is gone from any of several tables of the same size, the others tell what that was.
-    """
-    best, given = Match(file, template.declare(machine)), machine
-    for size, more in product(template.sizes, NEAR):
-        if not best.misfits or any(place is None for _, place in best.misfits):
-            break
-        sizes = given.sizes.model_dump()
-        try:
-            sized = type(given.sizes)(**sizes | {size: sizes[size] + more})
-            other = given.model_copy(update={"sizes": sized})
-            match = Match(file, template.declare(other))
-        except (ValueError, IndexError):  # beyond a limit, or too small for what is entered
-            continue
-        if misfit_score(match) < misfit_score(best):
-            best, machine = match, other
-    return best, machine
-
-
-def misfit_score(match: Match) -> int:
-    """Return how many tables are not as declared, the larger twice; a table in the rows of another is as that is."""
-    apart = (block for block, place in match.misfits if place is not None and block.lead is None)
-    return sum(1 if match.size_of(block) < block.size else 2 for block in apart)
 
 
 def layout_findings(match: Match) -> Iterator[Finding]:

@@ -18,7 +18,7 @@ from workbook.judging.display.differences import Differences
 from workbook.judging.display.rules import compare_rules, compare_validations
 from workbook.judging.display.sheets import compare_sheets, sheet_views
 from workbook.judging.display.texts import compare_texts
-from workbook.judging.layout import layout_findings, match_layout, set_consequences_aside
+from workbook.judging.layout import layout_findings, set_consequences_aside
 from workbook.judging.matching import Match, Pair
 from workbook.judging.repair import is_empty_row, repair_book, report_wrong_results
 from workbook.judging.report import LAYOUT, NOTICE, ORDER, Check, Report, WitnessRun
@@ -80,7 +80,7 @@ def judge(
 
     ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others any.
     """
-    match, machine = match_layout(file, template, machine)
+    match = Match(file, template.declare(machine))
     report.findings += layout_findings(match)
     suspects = check_structure(match, report)
     report.notes += stale_functions(file.workbook)

@@ -17,21 +17,11 @@ from workbook.law_sheets.library import NamedLaw, named_laws
 from workbook.law_sheets.page import finite, law_sheet
 from workbook.laws.entries import Laws
 from workbook.laws.family import COEFFICIENTS, LABELS, LEAST_STAGE, POWERS, SECOND, SINE, entries_of
-from workbook.laws.registry import CODES, FAMILY
 from workbook.laws.sampling import Pieces
 
 CELLS = cell_tables(__file__)
 
 RISE = 1.0  # of every law in a time of 1: its velocity and acceleration reach at least this size
-
-
-PAGED = tuple(code for code in CODES if FAMILY[code].has_sheet)
-LAW_SIZES = {
-    "law": (f"{PAGED[0]}_samples", 1),
-    "pieces": ("OWN_pieces", 0),
-    "points": ("SPL#_points", 0),
-    "export": ("export", 1),
-}
 
 
 class BookLaws:

@@ -1,6 +1,5 @@
 """The laws of a book: name, family, entries, the engine's law; other parameters for them, which variations share."""
 
-import re
 from collections.abc import Callable, Container, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,11 +10,9 @@ from engine.laws import Law
 from workbook.book.chart import in_scope
 from workbook.entries.machine import Machine
 from workbook.fields.paths import leaves
-from workbook.laws.entries import ENTRIES, Laws, references
+from workbook.laws.entries import Laws, references
 from workbook.laws.family import Page
 from workbook.laws.registry import CODES, FAMILY
-
-CALLED = re.compile(r"([A-Z][A-Z0-9]{2})(\d{1,4})_called")
 
 
 @dataclass(frozen=True)
@@ -71,15 +68,9 @@ def laws(given: Laws) -> dict[str, Law]:
     return {named_law.name: named_law.law for named_law in named_laws(given)}
 
 
-def numbered_laws(names: Iterable[str]) -> dict[str, str]:
-    """Return the family of each law that has a name of its own, by its key such as ``MTP8``, in their order."""
-    matches = [match for match in map(CALLED.fullmatch, names) if match and match[1] in ENTRIES]
-    return {f"{match[1]}{match[2]}": match[1] for match in sorted(matches, key=lambda match: int(match[2]))}
-
-
-def with_laws(machine: Machine, laws: dict[str, str]) -> Machine:
-    """Return a machine whose book has cells for these laws, and for no other besides the basic ones."""
-    copy = machine.model_copy(deep=True, update={"laws": Laws({key: {"family": code} for key, code in laws.items()})})
+def with_basic_laws(machine: Machine) -> Machine:
+    """Return a machine whose phases and tools take basic laws alone."""
+    copy = machine.model_copy(deep=True)
     for reference in references(copy):
         if reference.name not in CODES:
             object.__setattr__(reference.entries, reference.field, CODES[1])  # a law that moves

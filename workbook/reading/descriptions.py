@@ -2,14 +2,19 @@
 
 import re
 import tomllib
+from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
-from workbook.entries.design import RefusedError, Where, as_entered, fault_line, finished
+from pydantic import ValidationError
+
+from workbook.entries import rules
+from workbook.entries.design import RefusedError, Where, as_entered, fault_line, finished, keys_of
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, quoted
-from workbook.fields.paths import key_of, spell
+from workbook.fields.paths import key_of, put, spell, split
 from workbook.fields.types import EntryError
+from workbook.law_sheets.library import with_basic_laws
 from workbook.laws.named import with_laws_by_code
 from workbook.selection.entries import referred
 from workbook.template import M, Template
@@ -85,11 +90,25 @@ def validated(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate entries; raise InputError for faults of structure or type: other ones make an unfinished design."""
     model = template.model_for(data)
     try:
-        return finished(model, template.check, data, lambda: read_machine(template.description))
+        return finished(model, template.check, data, lambda: with_basic_laws(read_machine(template.description)))
     except RefusedError as error:
         raise InputError([fault_line(fault, model, where) for fault in error.faults]) from None
     except EntryError as error:
         raise InputError([f"{where(error.field)}: {error}"]) from None
+
+
+def empty_machine(template: Template[M], layout: dict[str, Any]) -> M:
+    """Return the machine of a book's layout with nothing entered; raise InputError for one that no book has."""
+    data, model = deepcopy(layout), template.model_for(layout)
+    try:
+        model.model_validate(data)
+    except ValidationError as error:
+        for n, fault in enumerate(error.errors()):
+            key, rule = keys_of(model, fault["loc"])
+            kind, constraints = rules.field_at(model, rule)
+            if fault["type"] == "missing" and kind is str and not rules.takes_law(constraints):
+                put(data, split(key), f"A{n}")
+    return validated(template, data, lambda key: key)
 
 
 def require_possible(template: Template[M], machine: M, where: Where) -> None:

@@ -4,24 +4,26 @@ from collections.abc import Callable, Collection, Iterator
 from typing import Any
 
 from openpyxl.utils import get_column_letter
-from pydantic import BaseModel, ValidationError
+from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
+from workbook.book_layout import NAME, read_layout
 from workbook.entries import rules
-from workbook.entries.machine import ExportEntry, Machine, named
+from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError, quoted
-from workbook.fields.paths import MISSING, put, split
-from workbook.law_sheets.library import numbered_laws, with_laws
-from workbook.reading.descriptions import cell_key, read_machine, template_named, validated
+from workbook.fields.paths import MISSING, get, has_key, put, split
+from workbook.fields.types import MakesCells
+from workbook.reading.descriptions import cell_key, empty_machine, template_named, validated
 from workbook.reading.files import BookFile, is_formula, require_narrow
 from workbook.reading.table_fit import changed_tables, shortened_tables
-from workbook.template import MOST
 from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
 """takes the formula cells that will be asked for, and returns a function that gives the value of each"""
 Repair = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # repairs entries, and returns findings on them
+
+UNDO = "undo the change, or take that cell from a copy of the book"
 
 
 class Entries:
@@ -34,26 +36,15 @@ class Entries:
         self.cells: dict[str, str] = {}
         self.computed: dict[Address, Any] = {}
         self.template = self._template()
-        self.data: dict[str, Any] = {"template": self.template.name, "sizes": {}}
-        for size, table, extra in self.template.sized(file.places):
-            self.data["sizes"][size] = file.places[table].rows - extra
+        self.data = self._layout()
         self.missing: list[str] = []
         self.beyond: list[str] = []  # of each table of entries the cells under its last row, which nothing reads
         self._between: list[str] = []
         self._emptied: list[str] = []
         self.gone: dict[tuple[str, int], list[str]] = {}
-        self._laws = numbered_laws(file.places)
-        default = self.template.laid_out(with_laws(read_machine(self.template.description), self._laws), file.places)
-        axis = next((i for i in range(1, MOST + 1) if named(i) in file.places), None)  # of the sheet Export, if any
-        if axis is not None:
-            self.data["export"] = {"axis": axis}
-            default = default.model_copy(update={"export": ExportEntry(axis=axis)})
-        for key, value in self.template.fixed(default).items():
-            put(self.data, split(key), value)
-        roomy = {k: max(v, getattr(default.sizes, k)) for k, v in self.data["sizes"].items()}
-        small = roomy | {"cycle": 4, "law": 4}
-        layout = self.template.declare(default.model_copy(update={"sizes": clamped_sizes(type(default.sizes), small)}))
-        self._fit(layout, {size for k, size in roomy.items() if size > self.data["sizes"].get(k, size)})
+        self._laws = {key: law["family"] for key, law in self.data["laws"].items()}
+        layout = self._declare_empty()
+        self._fit(layout)
         self.moved = mend(file, layout, self.template.model_for(self.data)) if mend else []
         self._value = evaluate(file, [*self._formulas(layout)])
         for block in layout.blocks.values():
@@ -133,14 +124,39 @@ class Entries:
         address = place.cell(0, 0)
         return template_named(self.file.value(address), f"{self.file.path}: {address}")
 
-    def _fit(self, layout: Book, grown: set[int]) -> None:
+    def _layout(self) -> dict[str, Any]:
+        """Return what the file says of its layout; raise ReadError where that is damaged, or another template's."""
+        place = self.file.places.get(NAME)
+        if place is None:
+            raise ReadError(f"{self.file.path}: it has no cell named {NAME}, which says what its tables are; {UNDO}")
+        cell = place.cell(0, 0)
+        try:
+            layout = read_layout(self.file.value(cell))
+        except ValueError as fault:
+            raise ReadError(
+                f"{self.file.path}: {cell}: {fault}; expected what this book's tables are; {UNDO}"
+            ) from None
+        if (name := layout.get("template")) != self.template.name:
+            found = f"the tables of a book of the template {quoted(name)}"
+            raise ReadError(f"{self.file.path}: {cell}: {found}; expected those of {self.template.name}; {UNDO}")
+        return layout
+
+    def _declare_empty(self) -> Book:
+        """Declare the book of the file's layout, with nothing entered, and with few samples."""
+        try:
+            machine = empty_machine(self.template, self.data)
+        except InputError as refused:
+            cell, (first, *_) = self.file.places[NAME].cell(0, 0), refused.lines
+            raise ReadError(f"{self.file.path}: {cell}: {first}; {UNDO}") from None
+        few = machine.sizes.model_copy(update={"cycle": 4, "law": 4})
+        return self.template.finished(machine.model_copy(update={"sizes": few}))
+
+    def _fit(self, layout: Book) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""
         self.file.fits |= changed_tables(self.file, layout)
-        self._ends = shortened_tables(self.file, layout, grown)
+        self._ends = shortened_tables(self.file, layout)
         for name, fit in self.file.fits.items():
             self.file.places[name] = fit.place
-        for size, block, extra in self.template.sized(self.file.fits):
-            self.data["sizes"][size] = self.file.fits[block].size - extra
 
     def _read_block(self, block: Block) -> None:
         inputs = [(j, q) for j, q in enumerate(block.quantities) if q.role == "input"]
@@ -159,13 +175,15 @@ class Entries:
         self._look_below(block, [place.cell(place.rows - 1, j) for j, _ in inputs])
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
         table, rowwise, _ = inputs[0][1].key.partition(".*")
-        if rowwise and not used and self._must_be_there(table):
+        if rowwise and (self._is_stand_in(table) if used else self._must_be_there(table)):
             put(self.data, split(table), [])
         for i in range(place.rows if "*" not in inputs[0][1].key else used):
             for (j, q), value in zip(inputs, rows[i], strict=True):
                 key = q.key.replace("*", str(i))
                 self.cells[key] = f"{place.cell(i, j)} ({q.label})"
-                if value is not None or "*" in q.key or key[-1].isdigit():
+                if value is None and get(self.data, split(key), 0.0) != 0.0:  # a stand-in
+                    put(self.data, split(key), None)
+                elif value is not None or "*" in q.key or key[-1].isdigit():
                     put(self.data, split(key), MISSING if value is None else value)
             if any(value is not None for value in rows[i]) or "*" not in inputs[0][1].key:
                 self._emptied += [
@@ -187,6 +205,11 @@ class Entries:
             message = f"{last[0].sheet}: {', '.join(held)} stand under the last row of the table {block.name}, where "
             mend = "enter them in a spare row of it, or build the book with more rows"
             self.beyond.append(f"{message}nothing reads them; {mend}")
+
+    def _is_stand_in(self, table: str) -> bool:
+        """Whether the layout has a stand-in for the rows of a table."""
+        constraints = rules.field_at(self.template.model_for(self.data), table)[1] if has_key(self.data, table) else []
+        return any(isinstance(c, MakesCells) and c.stand_in is not None for c in constraints)
 
     def _must_be_there(self, key: str) -> bool:
         """Whether an empty cell of an entry is not what a description without it means."""
@@ -223,12 +246,3 @@ class Entries:
         if best is None and "." in key:
             return self._where(key.rpartition(".")[0])
         return f"{self.file.path.name}: {best or key}"
-
-
-def clamped_sizes(model: type[BaseModel], sizes: dict[str, int]) -> BaseModel:
-    """Return sizes, those beyond their limits at these: rows may have been put into a table."""
-    try:
-        return model(**sizes)
-    except ValidationError as error:
-        limits = {str(fault["loc"][0]): fault.get("ctx", {}) for fault in error.errors()}
-        return model(**{key: limits.get(key, {}).get("le", size) for key, size in sizes.items()})

@@ -1,6 +1,6 @@
 """Rows and columns inserted into a table or deleted from it, sought by row numbers, formulas and headings."""
 
-from collections.abc import Callable, Container, Sequence
+from collections.abc import Callable, Sequence
 
 from workbook.book.address import Address, Fit, Place
 from workbook.book.declare import Block, Book
@@ -43,13 +43,13 @@ def in_rows_of_lead(file: BookFile, block: Block, measured: Fit, fits: dict[str,
     return measured._replace(place=own, inserted=fit.inserted, lost=fit.lost)
 
 
-def shortened_tables(file: BookFile, layout: Book, grown: Container[int]) -> dict[tuple[str, int], list[str]]:
-    """Return the tables of entries that lack rows at their end, by sheet and row; sizes in ``grown`` are skipped."""
+def shortened_tables(file: BookFile, layout: Book) -> dict[tuple[str, int], list[str]]:
+    """Return the tables of entries that lack rows at their end, by sheet and row."""
     tables: dict[tuple[str, int], list[str]] = {}
     for name, block in layout.blocks.items():
         place = file.places.get(name)
         entered = block.is_table and any(q.role == "input" for q in block.quantities)
-        if place is None or not entered or block.size in grown:
+        if place is None or not entered:
             continue
         if block.size > file.fits.get(name, Fit(place)).size:
             tables.setdefault((place.sheet, place.cell(place.rows - 1, 0).row + 1), []).append(name)

@@ -106,4 +106,4 @@ def variants(hoist: Hoist) -> list[Hoist]:
     return [hoist.model_copy(update={"mass": 55.0, "time": 0.9, "ramp": ramp}) for ramp in (0.1, 0.45)]
 
 
-TEMPLATE = Template("hoist", Hoist, declare, variants, {}, folder=Path(__file__).parent)
+TEMPLATE = Template("hoist", Hoist, declare, variants, folder=Path(__file__).parent)

@@ -10,7 +10,7 @@ from workbook.book.declare import Book
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
-from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
+from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, single_humped, vary_laws, varying
 from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
@@ -129,12 +129,5 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-SIZES = LAW_SIZES | {
-    "cycle": ("cycle", 1),
-    "lengths": ("lengths", 1),
-    "motion_pieces": ("tool_pieces", 0),
-    "motors": ("motors", 0),
-    "reducers": ("reducers", 0),
-}
 VARIED = varying(FlyingCutter, varied, single_humped)
-TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, SIZES, check, axes=axes, judgement=judgement)
+TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, check, axes=axes, judgement=judgement)

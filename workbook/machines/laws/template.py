@@ -6,7 +6,7 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
-from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
+from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import SIX, factors, law_for, vary_laws, varying
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 from workbook.machines.laws.sheet import comparison_sheet, names_sheet
@@ -49,5 +49,4 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-SIZES = LAW_SIZES | {"cycle": ("samples1", 1)}
-TEMPLATE = Template("motion-laws", MotionLaws, declare, varying(MotionLaws, varied), SIZES)
+TEMPLATE = Template("motion-laws", MotionLaws, declare, varying(MotionLaws, varied))

@@ -8,7 +8,17 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.drive.entries import BackEfficiency, Efficiency, RotatingParts, in_unit, noted
 from workbook.fields.texts import LOOKED_UP
-from workbook.fields.types import Angle, DesignError, EmptyCell, EntryError, Model, NotNegative, Number, Positive
+from workbook.fields.types import (
+    Angle,
+    DesignError,
+    EmptyCell,
+    EntryError,
+    MakesCells,
+    Model,
+    NotNegative,
+    Number,
+    Positive,
+)
 from workbook.machines.machine.entries_beside import Name
 from workbook.selection.catalogue import Factor
 from workbook.selection.entries import Products, Ranked
@@ -59,7 +69,7 @@ class AxisLoad(Model):
     inertia: NotNegative = noted(0.0, "Inertia that turns with the axis, in kg cm²")
     torque: Number = noted(0.0, "Torque against positive motion, in Nm; always, also at rest")
     friction_torque: NotNegative = noted(0.0, "Friction torque, in Nm; it opposes the motion")
-    viscous: NotNegative | None = noted(
+    viscous: Annotated[NotNegative, MakesCells(0.0)] | None = noted(
         None, "Viscous friction, in N per m/s, or Nm per rad/s; with it the axis' sheet has an entry for it"
     )
     arm: SwingingArm | None = noted(None, "The weight of an arm that swings with a turning axis")
@@ -171,7 +181,9 @@ class Choice(Ranked):
     With an axis, a sheet Selection looks for its motor and reducer.
     """
 
-    axis: Name | None = noted(None, "Axis with a drive that the sheet Selection looks at; or none")
+    axis: Annotated[Name, MakesCells("A")] | None = noted(
+        None, "Axis with a drive that the sheet Selection looks at; or none"
+    )
     falling: bool | None = noted(
         None,
         "Whether the sheets of drives know motors whose peak torque falls beyond a speed; as the catalogue has "

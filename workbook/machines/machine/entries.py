@@ -15,6 +15,7 @@ from workbook.fields.types import (
     DesignError,
     DesignFaultsError,
     EntryError,
+    MakesCells,
     Model,
     NotNegative,
     Number,
@@ -40,7 +41,7 @@ class Master(Model):
     """
 
     rate: Positive  # cycles/min
-    compare_rate: NotNegative | None = Field(
+    compare_rate: Annotated[NotNegative, MakesCells(0.0)] | None = Field(
         default=None, description="Rate in cycles/min at which the sheet Timing shows each axis' extremes too"
     )
 
@@ -76,7 +77,7 @@ class Axis(Model):
     parts: list[drive_entries.AxisPart] = []  # noqa: RUF012 - frozen
     motor: drive_entries.AxisMotor | None = None
     reducer: drive_entries.Reducer = drive_entries.Reducer()
-    stages: list[drive_entries.StageEntry] = Field(
+    stages: Annotated[list[drive_entries.StageEntry], MakesCells()] = Field(
         default=[],
         max_length=drive_entries.STAGES,
         examples=[[drive_entries.BELT]],
@@ -163,9 +164,11 @@ class AnyMachine(Exporting):
     AXES_AT = ("axes",)
     template: Literal["machine"] = "machine"
     master: Master
-    axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES)]
-    switches: list[beside.SwitchEntry] = Field(default=[], max_length=beside.MOST_SWITCHES)
-    clearances: list[beside.ClearanceEntry] = Field(default=[], max_length=beside.MOST_CLEARANCES)
+    axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES), MakesCells()]
+    switches: Annotated[list[beside.SwitchEntry], MakesCells()] = Field(default=[], max_length=beside.MOST_SWITCHES)
+    clearances: Annotated[list[beside.ClearanceEntry], MakesCells()] = Field(
+        default=[], max_length=beside.MOST_CLEARANCES
+    )
     power: drive_entries.PowerEntry = drive_entries.PowerEntry()
     gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
     creep_forces: Literal["off", "on"] = Field(
@@ -242,6 +245,16 @@ class AnyMachine(Exporting):
                 faults.append(DesignError(f"axes.{i}.phases", problem, rule, still))
         if faults:
             raise DesignFaultsError(faults)
+
+    def layout_entries(self) -> dict[str, Any]:
+        """Return the axes of clearances by their numbers, and whether drives know motors whose peak torque falls."""
+        names = [axis.name for axis in self.axes]
+        ends = {
+            f"clearances.{i}.{end}": place_of(getattr(clearance, end), names) + 1
+            for i, clearance in enumerate(self.clearances)
+            for end in beside.ENDS
+        }
+        return ends | {"selection.falling": self.selection.knows_falling}
 
     def built_as(self, names: Mapping[str, str]) -> None:
         """Keep what the axes with drives were called when the book was built."""

@@ -13,7 +13,7 @@ from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.paths import spread
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
-from workbook.fields.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, Model, Number
+from workbook.fields.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, MakesCells, Model, Number
 
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 TIMES, MOST_SWITCHES, MOST_CLEARANCES = 6, 24, 12  # of being on, that a switch has room for
@@ -126,7 +126,7 @@ class ClearanceEntry(Model):
     second_factor: Number = Field(default=-1.0, description="By what its position is multiplied, into the first's unit")
     offset: Number = Field(default=0.0, description="The gap where both are at 0, in the unit of the first axis")
     least: Number = Field(default=0.0, description="The gap that must be left, in the unit of the first axis")
-    pairs: Annotated[list[FreePosition], Field(max_length=PAIRS)] = Field(
+    pairs: Annotated[list[FreePosition], Field(max_length=PAIRS), MakesCells([[0.0, 0.0], [1.0, 0.0]])] = Field(
         default=[],
         examples=[[[0.0, 45.0], [20.0, 30.0]]],
         description="[position of the first axis, free position of the second] each, rising; lines between",

@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 from pydantic import Field
 
 from workbook.drive.entries import BackEfficiency, Efficiency, in_unit, noted
-from workbook.fields.types import DesignError, Model, NotNegative, Number, Positive
+from workbook.fields.types import DesignError, MakesCells, Model, NotNegative, Number, Positive
 
 ON_BED = "more of the belt lies on the bed than the whole belt"
 UNSIZED = "a size of the mechanism is empty"
@@ -54,7 +54,7 @@ class Belted(MechanismEntry):
     """A mechanism of which a belt moves with the load."""
 
     belt_mass: NotNegative | None = in_unit("kg", "Mass of the belt; it moves with the load", None)
-    belt_on_bed: NotNegative | None = in_unit(
+    belt_on_bed: Annotated[NotNegative, MakesCells(0.0)] | None = in_unit(
         "kg",
         "Mass of the belt that slides over a bed, with the load on it; with it the axis' sheet has an entry for it",
         None,

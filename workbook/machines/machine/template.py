@@ -13,7 +13,7 @@ from workbook.book.summary import group_verdict_column, summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown
-from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
+from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
 from workbook.machines.machine.clearances import clearances_sheet
@@ -24,7 +24,6 @@ from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import judgement
-from workbook.machines.machine.file_layout import fixed, laid_out
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
@@ -180,13 +179,7 @@ TEMPLATE = Template(
     AnyMachine,
     declare,
     variants,
-    LAW_SIZES
-    | {"cycle": ("cycle1", 1), "phases": ("axis1", 0), "motion_pieces": ("axis1_pieces", 0)}
-    | {"rotors": ("drive#_parts", 0), "positions": ("drive#_points", 0), "turns": ("drive#_turns", 0)}
-    | {"motors": ("motors", 0), "reducers": ("reducers", 0)},
     require_mechanisms,
-    laid_out=laid_out,
-    fixed=fixed,
     axes=axes,
     scaling=SCALING,
     judgement=judgement,

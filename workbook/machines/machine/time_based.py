@@ -8,7 +8,16 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.entries.abscissa import Abscissa, Unit, measured
 from workbook.entries.phase import TURN, filling, forward
-from workbook.fields.types import ANGLE_TOLERANCE, CountsAs, DesignError, EntryError, Model, NotNegative, Positive
+from workbook.fields.types import (
+    ANGLE_TOLERANCE,
+    CountsAs,
+    DesignError,
+    EntryError,
+    MakesCells,
+    Model,
+    NotNegative,
+    Positive,
+)
 from workbook.fields.units import PER_MINUTE, shown, si
 from workbook.machines.machine.drive_entries import WINDOWS, AxisLoad, ForceWindow
 from workbook.machines.machine.entries import MOST_AXES, AnyMachine, Axis, AxisPhase, following
@@ -24,7 +33,9 @@ class Cycle(Model):
     Over °, rad or mm nothing tells how time passes: rates are geometric, in lift by abscissa, and there are no drives.
     """
 
-    cycle: Annotated[Positive, CountsAs(TURN)] = Field(description="Length of a cycle: its time in s, or in the unit")
+    cycle: Annotated[Positive, CountsAs(TURN), MakesCells(TURN)] = Field(
+        description="Length of a cycle: its time in s, or in the unit"
+    )
     unit: Unit = Field("s", description="What the cycle is over: time, an angle, the travel of a product")
 
     @model_validator(mode="before")
@@ -87,8 +98,10 @@ class TimedMachine(AnyMachine):
     """Axes over the seconds of a cycle, or another abscissa, without a master shaft."""
 
     master: Cycle  # type: ignore[assignment]
-    axes: Annotated[list[TimedAxis], Field(min_length=1, max_length=MOST_AXES)]  # type: ignore[assignment]
-    switches: list[TimedSwitch] = Field(default=[], max_length=MOST_SWITCHES)  # type: ignore[assignment]
+    axes: Annotated[list[TimedAxis], Field(min_length=1, max_length=MOST_AXES), MakesCells()]  # type: ignore[assignment]
+    switches: Annotated[list[TimedSwitch], MakesCells()] = Field(  # type: ignore[assignment]
+        default=[], max_length=MOST_SWITCHES
+    )
 
     @model_validator(mode="after")
     def _in_time(self) -> Self:

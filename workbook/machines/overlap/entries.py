@@ -9,7 +9,7 @@ from workbook.book.sentence import figure
 from workbook.entries.machine import Exporting, Sizes
 from workbook.entries.phase import TURN
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, require_distinct
-from workbook.fields.types import Angle, DesignError, Model, NotNegative, Positive
+from workbook.fields.types import Angle, DesignError, MakesCells, Model, NotNegative, Positive
 from workbook.laws.entries import RisingLaw
 from workbook.motion.requirements import Smoothness, settle_room
 
@@ -65,7 +65,7 @@ class OverlapEntry(Model):
 
     rate: Positive  # pieces/h
     transfer: TransferEntry
-    tools: Annotated[list[ToolEntry], Field(min_length=1, max_length=MOST_TOOLS)]
+    tools: Annotated[list[ToolEntry], Field(min_length=1, max_length=MOST_TOOLS), MakesCells()]
     view: Angle = 0.0  # degrees
 
     @model_validator(mode="after")

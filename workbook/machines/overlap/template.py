@@ -12,7 +12,7 @@ from workbook.book.summary import summary_sheet
 from workbook.entries.phase import TURN
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, shown
-from workbook.law_sheets.book_laws import LAW_SIZES, BookLaws
+from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, vary_laws, varying
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import OF_TOOL, TRANSFER, cycle_sheets, rows_of
@@ -20,7 +20,7 @@ from workbook.machines.overlap.entries import IndexingOverlap
 from workbook.machines.overlap.inverse import inverse_sheet
 from workbook.machines.overlap.picture import picture_sheet
 from workbook.machines.overlap.sheet import overlap_sheet
-from workbook.machines.overlap.view import OverlapView, check, laid_out
+from workbook.machines.overlap.view import OverlapView, check
 from workbook.motion.exported import Exportable, ShiftCells, export_sheet
 from workbook.motion.requirements import smoothness_for
 from workbook.template import Template, finish
@@ -140,6 +140,5 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-SIZES = {"cycle": ("tool1_motions", 1), "margins": ("tool1_margins", 1), "motion_pieces": ("tool1_a_pieces", 0)}
 VARIED = varying(IndexingOverlap, varied)
-TEMPLATE = Template("indexing-overlap", IndexingOverlap, declare, VARIED, LAW_SIZES | SIZES, check, laid_out, axes)
+TEMPLATE = Template("indexing-overlap", IndexingOverlap, declare, VARIED, check, axes)

@@ -1,7 +1,6 @@
 """The engine's view of a transfer and its tools, and what only the engine can say of their entries."""
 
 import math
-from collections.abc import Container
 from dataclasses import replace
 from functools import cached_property
 
@@ -19,7 +18,7 @@ from workbook.fields.types import ANGLE_TOLERANCE, END_TOLERANCE, DesignError
 from workbook.fields.units import DEGREE, MM, PER_HOUR, PERCENT, shown, si
 from workbook.law_sheets.library import laws
 from workbook.laws.registry import RISING
-from workbook.machines.overlap.entries import LEAST, MOST_TOOLS, IndexingOverlap, ToolEntry
+from workbook.machines.overlap.entries import LEAST, IndexingOverlap, ToolEntry
 
 SCOPE = "tool{}_"  # of the names of a tool's cells
 BACKWARDS = "a law moves backwards: see its sheet, or Laws"
@@ -95,14 +94,6 @@ class Station:
         """The schedules for margins from 0 to the whole clearance."""
         margins = np.linspace(0.0, self.passage.clearance, self.machine.sizes.margins + 1)
         return self.engine.sweep(margins, self.machine.rate)
-
-
-def laid_out(machine: IndexingOverlap, names: Container[str]) -> IndexingOverlap:
-    """Return a machine with as many tools as a file has by its defined names: its book has the file's inputs."""
-    given = machine.overlap
-    last = max((i for i in range(1, MOST_TOOLS + 1) if f"{SCOPE.format(i)}name" in names), default=1)
-    tools = [given.tools[0] for _ in range(last)]
-    return machine.model_copy(update={"overlap": given.model_copy(update={"tools": tools})})
 
 
 def check(machine: IndexingOverlap) -> None:

@@ -1,0 +1,85 @@
+"""The layout of a book as its cell book_layout says it: what of a description decides which cells there are.
+
+It is the description of the machine without all that is entered in cells, as JSON. Of an entry that is marked by
+:class:`~workbook.fields.types.MakesCells` a stand-in is there, of a law with a name of its own its family.
+"""
+
+import json
+import re
+from typing import Any
+from zlib import crc32
+
+from pydantic import BaseModel
+
+from workbook.book.declare import Book
+from workbook.entries import rules
+from workbook.entries.machine import Machine
+from workbook.fields.paths import put, split
+from workbook.fields.types import MakesCells
+from workbook.law_sheets.library import named_laws
+
+NAME = "book_layout"
+CHECKSUM = "checksum"
+ROW = re.compile(r"\.\d+(?=\.|$)")
+
+
+def layout_text(machine: Machine, book: Book) -> str:
+    """Return the layout of a declared book as JSON, with a checksum."""
+    layout = layout_of(machine, book)
+    return as_json(layout | {CHECKSUM: checksum(layout)})
+
+
+def layout_of(machine: Machine, book: Book) -> dict[str, Any]:
+    """Return the description of a machine without the entries that have a cell in its book."""
+    inputs = (q for block in book.blocks.values() for q in block.quantities if q.role == "input")
+    layout = {"template": machine.template} | without_cells(machine, "", {ROW.sub(".*", q.key) for q in inputs})
+    own = (law for law in named_laws(machine.laws) if not law.basic)
+    layout["sizes"] = machine.sizes.model_dump(exclude_none=True)
+    layout["laws"] = {law.slug: {"family": law.entered.family} for law in own}
+    for key, value in machine.layout_entries().items():
+        put(layout, split(key), value)
+    return layout
+
+
+def without_cells(model: BaseModel, path: str, keys: set[str]) -> dict[str, Any]:
+    """Return the entries of a model, at a ``path``, whose keys are none of ``keys``; of marked ones the stand-in."""
+    data: dict[str, Any] = {}
+    for name, field in type(model).model_fields.items():
+        value, key = getattr(model, name), f"{path}{name}"
+        if value is None or value == [] or key in ("laws", "sizes"):
+            continue
+        marks = [c for c in rules.unwrap(field.annotation, field.metadata)[1] if isinstance(c, MakesCells)]
+        if isinstance(value, BaseModel):
+            below = without_cells(value, f"{key}.", keys)
+            if below or field.is_required() or field.default is None:
+                data[name] = below
+        elif marks and marks[0].stand_in is not None:
+            data[name] = marks[0].stand_in
+        elif isinstance(value, list):
+            data |= {name: [without_cells(row, f"{key}.*.", keys) for row in value]} if marks else {}
+        elif key not in keys and (field.is_required() or value != field.default):
+            data[name] = value
+    return data
+
+
+def read_layout(text: Any) -> dict[str, Any]:
+    """Return the layout in the content of a cell; raise ValueError, whose text says what is wrong."""
+    if not isinstance(text, str):
+        raise ValueError("empty" if text is None else "no text")
+    try:
+        layout = json.loads(text)
+    except (ValueError, RecursionError):
+        raise ValueError("not as motionbook wrote it") from None
+    if not isinstance(layout, dict) or layout.pop(CHECKSUM, None) != checksum(layout):
+        raise ValueError("not as motionbook wrote it")
+    return layout
+
+
+def checksum(layout: dict[str, Any]) -> int:
+    """Return a number that shows whether a layout was changed."""
+    return crc32(as_json(layout).encode())
+
+
+def as_json(data: Any) -> str:
+    """Return data as JSON in one line."""
+    return json.dumps(data, separators=(",", ":"), ensure_ascii=False)
