@@ -56,7 +56,9 @@ def without_cells(model: BaseModel, path: str, keys: set[str]) -> dict[str, Any]
         elif marks and marks[0].stand_in is not None:
             data[name] = marks[0].stand_in
         elif isinstance(value, list):
-            data |= {name: [without_cells(row, f"{key}.*.", keys) for row in value]} if marks else {}
+            default = None if field.is_required() else field.get_default(call_default_factory=True)
+            if marks or default:  # a description without such a list would have the rows of the default
+                data[name] = [without_cells(row, f"{key}.*.", keys) for row in value] if marks else []
         elif key not in keys and (field.is_required() or value != field.default):
             data[name] = value
     return data

@@ -108,6 +108,8 @@ def empty_machine(template: Template[M], layout: dict[str, Any]) -> M:
             kind, constraints = rules.field_at(model, rule)
             if fault["type"] == "missing" and kind is str and not rules.takes_law(constraints):
                 put(data, split(key), f"A{n}")
+            elif fault["type"] == "too_short":  # a catalogue
+                put(data, split(key), [row.model_dump() for row in rules.default_at(model, rule)[:1]])
     return validated(template, data, lambda key: key)
 
 

@@ -12,7 +12,7 @@ from tests.laws import MOVING
 from tests.workbook.cells import disagreeing
 from tests.workbook.composed import MACHINE, composed
 from workbook.fields.types import Model
-from workbook.law_sheets.library import SIX, law_for, laws_in, variations, with_laws
+from workbook.law_sheets.library import SIX, law_for, laws_in, variations
 from workbook.law_sheets.page import COEFFICIENTS
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.family import LawSheet, PieceRow
@@ -200,7 +200,7 @@ def named(entries):
 
 @pytest.mark.parametrize("count", range(0, 30, 3))
 def test_a_template_with_one_law_at_a_time_gives_each_its_turn_however_many_there_are(count):
-    machine = with_laws(composed(), {f"CUB{8 + i}": "CUB" for i in range(count)})
+    machine = composed().model_copy(update={"laws": Laws({f"CUB{8 + i}": {"family": "CUB"} for i in range(count)})})
     names = machine.laws.names[1:]
     made = variations(machine, lambda data, turn: {"axes": [{"phases": [{"law": law_for(turn + 4, data["laws"])}]}]})
     assert len(made) == max(SIX, len(names))

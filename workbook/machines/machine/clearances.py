@@ -11,7 +11,6 @@ from workbook.entries.phase import TURN
 from workbook.fields.units import shown
 from workbook.machines.machine.clearance_points import gap_workings
 from workbook.machines.machine.entries_beside import PAIRS
-from workbook.machines.machine.file_layout import pairs_name
 from workbook.machines.machine.gap import ClearanceView, FreePositions
 
 CELLS = cell_tables(__file__)
@@ -156,7 +155,7 @@ def pairs(sheet: Sheet, gap: ClearanceView, table: FreePositions) -> None:
         ),
     )
     sheet.rows(
-        cell("{pairs_name}", len(table.at), n=n, pairs_name=pairs_name(n)),
+        cell("clear{n}_pairs_used", len(table.at), n=n),
         cell("clear{n}_near", table.near, n=n, unit=units[0], scale=table.near),
     )
 

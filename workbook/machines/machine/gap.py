@@ -14,7 +14,6 @@ from workbook.entries.phase import TURN
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import ClearanceEntry
-from workbook.machines.machine.file_layout import clearance_name
 from workbook.machines.machine.motion_tables import AxisTables
 
 
@@ -80,7 +79,7 @@ class ClearanceView:
         at, free = (np.array([getattr(pair, name) for pair in given.pairs]) for name in ("at", "free"))
         self.table = FreePositions(at, free) if given.pairs else None
         self.over, self.unit = self.rows[0].machine.over, self.rows[1 if self.table else 0].axis.given.unit
-        self.name = clearance_name(number, *(row.axis.number for row in self.rows))
+        self.name = "_".join([f"clear{number}", *(str(row.axis.number) for row in self.rows)])
         self.factors = (given.first_factor, given.second_factor)
         self.scales = [shown(factor, row.axis.unit) for factor, row in zip(self.factors, self.rows, strict=True)]
         self.terms = [(scale, row.axis.shifted) for scale, row in zip(self.scales, self.rows, strict=True)]

@@ -13,7 +13,6 @@ from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
-from workbook.machines.machine.file_layout import switch_name
 from workbook.machines.machine.timing.cycle import LANE_SHARE
 from workbook.machines.machine.timing.phases import going_beyond, no_fault
 from workbook.machines.machine.view import MachineView
@@ -139,7 +138,7 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
     sheet.rows(
         *(
             calc(
-                switch_name(lane.number),
+                f"switch{lane.number}_name",
                 f"Switch {lane.number}",
                 "",
                 "",

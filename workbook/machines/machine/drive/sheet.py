@@ -1,6 +1,7 @@
 """The sheet of a drive: entries, results, checks, and the table of points from which all results come."""
 
 import math
+import re
 
 from engine.drive.bounds import stated_bounds
 from workbook.book.cell_tables import cell_tables
@@ -42,7 +43,6 @@ from workbook.machines.machine.drive.reach import linkage_checks, reach_table
 from workbook.machines.machine.drive.turns import turns_check, turns_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.workings import peaks_table, top, workings
-from workbook.machines.machine.file_layout import kind_name
 from workbook.machines.machine.mechanism import SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
 
@@ -118,7 +118,7 @@ def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
     sheet.heading("Enter")
     sheet.rows(
         cell("@axis", driven.entered.name, number=driven.number),
-        cell("{kind_name}", m.kind, kind_name=kind_name(driven.number, m.kind)),
+        cell("@{kind}", m.kind, kind=re.sub("[ -]", "_", m.kind)),
         own("@own_rate"),
         *size,
         entry("@eta2"),

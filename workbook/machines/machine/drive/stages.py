@@ -12,7 +12,6 @@ from workbook.book.declare import Quantity
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import LEAST, DriveView
 from workbook.machines.machine.drive_entries import STAGED
-from workbook.machines.machine.file_layout import stage_name
 
 CELLS = cell_tables(__file__)
 
@@ -42,7 +41,7 @@ def entries(driven: Driven, key: str) -> list[Quantity]:
     for n, stage in enumerate(driven.entered.stages, 1):
         entry = words.entries(stage, f"{key}.stages.{n - 1}")
         ratio, *others = words
-        rows.append(entry(ratio, name=stage_name(driven.number, n - 1), n=n, format=""))
+        rows.append(entry(ratio, name=f"drive{driven.number}_s{n}_ratio", n=n, format=""))
         rows += [entry(name, n=n) for name in others]
     return rows
 

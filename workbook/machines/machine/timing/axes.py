@@ -6,10 +6,10 @@ from typing import Any
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import FIRST, Quantity, Sheet, given
 from workbook.fields.units import PER_MINUTE, shown, si
-from workbook.machines.machine.file_layout import COMPARED
 from workbook.machines.machine.view import MachineView, MovingAxis
 
 CELLS = cell_tables(__file__)
+COMPARED = "timing_compared"  # the cell with the rate to compare at
 
 
 def units(machine: MachineView, order: int = 0) -> str:

@@ -4,7 +4,6 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant
 from workbook.entries.abscissa import TAKEN, Abscissa, unit_cell_name
-from workbook.machines.machine.file_layout import switch_name, unit_name
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.axes import axes_table, rate_to_compare
 from workbook.machines.machine.timing.cycle import CURVES, LANE_SHARE
@@ -14,6 +13,7 @@ from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.selection.limits import limit_cells
 
 CELLS = cell_tables(__file__)
+MARKS = {"mm": "mm", "°": "deg"}
 
 PHASE, PHASE_MEASURED, PASSING = 13, 12, 4
 """columns of what is entered of a phase and comes out of it, over a length, and where movements hand over at speed"""
@@ -34,11 +34,13 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     draw_diagram(sheet, machine, columns)
     axes_table(sheet, machine, columns)
     for tables in axes:
-        i = tables.axis.number
+        i, unit = tables.axis.number, tables.axis.given.unit
         sheet.heading(f"Axis {i}")
         sheet.rows(
             cell("axis{i}_name", tables.axis.given.name, i=i),
-            constant(unit_name(i, tables.axis.given.unit), "Moves in", "", "", tables.axis.given.unit, align="left"),
+            constant(
+                f"axis{i}_{MARKS[tables.axis.given.unit]}", "Moves in", "", "", tables.axis.given.unit, align="left"
+            ),
             *map(stop_cell, stops_of(tables.axis)),
         )
         phases_table(sheet, tables)
@@ -103,7 +105,7 @@ def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
     count, over = len(machine.given.switches), machine.over
     n = len(machine.axes) + count
     lines = [curve(a, over.column, "lane") for a in machine.axes]
-    lines += [Series(f"={switch_name(i)}", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]") for i in range(1, count + 1)]
+    lines += [Series(f"=switch{i}_name", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]") for i in range(1, count + 1)]
     bars = ", bars where a switch is on" if count else ""
     about = f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}"
     chart = Chart("Timing diagram", over.title, "", tuple(lines), about, over.axis(30), (0, n, 1), lanes=True)

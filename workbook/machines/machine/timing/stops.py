@@ -10,7 +10,6 @@ from workbook.book.sentence import CheckSentence, amount
 from workbook.book.summary import ZERO
 from workbook.fields.units import shown
 from workbook.machines.machine.entries_beside import STOPS
-from workbook.machines.machine.file_layout import stop_name
 from workbook.machines.machine.view import MovingAxis
 
 CELLS = cell_tables(__file__)
@@ -28,7 +27,7 @@ class HardStop(NamedTuple):
     @property
     def name(self) -> str:
         """The name of its cell."""
-        return stop_name(self.axis.number, self.end)
+        return f"axis{self.axis.number}_stop_{self.end}"
 
     @property
     def entered(self) -> float | None:
