@@ -38,9 +38,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
         sheet.heading(f"Axis {i}")
         sheet.rows(
             cell("axis{i}_name", tables.axis.given.name, i=i),
-            constant(
-                f"axis{i}_{MARKS[tables.axis.given.unit]}", "Moves in", "", "", tables.axis.given.unit, align="left"
-            ),
+            constant(f"axis{i}_{MARKS[unit]}", "Moves in", "", "", unit, align="left"),
             *map(stop_cell, stops_of(tables.axis)),
         )
         phases_table(sheet, tables)
