@@ -14,6 +14,7 @@ from pydantic import BaseModel
 from workbook.book.declare import Book
 from workbook.entries import rules
 from workbook.entries.machine import Machine
+from workbook.errors import quoted
 from workbook.fields.paths import put, split
 from workbook.fields.types import MakesCells
 from workbook.law_sheets.library import named_laws
@@ -64,17 +65,19 @@ def without_cells(model: BaseModel, path: str, keys: set[str]) -> dict[str, Any]
     return data
 
 
-def read_layout(text: Any) -> dict[str, Any]:
-    """Return the layout in the content of a cell; raise ValueError, whose text says what is wrong."""
-    if not isinstance(text, str):
-        raise ValueError("empty" if text is None else "no text")
+def read_layout(text: Any, template: str) -> dict[str, Any]:
+    """Return the layout in the content of a cell; raise ValueError, in words, where it is damaged, or no template's."""
     try:
         layout = json.loads(text)
-    except (ValueError, RecursionError):
-        raise ValueError("not as motionbook wrote it") from None
-    if not isinstance(layout, dict) or layout.pop(CHECKSUM, None) != checksum(layout):
-        raise ValueError("not as motionbook wrote it")
-    return layout
+        sound = layout.pop(CHECKSUM) == checksum(layout) and all(law["family"] for law in layout["laws"].values())
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError):
+        sound = False
+    if not sound:
+        held = "empty" if text is None else "not as motionbook wrote it"
+        raise ValueError(f"{held}; expected what the tables of this book are")
+    if (name := layout.get("template")) != template:
+        raise ValueError(f"the tables of a book of the template {quoted(name)}; expected those of {template}")
+    return dict(layout)
 
 
 def checksum(layout: dict[str, Any]) -> int:

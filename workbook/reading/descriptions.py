@@ -105,11 +105,12 @@ def empty_machine(template: Template[M], layout: dict[str, Any]) -> M:
     except ValidationError as error:
         for n, fault in enumerate(error.errors()):
             key, rule = keys_of(model, fault["loc"])
-            kind, constraints = rules.field_at(model, rule)
-            if fault["type"] == "missing" and kind is str and not rules.takes_law(constraints):
-                put(data, split(key), f"A{n}")
-            elif fault["type"] == "too_short":  # a catalogue
+            if fault["type"] == "too_short":  # a catalogue
                 put(data, split(key), [row.model_dump() for row in rules.default_at(model, rule)[:1]])
+            elif fault["type"] == "missing":
+                kind, constraints = rules.field_at(model, rule)
+                if kind is str and not rules.takes_law(constraints):
+                    put(data, split(key), f"A{n}")
     return validated(template, data, lambda key: key)
 
 

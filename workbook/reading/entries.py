@@ -131,15 +131,9 @@ class Entries:
             raise ReadError(f"{self.file.path}: it has no cell named {NAME}, which says what its tables are; {UNDO}")
         cell = place.cell(0, 0)
         try:
-            layout = read_layout(self.file.value(cell))
+            return read_layout(self.file.value(cell), self.template.name)
         except ValueError as fault:
-            raise ReadError(
-                f"{self.file.path}: {cell}: {fault}; expected what this book's tables are; {UNDO}"
-            ) from None
-        if (name := layout.get("template")) != self.template.name:
-            found = f"the tables of a book of the template {quoted(name)}"
-            raise ReadError(f"{self.file.path}: {cell}: {found}; expected those of {self.template.name}; {UNDO}")
-        return layout
+            raise ReadError(f"{self.file.path}: {cell}: {fault}; {UNDO}") from None
 
     def _declare_empty(self) -> Book:
         """Declare the book of the file's layout, with nothing entered, and with few samples."""

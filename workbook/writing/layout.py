@@ -96,7 +96,7 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     taken = taken_rows(sheet)
     for block in sheet.blocks:
         for q, column in zip(block.quantities, block.columns.values(), strict=True):
-            if q.role in ("sentence", "check"):
+            if q.role in ("sentence", "check") or q.align == "fill":  # cut off at its cell's end
                 continue
             texts: Iterable[str] = standing.texts(block, q)
             if q.wrap:
