@@ -125,7 +125,7 @@ class Entries:
         return template_named(self.file.value(address), f"{self.file.path}: {address}")
 
     def _layout(self) -> dict[str, Any]:
-        """Return the layout that the file has of its tables; raise ReadError where that is damaged, or another template's."""
+        """Return the layout that the file has of its tables; raise ReadError where that is damaged."""
         place = self.file.places.get(NAME)
         if place is None:
             raise ReadError(f"{self.file.path}: it has no cell named {NAME}, which says what its tables are; {UNDO}")
