@@ -98,7 +98,9 @@ class TimedMachine(AnyMachine):
     """Axes over the seconds of a cycle, or another abscissa, without a master shaft."""
 
     master: Cycle  # type: ignore[assignment]
-    axes: Annotated[list[TimedAxis], Field(min_length=1, max_length=MOST_AXES), MakesCells()]  # type: ignore[assignment]
+    axes: Annotated[  # type: ignore[assignment]
+        list[TimedAxis], Field(min_length=1, max_length=MOST_AXES), MakesCells()
+    ]
     switches: Annotated[list[TimedSwitch], MakesCells()] = Field(  # type: ignore[assignment]
         default=[], max_length=MOST_SWITCHES
     )
