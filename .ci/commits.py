@@ -1,4 +1,4 @@
-"""Print subjects of commits, since this file is there, that are too long or do not begin with an imperative.
+"""Print subjects of commits that are too long or do not begin with an imperative.
 
 The first word is taken for an imperative where it begins with a capital and has not the ending of another form.
 """
@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 
+SINCE = "152ff7f5f359"  # those before are as they are; a shallow clone that has it not, has none to look at
 LONGEST = 72
 SUBJECT = re.compile(r"(?!\w+(?:ing|ed|[^s]s)\b|(?:An?|The|This|We|I|No|Fix(?:es)?:)\b)[A-Z][a-z]+\b.*[^.]")
 IMPERATIVE = re.compile(
@@ -29,9 +30,7 @@ def git(*arguments: str) -> list[str]:
 
 def main() -> int:
     """Return 1 where a subject is at fault."""
-    added = git("log", "--diff-filter=A", "--format=%H", "--", __file__)[-1:]
-    listed = git("log", "--no-merges", "--format=%h %s", f"{added[0]}..") if added else []
-    commits = [line.partition(" ") for line in listed]
+    commits = [line.partition(" ") for line in git("log", "--no-merges", "--format=%h %s", f"{SINCE}..")]
     faults = [f"{commit} {subject!r}: {fault}" for commit, _, subject in commits if (fault := fault_of(subject))]
     print("\n".join(faults) or f"{len(commits)} subjects of commits are imperative and short")
     return int(bool(faults))
