@@ -110,16 +110,19 @@ def open_book(path: Path) -> BookFile:
 
 def load_workbook(path: Path, inspected: Inspected) -> Workbook:
     """Let openpyxl read a file that passed the guard, but for rows and drawings; raise ReadError where it cannot."""
-    reader = None
+    part = ""
     try:
         with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints a complaint
             warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
             reader = ExcelReader(str(path), keep_links=False)
             reader.archive.close()
             reader.archive = StrippedArchive(path, inspected.parts)
-            reader.read()
+            try:
+                reader.read()
+            finally:
+                part = reader.archive.part
             for sheet in reader.wb.worksheets:
-                reader.archive.part = inspected.sheets[sheet.title].name
+                part = inspected.sheets[sheet.title].name
                 fill_sheet(sheet, inspected.sheets[sheet.title], reader.shared_strings)
             return reader.wb
     except PermissionError as error:
@@ -127,13 +130,7 @@ def load_workbook(path: Path, inspected: Inspected) -> Workbook:
     except MemoryError as error:
         raise ReadError(f"{path}: too large for the memory of this machine") from error
     except Exception as error:  # openpyxl trusts the XML: what is amiss comes up as any exception of Python's own
-        raise ReadError(f"{path}: damaged: {part_opened(reader)}{refused_attribute(error)}; {SAVE_AS}") from error
-
-
-def part_opened(reader: ExcelReader | None) -> str:
-    """Return the part at which openpyxl stopped, before a colon; nothing where it did not come to any."""
-    part = reader.archive.part if reader is not None and isinstance(reader.archive, StrippedArchive) else ""
-    return f"{part}: " if part else ""
+        raise ReadError(f"{path}: damaged: {part}: {refused_attribute(error)}; {SAVE_AS}") from error
 
 
 def refused_attribute(error: BaseException) -> str:
