@@ -10,7 +10,6 @@ from openpyxl.utils import get_column_letter
 from tests import cutting
 from workbook.book.summary import TO_MEND
 from workbook.build import read_inputs
-from workbook.judging.verify import verify
 from workbook.reading.descriptions import parse_toml, read_machine, validated
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -44,8 +43,7 @@ def test_a_book_whose_checks_hold_has_nothing_to_mend():
 
 
 @pytest.mark.parametrize("rate", [300.0, 1000.0])
-@pytest.mark.sample(1)
-def test_the_first_checks_that_fail_stand_on_the_first_sheet(rate, tmp_path, build_book):
+def test_the_first_checks_that_fail_stand_on_the_first_sheet(rate):
     machine = described("machine", {"rate = 200.0": f"rate = {rate}"})
     book = TEMPLATES["machine"].declare(machine)
     failing = [(sheet.title, q.label) for sheet, q in book.checks if q.value != "OK"]
@@ -54,8 +52,6 @@ def test_the_first_checks_that_fail_stand_on_the_first_sheet(rate, tmp_path, bui
     assert [where for where, _ in rows] == ([where for where, _ in failing] + [""] * TO_MEND)[:TO_MEND]
     assert all(says.startswith(f"{what}: ") for (_, says), (_, what) in zip(rows, failing, strict=False))
     assert all("too much" in says for _, says in rows if "within the motor's" in says)
-    result = verify(build_book(machine, tmp_path / "book.xlsx"))
-    assert result.findings == []
 
 
 def between(rule, value):

@@ -53,25 +53,6 @@ def test_rise_to_line_speed_run_in_step_and_return_is_three_phases():
     assert (value("axis2", "begins")[:3], value("axis2", "ends")[:3]) == (["G", "G", "R"], ["G", "R", "G"])
 
 
-def test_what_is_entered_for_a_place_between_two_phases_is_met_and_beside_a_rest_it_fails():
-    turn = {"velocity": 0.0, "acceleration": -0.03}
-    value = computed(
-        MACHINE, machine(axis("A", phase(0.0, 100.0, 10.0, "PO5"), phase(100.0, 220.0, -10.0, "PO5", **turn)))
-    )
-    assert (value("axis1", "ends")[0], value("axis1", "begins")[1], value("overall")) == ("U", "U", "OK")
-    beside = machine(axis("A", phase(0.0, 100.0, 10.0, "PO5"), phase(120.0, 220.0, -10.0, "PO5", velocity=0.1)))
-    value = computed(MACHINE, beside)
-    assert value("axis1_passes") == "FAIL"
-    assert value("axis1_passes_says").startswith("A row 2: its begin is entered otherwise")
-
-
-def test_a_law_that_cannot_take_a_velocity_fails_by_row_and_reason():
-    one = machine(axis("A", phase(10.0, 90.0, 30.0, "OWN"), STEP, BACK))
-    value = computed(MACHINE, one)
-    said = "A row 1: OWN cannot end with a velocity: it begins and ends at rest"
-    assert (value("axis1_meets"), value("axis1_meets_says")) == ("FAIL", said)
-
-
 def results(one):
     whole = MachineView(one, laws(one.laws))
     return DriveResults(Driven(whole.axes[0], one).results.drive_cycle)

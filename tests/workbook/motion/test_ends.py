@@ -2,8 +2,6 @@
 
 import math
 import random
-import tomllib
-from pathlib import Path
 
 import pytest
 
@@ -11,15 +9,12 @@ from tests.tiers import by_day, nights
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import MACHINE
 from tests.workbook.composed import composed as one_axis
-from workbook.build import build, read_inputs
 from workbook.errors import InputError
-from workbook.judging.verify import verify
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine import extremes
 from workbook.machines.machine.exact import MOTION, extremes_of
 from workbook.machines.machine.view import MachineView
 
-IN_STEP = tomllib.loads((Path(__file__).parent / "in_step.toml").read_text(encoding="utf-8"))
 SMALL = {"cycle": 36, "law": 4}
 FAMILIES = ("LIN", "MSN", "MTS", "SCC", "SCV", "SHM", "SRT", "SGS", "HAC", "PO5", "PO7", "DHM")
 DRAWN = ("ACS", "TVP", "CIC", "CUB", "MTP", "LIN", "DWL", "OWN", "shifted", *FAMILIES, "LIN", "PO5", "PO7")
@@ -68,38 +63,6 @@ def test_random_phases_come_to_what_the_engine_says(seed):
     wrong, count = disagreeing(MACHINE, drawn(seed))
     assert wrong == []
     assert count > 9000
-
-
-def test_rise_to_line_speed_run_in_step_and_return_is_three_phases(tmp_path):
-    machine, path = MACHINE.model.model_validate(IN_STEP | {"sizes": SMALL}), tmp_path / "book.xlsx"
-    build(machine, path)
-    assert verify(path, ["pycel", "formualizer"]).findings == []
-    assert read_inputs(path) == (machine, [])
-    value = computed(MACHINE, machine)
-    assert value("overall") == "OK"
-    kinds = list(zip(value("axis1", "begins"), value("axis1", "ends"), strict=True))
-    assert kinds[:4] == [("R", "G"), ("G", "G"), ("G", "R"), ("R", "R")]
-    assert value("cycle1", "y")[9:14] == pytest.approx([30.0, 35.0, 40.0, 45.0, 50.0], rel=1e-12)  # every 10°
-    speed = 0.02 / math.radians(40)
-    assert value("cycle1", "v")[9:13] == pytest.approx([speed * value("omega")] * 4, rel=1e-12)
-    assert value("cycle1", "a")[9:13] == pytest.approx([0.0] * 4, abs=1e-9)
-    # the carriage of the second axis hands over across 360°
-    assert value("axis2_kinds", "v1")[5] == value("axis2_kinds", "v0")[1] == pytest.approx(speed, rel=1e-12)
-    assert (value("axis2", "begins")[:3], value("axis2", "ends")[:3]) == (["G", "G", "R"], ["G", "R", "G"])
-    assert sum(value("axis2", "h")) == pytest.approx(0.0, abs=1e-12)
-
-
-@pytest.mark.parametrize("law", ["ACS", "CUB", "SCV", "PO7", "HAC"])
-@pytest.mark.sample(1)
-def test_what_is_mirrored_comes_to_the_same(law):
-    phases = [(law if name == "PO5" else name, lift, d) for name, lift, d in STEP]
-    one, other = of(composed(phases)), of(composed([(name, -lift, d) for name, lift, d in phases]))
-    for column in ("v", "a", "rms"):
-        assert one("axis1", column) == pytest.approx(other("axis1", column), rel=1e-9)
-    for jerk, mirrored in zip(one("axis1", "j"), other("axis1", "j"), strict=True):
-        assert jerk == mirrored or jerk == pytest.approx(mirrored, rel=1e-9)
-    assert one("cycle1", "y") == pytest.approx([-y for y in other("cycle1", "y")], abs=1e-12)
-    assert one("axes", "high") == pytest.approx([-y for y in other("axes", "low")], rel=1e-9)
 
 
 def along(law, seed):
@@ -185,20 +148,6 @@ def test_a_jump_between_straight_lines_names_both_slopes():
     assert beside[1].endswith(": straight lines of 0.2 and 0")
     curved = said(of(composed([("CIC", 20.0, 100.0, {}), ("ACS", -20.0, 260.0)])), "axis1_smooth")
     assert "straight" not in curved[1]
-
-
-@pytest.mark.parametrize("seed", range(100, 103))
-@pytest.mark.sample(2)
-def test_no_sample_is_beyond_the_extremes_of_its_phases(seed):
-    machine = drawn(seed)
-    machine = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"cycle": 720})})
-    value = computed(MACHINE, machine)
-    for column in ("v", "a"):
-        assert max(map(abs, value("cycle1", column))) <= max(value("axis1", column)) * (1 + MOTION)
-    low, high = value("axes", "low")[0], value("axes", "high")[0]
-    near = MOTION * (high - low)
-    assert low - near <= min(value("cycle1", "y"))
-    assert max(value("cycle1", "y")) <= high + near
 
 
 @pytest.mark.parametrize("seed", [*range(30), *nights(40)])

@@ -131,16 +131,13 @@ def small():
     return cutting.small(cycle=12)
 
 
-def test_law_codes_and_the_axis_of_selection_are_found_without_regard_to_case(small, tmp_path):
+def test_law_codes_and_the_axis_of_selection_are_found_without_regard_to_case(small):
     data = small.model_dump()
     data["selection"]["axis"] = "mc01"
     laws = [phase for axis in data["axes"] for phase in axis["phases"]]
     for phase in laws:
         phase["law"] = phase["law"].lower()
-    machine = validated(cutting.TEMPLATE, data, counted_from_1)
-    assert machine.axes == small.axes
-    build(machine, tmp_path / "book.xlsx")
-    assert verify(tmp_path / "book.xlsx").findings == []
+    assert validated(cutting.TEMPLATE, data, counted_from_1).axes == small.axes
 
 
 def test_a_sheet_takes_a_law_and_an_axis_in_any_case(small, tmp_path):

@@ -5,7 +5,6 @@ import re
 import shutil
 from urllib.parse import urlsplit
 
-import openpyxl
 import pytest
 
 from workbook.reading.descriptions import read_machine
@@ -162,14 +161,6 @@ def test_a_dragged_edge_leaves_the_comment_of_its_line_where_it_is(page, server)
     assert line.index("# kept") == column
     assert line not in text
     design("live.toml", text_of(page))
-
-
-def test_a_tampered_book_has_its_cell_named(page, server, tmp_path):
-    book = openpyxl.load_workbook(server.root / "cutting.xlsx")
-    sheet, cell = book.defined_names["drive1_tmax"].attr_text.replace("$", "").replace("'", "").split("!")
-    book[sheet][cell] = "=1+1"
-    book.save(tmp_path / "tampered.xlsx")
-    assert f"{sheet}!{cell}" in verified(page, server, tmp_path / "tampered.xlsx")
 
 
 def test_a_design_is_edited_by_the_keyboard_alone(page, server):
