@@ -7,8 +7,6 @@ import pytest
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from tests.workbook.machines.test_machine_selection_placed import choosing, require_pairs_of_the_grid
-from workbook.build import build, read_inputs
-from workbook.judging.verify import verify
 
 PHASES = ((30, 120, 20.0, "CIC"), (150, 240, -20.0, "CIC"))  # dwells of 30° and 150°, the latter across the end
 RACK = {"kind": "rack and pinion", "pinion_diameter": 100.0}
@@ -57,14 +55,6 @@ def test_pairs_of_selection_rest_as_the_drive_does(closing):
     given = choosing(one)
     assert disagreeing(TEMPLATE, given)[0] == []
     require_pairs_of_the_grid(one, ((4, 2), (2, 4)))
-
-
-def test_an_edited_brake_is_judged_and_read_back(tmp_path):
-    machine = described([lifted({"torque": 120.0, "closing": 10.0, "opening": 20.0})])
-    build(machine, tmp_path / "m.xlsx")
-    report = verify(tmp_path / "m.xlsx")
-    assert (report.findings, report.notices) == ([], [])
-    assert read_inputs(tmp_path / "m.xlsx")[0].axes[0].motor.brake == machine.axes[0].motor.brake
 
 
 def test_a_drive_without_figures_of_a_brake_has_no_cells_of_them():
