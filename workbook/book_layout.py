@@ -21,6 +21,7 @@ from workbook.law_sheets.library import named_laws
 
 NAME = "book_layout"
 CHECKSUM = "checksum"
+INPUTS = "inputs"  # how many keys of entries have cells
 ROW = re.compile(r"\.\d+(?=\.|$)")
 
 
@@ -32,14 +33,20 @@ def layout_text(machine: Machine, book: Book) -> str:
 
 def layout_of(machine: Machine, book: Book) -> dict[str, Any]:
     """Return the description of a machine without the entries that have a cell in its book."""
-    inputs = (q for block in book.blocks.values() for q in block.quantities if q.role == "input")
-    layout = {"template": machine.template} | without_cells(machine, "", {ROW.sub(".*", q.key) for q in inputs})
+    keys = input_keys(book)
+    layout: dict[str, Any] = {"template": machine.template, INPUTS: len(keys)}
+    layout |= without_cells(machine, "", {ROW.sub(".*", key) for key in keys})
     own = (law for law in named_laws(machine.laws) if not law.basic)
     layout["sizes"] = machine.sizes.model_dump(exclude_none=True)
     layout["laws"] = {law.slug: {"family": law.entered.family} for law in own}
     for key, value in machine.layout_entries().items():
         put(layout, split(key), value)
     return layout
+
+
+def input_keys(book: Book) -> list[str]:
+    """Return the keys of all entries that have cells in a book; of a table that of each column."""
+    return [q.key for block in book.blocks.values() for q in block.quantities if q.role == "input"]
 
 
 def without_cells(model: BaseModel, path: str, keys: set[str]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
-from workbook.book_layout import NAME, read_layout
+from workbook.book_layout import INPUTS, NAME, input_keys, read_layout
 from workbook.entries import rules
 from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError, quoted
@@ -16,7 +16,7 @@ from workbook.fields.paths import MISSING, get, has_key, put, split
 from workbook.fields.types import MakesCells
 from workbook.reading.descriptions import cell_key, empty_machine, template_named, validated
 from workbook.reading.files import BookFile, is_formula, require_narrow
-from workbook.reading.table_fit import changed_tables, shortened_tables
+from workbook.reading.table_fit import changed_tables
 from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
@@ -37,6 +37,7 @@ class Entries:
         self.computed: dict[Address, Any] = {}
         self.template = self._template()
         self.data = self._layout()
+        inputs = self.data.pop(INPUTS, None)
         self.missing: list[str] = []
         self.beyond: list[str] = []  # of each table of entries the cells under its last row, which nothing reads
         self._between: list[str] = []
@@ -44,6 +45,11 @@ class Entries:
         self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = {key: law["family"] for key, law in self.data["laws"].items()}
         layout = self._declare_empty()
+        if len(input_keys(layout)) != inputs:
+            problem = f"cells for {quoted(inputs)} entries, where the template has {len(input_keys(layout))}"
+            raise ReadError(
+                f"{file.path}: {problem}; expected a book of this version; build it anew from its description"
+            )
         self._fit(layout)
         self.moved = mend(file, layout, self.template.model_for(self.data)) if mend else []
         self._value = evaluate(file, [*self._formulas(layout)])
@@ -92,7 +98,7 @@ class Entries:
     def _lost(self) -> list[str]:
         """Return in a line each where rows are gone from tables, for entries that without them make no machine."""
         what = "and what is left does not go together; undo that, or take the table from a copy"
-        tables = {at: list(names) for at, names in self._ends.items()}
+        tables: dict[tuple[str, int], list[str]] = {}
         for table, fit in self.file.fits.items():
             for row, _ in fit.lost:
                 tables.setdefault((fit.place.sheet, row), []).append(table)
@@ -148,7 +154,6 @@ class Entries:
     def _fit(self, layout: Book) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""
         self.file.fits |= changed_tables(self.file, layout)
-        self._ends = shortened_tables(self.file, layout)
         for name, fit in self.file.fits.items():
             self.file.places[name] = fit.place
 

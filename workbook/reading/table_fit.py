@@ -24,7 +24,7 @@ def changed_tables(file: BookFile, layout: Book) -> dict[str, Fit]:
             if place.rows * place.columns > 1:
                 fits[name] = Fit(place._replace(rows=1, columns=1), named=place)
         else:
-            measured = in_rows_of_lead(file, block, fit_table(file, block, place), fits)
+            measured = with_lost_end(block, in_rows_of_lead(file, block, fit_table(file, block, place), fits))
             if measured.inserted or measured.added or measured.lost or measured.gone:
                 fits[name] = measured
     return fits
@@ -43,17 +43,16 @@ def in_rows_of_lead(file: BookFile, block: Block, measured: Fit, fits: dict[str,
     return measured._replace(place=own, inserted=fit.inserted, lost=fit.lost)
 
 
-def shortened_tables(file: BookFile, layout: Book) -> dict[tuple[str, int], list[str]]:
-    """Return the tables of entries that lack rows at their end, by sheet and row."""
-    tables: dict[tuple[str, int], list[str]] = {}
-    for name, block in layout.blocks.items():
-        place = file.places.get(name)
-        entered = block.is_table and any(q.role == "input" for q in block.quantities)
-        if place is None or not entered:
-            continue
-        if block.size > file.fits.get(name, Fit(place)).size:
-            tables.setdefault((place.sheet, place.cell(place.rows - 1, 0).row + 1), []).append(name)
-    return tables
+def with_lost_end(block: Block, measured: Fit) -> Fit:
+    """Return the fit of a table, with the rows that a table of entries lacks at its end among those it has lost.
+
+    How long such a table was is known before anything is read; other tables may be declared shorter then.
+    """
+    missing = block.size - measured.size
+    if missing <= 0 or not any(q.role == "input" for q in block.quantities):
+        return measured
+    behind = measured.place.cell(measured.place.rows - 1, 0).row + 1
+    return measured._replace(lost=(*measured.lost, (behind, missing)))
 
 
 def fit_table(file: BookFile, block: Block, place: Place) -> Fit:

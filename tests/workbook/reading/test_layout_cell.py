@@ -55,7 +55,7 @@ def test_a_layout_is_the_same_whatever_is_entered_and_nothing_of_that_is_in_it(p
     machine = read_machine(path)
     template = TEMPLATES[machine.template]
     text = template.declare(machine).blocks[NAME].quantities[0].value
-    empty = empty_machine(template, {k: v for k, v in json.loads(text).items() if k != "checksum"})
+    empty = empty_machine(template, {k: v for k, v in json.loads(text).items() if k not in ("checksum", "inputs")})
     assert layout_text(empty, template.finished(empty)) == text
     assert {block.name for block in template.finished(empty).blocks.values()} == {*template.declare(machine).blocks}
     assert machine.title not in text
@@ -104,6 +104,13 @@ def test_the_layout_of_another_book_of_the_template_is_told(layout, press, tmp_p
     larger = layout | {"sizes": layout["sizes"] | {"phases": layout["sizes"]["phases"] + 3}}
     report = verify(with_content(press.path, tmp_path, signed(larger)))
     assert {finding.kind for finding in report.findings} >= {"layout"}
+
+
+@pytest.mark.parametrize("count", [None, 1, HUGE, "many"])
+def test_a_book_with_other_entries_than_the_template_has_is_told(count, layout, press, tmp_path):
+    """So an entry that makes cells, and is not marked so, is never left behind in silence."""
+    with pytest.raises(ReadError, match=r"entries, where the template has \d+; expected a book of this version"):
+        read_inputs(with_content(press.path, tmp_path, signed(layout | {"inputs": count})))
 
 
 def test_a_book_without_the_cells_name_is_refused_with_what_to_do(press, tmp_path):
