@@ -11,13 +11,13 @@ from workbook.build import build
 from workbook.entries.machine import Machine, Sizes
 from workbook.entries.rules import limits
 from workbook.fields.texts import Text
-from workbook.fields.types import Angle, Model, NotNegative, Number, Positive, Share
+from workbook.fields.types import Angle, MakesCells, Model, NotNegative, Number, Positive, Share
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.template import Template, finish
 
 __all__ = [
-    "Angle", "Book", "Chart", "Machine", "Model", "NotNegative", "Number", "Positive", "Series", "Share", "Sheet",
+    "Angle", "Book", "Chart", "Machine", "MakesCells", "Model", "NotNegative", "Number", "Positive", "Series", "Share", "Sheet",
     "Sizes", "Template", "Text", "amount", "build", "calc", "check", "constant", "exceeding", "finish", "given",
     "limits", "read_machine", "result", "summary_sheet", "verify",
 ]  # fmt: skip

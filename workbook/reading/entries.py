@@ -37,19 +37,13 @@ class Entries:
         self.computed: dict[Address, Any] = {}
         self.template = self._template()
         self.data = self._layout()
-        inputs = self.data.pop(INPUTS, None)
         self.missing: list[str] = []
         self.beyond: list[str] = []  # of each table of entries the cells under its last row, which nothing reads
         self._between: list[str] = []
         self._emptied: list[str] = []
         self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = {key: law["family"] for key, law in self.data["laws"].items()}
-        layout = self._declare_empty()
-        if len(input_keys(layout)) != inputs:
-            problem = f"cells for {quoted(inputs)} entries, where the template has {len(input_keys(layout))}"
-            raise ReadError(
-                f"{file.path}: {problem}; expected a book of this version; build it anew from its description"
-            )
+        layout = self._declare_empty(self.data.pop(INPUTS, None))
         self._fit(layout)
         self.moved = mend(file, layout, self.template.model_for(self.data)) if mend else []
         self._value = evaluate(file, [*self._formulas(layout)])
@@ -141,15 +135,19 @@ class Entries:
         except ValueError as fault:
             raise ReadError(f"{self.file.path}: {cell}: {fault}; {UNDO}") from None
 
-    def _declare_empty(self) -> Book:
-        """Declare the book of the file's layout, with nothing entered, and with few samples."""
+    def _declare_empty(self, inputs: Any) -> Book:
+        """Declare the book of the file's layout, of so many ``inputs``, with nothing entered, and with few samples."""
         try:
             machine = empty_machine(self.template, self.data)
         except InputError as refused:
             cell, (first, *_) = self.file.places[NAME].cell(0, 0), refused.lines
             raise ReadError(f"{self.file.path}: {cell}: {first}; {UNDO}") from None
         few = machine.sizes.model_copy(update={"cycle": 4, "law": 4})
-        return self.template.finished(machine.model_copy(update={"sizes": few}))
+        book = self.template.finished(machine.model_copy(update={"sizes": few}))
+        if (known := len(input_keys(book))) != inputs:
+            problem = f"has cells for {quoted(inputs)} entries, where its template has {known}"
+            raise ReadError(f"{self.file.path}: {problem}; expected a book of this version: build it anew")
+        return book
 
     def _fit(self, layout: Book) -> None:
         """Find the tables into which rows or columns were put, or from which some were taken."""

@@ -109,7 +109,7 @@ def test_the_layout_of_another_book_of_the_template_is_told(layout, press, tmp_p
 @pytest.mark.parametrize("count", [None, 1, HUGE, "many"])
 def test_a_book_with_other_entries_than_the_template_has_is_told(count, layout, press, tmp_path):
     """So an entry that makes cells, and is not marked so, is never left behind in silence."""
-    with pytest.raises(ReadError, match=r"entries, where the template has \d+; expected a book of this version"):
+    with pytest.raises(ReadError, match=r"entries, where its template has \d+; expected a book of this version"):
         read_inputs(with_content(press.path, tmp_path, signed(layout | {"inputs": count})))
 
 
