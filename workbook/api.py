@@ -18,6 +18,6 @@ from workbook.template import Template, finish
 
 __all__ = [
     "Angle", "Book", "Chart", "Machine", "MakesCells", "Model", "NotNegative", "Number", "Positive", "Series", "Share",
-    "Sheet", "Sizes", "Template", "Text", "amount", "build", "calc", "check", "constant", "exceeding", "finish", "given",
-    "limits", "read_machine", "result", "summary_sheet", "verify",
+    "Sheet", "Sizes", "Template", "Text", "amount", "build", "calc", "check", "constant", "exceeding", "finish",
+    "given", "limits", "read_machine", "result", "summary_sheet", "verify",
 ]  # fmt: skip
