@@ -250,7 +250,8 @@ class Simulated:
         """Speed (rad/s), torque (Nm) and power (W) of the motor, and the torque behind the reducer, at places."""
         motor, reducer = self.given.motor, self.reducer
         y, v, a = self.moved(x)
-        way = np.where(still, 0.0, np.sign(v))
+        whole = v.sum(axis=1, keepdims=True) if v.ndim == 2 else v  # of a stretch, which has one direction to its ends
+        way = np.where(still, 0.0, np.sign(whole))
         first, second = self.ratio(y)
         turning = second * v**2 + first * a
         at_motor, at_mechanism = self.inertias

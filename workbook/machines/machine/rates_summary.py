@@ -64,16 +64,16 @@ def hold_at(rate: float, found: Rates) -> bool:
 
 def rate_check(found: Rates, rate: float) -> Quantity:
     """Return the check that the machine's rate (cycles/min) is within the range of all drives."""
-    slow = isinstance(found.low, float) and rate < found.low
-    limit, words = found.low_limit if slow else found.high_limit, range_in_words(found, "about_", "hold")
-    shows = "IF(AND(ISNUMBER(about_lowest),about_rate<about_lowest),about_binds_low,about_binds)"
+    words, limits = range_in_words(found, "about_", "hold"), [found.low_limit, found.high_limit]
+    binding = ", ".join(limits[limits[0] == NONE_BINDS :])
+    both = 'IF(about_first_low>0,about_binds_low&", ","")&about_binds'
     return check(
         RATE_CHECK,
         "The machine's rate is within the range of all drives",
         WITHIN,
         hold_at(rate, found),
         says=amount("about_rate", rate, "runs at ", "; the drives ").then(
-            CheckSentence(f'about_range&" ("&{shows}&")"', f"{words.text} ({limit})")
+            CheckSentence(f'about_range&" ("&{both}&")"', f"{words.text} ({binding})")
         ),
     )
 
