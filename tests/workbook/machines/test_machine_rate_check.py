@@ -11,7 +11,7 @@ from workbook.build import build
 from workbook.judging.verify import verify
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, Rates
 from workbook.machines.machine.exact import limit_of_rate
-from workbook.machines.machine.rates_summary import RATE_CHECK, hold_at
+from workbook.machines.machine.rates_summary import RATE_CHECK, hold_at, rate_check
 from workbook.reading.descriptions import write_machine
 from workbook.serve.live import design
 
@@ -46,6 +46,13 @@ def test_a_machine_above_the_range_of_a_drive_sized_at_a_lower_rate_fails_on_eve
     assert verdicts == {"FAIL"}
     assert says == "runs at 200; the drives hold from 0 to 166.6 cycles/min (A1: motor speed)"
     assert lines == [f"{WITHIN}: {says}"]
+
+
+def test_the_limits_at_both_ends_of_a_range_are_named():
+    """Of A1 that holds from a rate on, and A2 up to one below it: neither alone keeps the machine from running."""
+    for low, high, holds in ((70.0, 100.9, "from 70 to 100.9 cycles/min"), (AT_NO_RATE, AT_NO_RATE, "at no rate")):
+        says = rate_check(Rates(low, high, "A1: peak torque", "A2: motor speed"), 60.0).says.text
+        assert says == f"runs at 60; the drives hold {holds} (A1: peak torque, A2: motor speed)"
 
 
 def test_a_machine_within_the_range_of_all_drives_holds_on_every_surface(tmp_path):

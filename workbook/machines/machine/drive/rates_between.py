@@ -174,6 +174,7 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
     rows = list(enumerate(names, 1))
     now, then = ([f"={USES[name][k].format(limit=f'[@held.limit.{row}]')}" for row, name in rows] for k in (0, 1))
     met_at = [met(search.met(name)) if name in search.between else NOT_REACHED for name in names]
+    by_load = cell if view.driven.entered.load.viscous is None else CELLS["between, of a viscous load"]
     low = [f"=IF(@to<@from,IF(ISNUMBER([met]),[met],0),[@held.low.{row}])" for row, _ in rows]
     sheet.row += 1
     sheet.table(
@@ -193,7 +194,7 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
             for column, (begin, sign) in WAYS.items()
         ),
         cell("share", [max(share[search.begin]) for share in shares], scale=1.0),
-        cell("part", [part(search, name) for name in names], formula=[part_formula(view)] * len(names), scale=1.0),
+        by_load("part", [part(search, name) for name in names], not_reached=NOT_REACHED, scale=1.0),
         cell("met", met_at, formula=[CYCLES_MEET if name == CYCLES else LIMIT_MEETS for name in names]),
         cell("high", [met(end.high) for end in ends], formula=[high(row, name, search) for row, name in rows]),
         cell("low", [met(end.low, NEVER_HELD) for end in ends], formula=low, scale=view.rate),
@@ -201,17 +202,10 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
 
 
 AT = "@rate*MAX(0,@from+(@to-@from)*[part])^(1/@order)"
-PART = f'=IF([share]<=@least_use,"{NOT_REACHED}",{{}}1/([share]+tiny)-@least_use){{}}'
-FARTHER = "IF(@holds*(2-@order)*([share]<1)=1,(SQRT(MAX(0,1+(@times^2-1)/[share]))-1)/(@times-1+tiny),"
 LIMIT_MEETS = f'=IF(ISNUMBER([part]),{AT},"{NOT_REACHED}")'
 CYCLES_MEET = f'=IF(OR(ISNUMBER([part]),@cycles_use>=1),MAX(@full/60,IF(@cycles_use<1,{AT},0)),"{NOT_REACHED}")'
 WAYS = {"on": (0, 0), "on_b": (0, 1), "back": (1, 0), "back_b": (1, 1), "rest": (2, 0), "rest_b": (2, 1)}
 """of the columns of shares: where they begin, and whether torques are forward (0) or backward (1)"""
-
-
-def part_formula(view: DriveView) -> str:
-    """Return the formula of the part: of a viscous load beyond the tried rate by a line over the rate's square."""
-    return PART.format("", "") if view.driven.entered.load.viscous is None else PART.format(FARTHER, ")")
 
 
 def part(search: RateSearch, name: str) -> float | str:
