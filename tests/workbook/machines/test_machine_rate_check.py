@@ -51,7 +51,7 @@ def test_a_machine_above_the_range_of_a_drive_sized_at_a_lower_rate_fails_on_eve
 def test_the_limits_at_both_ends_of_a_range_are_named():
     """Of A1 that holds from a rate on, and A2 up to one below it: neither alone keeps the machine from running."""
     for low, high, holds in ((70.0, 100.9, "from 70 to 100.9 cycles/min"), (AT_NO_RATE, AT_NO_RATE, "at no rate")):
-        says = rate_check(Rates(low, high, "A1: peak torque", "A2: motor speed"), 60.0).says.text
+        says = rate_check(Rates(low, high, "A1: peak torque", "A2: motor speed"), 60.0).sentence
         assert says == f"runs at 60; the drives hold {holds} (A1: peak torque, A2: motor speed)"
 
 
