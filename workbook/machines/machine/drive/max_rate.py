@@ -19,7 +19,7 @@ from engine.drive.rate_estimates import (
     mean_torque_line,
 )
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import Quantity, Sheet, calc
+from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import CheckSentence, Sentence
 from workbook.fields.units import PER_MINUTE, RPM, shown
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
@@ -149,17 +149,13 @@ def means(view: DriveView) -> list[Quantity]:
     ]
 
 
-ESTIMATES = (
-    ("forward", "share that grows with the square of the rate", "1/x", "forward"),
-    ("backward", "the same, torques backward", "1/x", "backward"),
-    ("from", "held from the square of the rate's factor on", "x_N", "from_forward"),
-    ("from_back", "the same, torques backward", "x_N", "from_backward"),
-)
+SHARES = {"forward": "forward", "backward": "backward", "from": "from_forward", "from_back": "from_backward"}
+"""the fields of an estimate, by their columns"""
 
 
 def estimates_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the table of the estimated rates of each limit."""
-    names, search = names_of(view), view.search
+    cell, names, search = CELLS["held"], names_of(view), view.search
     estimates = [search.estimates.get(name, search.estimates[PEAK_TORQUE]._replace(**LEVEL)) for name in names]
     estimated = [search.estimated.get(name, Ends(0.0, math.inf)) for name in names]
     limits, stands, *shares = zip(*((LIMITS | {BELOW: FALLING})[name] for name in names), strict=True)
@@ -168,50 +164,41 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
         each = [0.0 if math.isinf(value) else value for value in values]
         return [shown(value, RPM) if name in SPEEDS else value for name, value in zip(names, each, strict=True)]
 
-    up_to = f'=IF([most]<=@least_use,"{NOT_REACHED}",@rate/SQRT([most]))'
+    limit = in_units(estimate.limit for estimate in estimates)
+    up_to = f'IF([most]<=@least_use,"{NOT_REACHED}",@rate/SQRT([most]))'
     cycles = (
-        f'=IF(AND([most]<=@least_use,[stands]<[cap]),"{NOT_REACHED}",'
+        f'IF(AND([most]<=@least_use,[stands]<[cap]),"{NOT_REACHED}",'
         "MAX(@full/60,IF([stands]<[cap],@rate/SQRT([most]+tiny),0)))"
     )
-    since = f'=IF(MAX([from],[from_back])*@least_use>=1,"{NEVER_HELD}",@rate*SQRT(MAX([from],[from_back])))'
+    since = f'IF(MAX([from],[from_back])*@least_use>=1,"{NEVER_HELD}",@rate*SQRT(MAX([from],[from_back])))'
     sheet.row += 1
     sheet.table(
         "@held",
         "Estimate: from and up to which rate each limit is held",
         len(names),
-        CELLS["held"]("name", names),
-        CELLS["held"](
-            "limit", in_units(estimate.limit for estimate in estimates), formula=[f"={cell}+0" for cell in limits]
-        ),
-        CELLS["held"]("cap", [limit or NO_LIMIT for limit in in_units(estimate.limit for estimate in estimates)]),
-        CELLS["held"](
+        cell("name", names),
+        cell("limit", limit, limit_of=list(limits)),
+        cell("cap", [each or NO_LIMIT for each in limit]),
+        cell(
             "stands",
             in_units(estimate.standing for estimate in estimates),
-            formula=[f"={cell}" for cell in stands],
+            standing=list(stands),
             scale=view.scales.torque,
         ),
         *(
-            calc(
-                name,
-                label,
-                symbol,
-                "",
-                [f"={cell}" for cell in cells],
-                [getattr(estimate, field) for estimate in estimates],
-                scale=1.0,
-            )
-            for (name, label, symbol, field), cells in zip(ESTIMATES, shares, strict=True)
+            cell(name, [getattr(estimate, field) for estimate in estimates], share=list(cells), scale=1.0)
+            for (name, field), cells in zip(SHARES.items(), shares, strict=True)
         ),
-        CELLS["held"]("most", [max(estimate.forward, estimate.backward) for estimate in estimates], scale=1.0),
-        CELLS["held"](
+        cell("most", [max(estimate.forward, estimate.backward) for estimate in estimates], scale=1.0),
+        cell(
             "rate",
             [met(estimate.high) for estimate in estimated],
-            formula=[cycles if name == CYCLES else up_to for name in names],
+            up_to=[cycles if name == CYCLES else up_to for name in names],
         ),
-        CELLS["held"](
+        cell(
             "low",
             [met(estimate.low, NEVER_HELD) for estimate in estimated],
-            formula=["=0+0" if name == CYCLES else since for name in names],
+            since=["0+0" if name == CYCLES else since for name in names],
             scale=view.rate,
         ),
     )
