@@ -274,7 +274,8 @@ def main(count):
         f"breaks, {len(beyond)} results are farther off than their sheet states. {uncut} drives turn round more often"
     )
     print("than their sheets cut them, as a check there says: they are not in the column of the sheets.\n")
-    print(*(f"- {line}" for line in [*wrong, *beyond]), sep="\n")
+    for line in [*wrong, *beyond]:
+        print(f"- {line}")
     print("| result | of the sheets | machine | of the equation of motion | machine |\n|---|---|---|---|---|")
     for name in dict.fromkeys(name for name, _ in worst):
         columns = (
