@@ -152,9 +152,7 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     size = max(words[name][1] for name, _ in each)
     signs = [sign for _, sign in each]
 
-    def of(formula: str) -> list[str]:
-        return [formula.replace("{y}", f"[@pt.{column}]") for column, _ in each]
-
+    columns = [f"[@pt.{column}]" for column, _ in each]
     neighbours = [
         [shown(sign * value, PEAK_UNITS[name]) for value in peak.values]
         for (name, sign), peak in zip(each, found, strict=True)
@@ -163,7 +161,6 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     slopes = [
         [(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)] for k in (0, 1)
     ]
-    size_of = "MAX(MAX({y}),0-MIN({y}))"
     sheet.heading("Workings: peaks", ABOUT)
     sheet.table(
         "@peaks",
@@ -174,19 +171,13 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         cell(
             "most",
             [shown(float((sign * PEAKED[name](points)).max()), PEAK_UNITS[name]) for name, sign in each],
-            formula=of("=IF([sign]=1,MAX({y}),0-MIN({y}))"),
+            column=columns,
             scale=size,
         ),
-        cell(
-            "at",
-            [peak.at + 1 for peak in found],
-            formula=of(
-                f"={last + 1}-SUMPRODUCT(MAX(([sign]*{{y}}>=[most]-check_zero*{size_of})*({last + 1}-[@pt.k])))"
-            ),
-        ),
-        cell("y0", [n[0] for n in neighbours], formula=of("=INDEX({y},MAX([at]-1,1))"), scale=size),
-        cell("y", [n[1] for n in neighbours], formula=of("=INDEX({y},[at])"), scale=size),
-        cell("y1", [n[2] for n in neighbours], formula=of(f"=INDEX({{y}},MIN([at]+1,{last}))"), scale=size),
+        cell("at", [peak.at + 1 for peak in found], column=columns, beyond=last + 1),
+        cell("y0", [n[0] for n in neighbours], column=columns, scale=size),
+        cell("y", [n[1] for n in neighbours], column=columns, scale=size),
+        cell("y1", [n[2] for n in neighbours], column=columns, last=last, scale=size),
         cell("a", gaps[0], scale=360.0),
         cell("b", gaps[1], scale=360.0),
         cell("s0", slopes[0], scale=size),
