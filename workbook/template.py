@@ -1,28 +1,20 @@
 """The class of templates, and the parts that every template's book has."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 from workbook.book.declare import FIRST, Book, Text
 from workbook.book.summary import TITLE, checks_sheet, close_summary, head, repeat_verdict
 from workbook.book_layout import NAME as LAYOUT
 from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine
-from workbook.fields.paths import has_key
 from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
 from workbook.text_files import FOLDER as FOLDER  # known by this module to many
 from workbook.unfinished_book import with_entries
 
 M = TypeVar("M", bound=Machine)
-
-
-class Alternative(NamedTuple, Generic[M]):
-    """Another form of a description: its model, and the function that brings a machine into this form."""
-
-    model: type[M]
-    convert: Callable[[M], M]
 
 
 @dataclass(frozen=True)
@@ -41,12 +33,7 @@ class Template(Generic[M]):
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []  # what it is to turn on and off meanwhile
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
     judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED  # of its book, by the exact engine
-    others: Mapping[str, Alternative[M]] = field(default_factory=dict)  # by the key that only such a description has
     folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template
-
-    def model_for(self, data: Any) -> type[M]:
-        """Return the model that checks a description."""
-        return next((other.model for key, other in self.others.items() if has_key(data, key)), self.model)
 
     def judge(self, machine: M) -> ExactJudgement:
         """Return the judgement of the exact engine on the book of a machine: nothing of an unfinished design."""

@@ -12,7 +12,7 @@ from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.entries_beside import STOPS, TIMES
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
-from workbook.machines.machine.time_based import in_units_of
+from workbook.machines.machine.places import to_units
 from workbook.motion.requirements import Smoothness, dwells_for_room
 
 SHAPED = {name for name in MOVING if name != "OWN"}
@@ -51,7 +51,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     for axis in data["axes"]:
         place(axis, drawn)
     if pace == "cycle":
-        in_units_of(data, data["master"]["unit"], data["master"][pace])
+        to_units(data, data["master"]["unit"], data["master"][pace])
     return data
 
 

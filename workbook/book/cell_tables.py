@@ -37,7 +37,7 @@ KINDS: dict[str, Callable[..., Quantity]] = {
 }
 FORMULAS = {"given": "key", "entry": "key", "check": "condition"}
 """by kind, the attribute that stands in the column of formulas"""
-OWN = {"formula", "source", "scale", "format", "align", "choices", "limit", "wrap", "says"}
+OWN = {"formula", "source", "scale", "format", "align", "choices", "limit", "upper_limit", "wrap", "says"}
 """attributes that Python may give a cell"""
 HEADING, BAR = re.compile(r"^## (.+)$", re.MULTILINE), re.compile(r"(?<!\\)\|")
 

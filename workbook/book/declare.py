@@ -48,7 +48,7 @@ class Book:
     blocks: dict[str, Block] = field(default_factory=dict)
     checks: list[tuple[Sheet, Quantity]] = field(default_factory=list)
     column_names: dict[str, tuple[str, str]] = field(default_factory=dict)
-    limit: Callable[[str], Limit | None] = lambda key: None
+    limit: Callable[[str, float], Limit | None] = lambda key, most: None
     """the limits of the entry at a key of the description, if it has any"""
     sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, the scale of quantities that name none
     guards: list[Guard] = field(default_factory=list)

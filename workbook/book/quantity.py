@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
+from math import inf
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from openpyxl.utils import get_column_letter
@@ -55,6 +56,7 @@ class Quantity(NamedTuple):
     wrap: bool = False  # whether its texts take several lines, and their column need hold their words alone
     rule: str = ""
     """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
+    upper_limit: float = inf  # of an input: its largest value, where that depends on other entries
     limit: float = 0.0  # of figures beside a limit: above it they are shown as beyond it; none by default
     says: str = ""  # of a check: the formula of where it fails, and by how much
     sentence: str = ""  # what that formula gives, by the engine, where the check fails

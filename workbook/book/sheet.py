@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from workbook.book import limits
@@ -108,7 +109,7 @@ class Sheet:
 
     def _limited(self, quantities: Sequence[Quantity]) -> list[tuple[Quantity, Limit]]:
         """Return the inputs that have limits, with these."""
-        inputs = [(q, self.book.limit(q.key)) for q in quantities if q.role == "input"]
+        inputs = [(q, self.book.limit(q.key, q.upper_limit)) for q in quantities if q.role == "input"]
         return [(q, limit) for q, limit in inputs if limit is not None]
 
     def _row(self, q: Quantity, message: Quantity | None = None) -> None:
@@ -160,7 +161,7 @@ class Sheet:
             each = 1 if last <= MOST_COLUMNS else 2
             guard = Guard(f"{name}_entries", tuple(watched), tuple(rules), name, size, each)
             label = f"{self.called or self.title}, {re.split(r'[:;(]', title)[0].strip()}: entries within limits"
-            some = self.book.limit(inputs[0].key.partition(".*")[0])
+            some = self.book.limit(inputs[0].key.partition(".*")[0], inf)
             columns, verdict = limits.guard_rows(guard, label, inputs, some is not None and some.required)
             self.book.guards.append(guard)
             self.messages.append((block, tuple(columns)))  # until all of the sheet is placed

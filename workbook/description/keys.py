@@ -11,7 +11,7 @@ from pydantic.fields import FieldInfo
 
 from workbook.book.quantity import Quantity
 from workbook.entries.rules import KIND, either, expectation, is_table, kinds, tables, unwrap
-from workbook.fields.paths import get, has_key, spread
+from workbook.fields.paths import get, spread
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.registry import CODES, FAMILY
 from workbook.reading.descriptions import read_machine
@@ -50,7 +50,6 @@ EXAMPLES: dict[str, Any] = {  # entries of a real machine that no committed desc
     "axes.*.motor.brake.torque": 9.0, "axes.*.motor.brake.closing": 20.0, "axes.*.motor.brake.opening": 60.0,
     "axes.*.reducer.peak_torque": 280.0, "axes.*.reducer.mean_torque": 140.0,
     "axes.*.reducer.full_cycles": 1000.0, "axes.*.reducer.cycle_factor": 1.6, "axes.*.reducer.max_speed": 6000.0,
-    "switches.*.on.*.start": 20.0, "switches.*.on.*.stop": 95.0,
     "selection.motors": "committed", "selection.reducers": "committed", "selection.falling": True,
     "sizes.motion_pieces": 40, "laws.SPL.first_slope": 0.5, "laws.SPL.last_slope": 0.5,
     "selection.motors.*.full_torque_to": 3000.0, "selection.motors.*.end_torque": 6.4,
@@ -93,11 +92,9 @@ class Section(NamedTuple):
 LAST = {"selection": 1, "sizes": 2, "laws": 3}  # what most descriptions leave as it is
 
 
-def sections(template: AnyTemplate, other: str = "") -> list[Section]:
-    """Return the tables of a template's descriptions, the outermost first; of those with the key of another way."""
+def sections(template: AnyTemplate) -> list[Section]:
+    """Return the tables of a template's descriptions, the outermost first."""
     machine: Any = read_machine(template.description)
-    if other:
-        machine = template.others[other].convert(machine)
     cells: dict[str, Quantity] = {}
     for block in template.declare(machine).blocks.values():
         for q in block.quantities:
@@ -105,8 +102,7 @@ def sections(template: AnyTemplate, other: str = "") -> list[Section]:
                 cells.setdefault(ONE.sub(".*", q.key), q)
     paths = [template.description, *sorted(FOLDER.glob("*.toml"))]
     committed = [tomllib.loads(path.read_text(encoding="utf-8")) for path in paths]
-    own, ways = [data for data in committed if data["template"] == template.name], [other] if other else template.others
-    own.sort(key=lambda data: any(has_key(data, way) for way in ways) != bool(other))  # with that key first, or last
+    own = [data for data in committed if data["template"] == template.name]
     listed = ModelWalk(cells, own).sections((type(machine),), "", machine.title)
     return sorted(listed, key=lambda section: LAST.get(section.path.partition(".")[0], 0))
 
@@ -120,10 +116,12 @@ class ModelWalk:
     def sections(self, models: tuple[type[BaseModel], ...], path: str, about: str) -> Iterator[Section]:
         """Yield the section of a model, then those of the tables in it; of several, what is common first."""
         known = [model.model_fields for model in models]
-        fields = {name: field for name, field in known[0].items() if all(name in own for own in known)}
+        by_kind, common = kinds(models), set.intersection(*map(set, known))
+        every = {name: field for own in known for name, field in own.items()}
+        fields = {name: field for name, field in every.items() if name in common or not by_kind}
         below = [(name, tables_of(field)) for name, field in fields.items()]
-        plain = tuple(self._key(join(path, name), fields[name]) for name, nested in below if not nested)
-        by_kind = kinds(models)
+        keys = [self._key(join(path, name), fields[name]) for name, nested in below if not nested]
+        plain = tuple(key._replace(required=key.required and key.name in common) for key in keys)
         if by_kind:
             which = join(path, KIND)
             kind_key = Key(which, WORDS[which], "", either(by_kind), True, None, self._example(which))
@@ -190,7 +188,7 @@ class ModelWalk:
         cell = self._cells.get(path) or self._of_law(path)
         meaning = field.description or WORDS.get(path) or (cell.label if cell else "")
         more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
-        unit = cell.unit if cell else str(more.get("unit", ""))
+        unit = str(more.get("unit", "")) or (cell.unit if cell else "")
         return meaning or (doc_line(table) if table else list_meaning(path)), unit
 
     def _of_law(self, path: str) -> Quantity | None:

@@ -18,14 +18,7 @@ CATALOGUES = ("motors", "reducers")
 
 def schema(template: AnyTemplate) -> dict[str, Any]:
     """Return the schema of a template's descriptions, each key with its meaning, unit and example."""
-    whole = model_schema(template.model, sections(template))
-    for way, other in template.others.items():
-        another = model_schema(other.model, sections(template, way))
-        above, _, last = way.rpartition(".")
-        asked = {"properties": {above: {"required": [last]}}, "required": [above]}
-        defs = whole.pop("$defs") | another.pop("$defs")
-        whole = {"if": asked, "then": another, "else": whole, "$defs": defs}
-    return {"$schema": DRAFT, **whole}
+    return {"$schema": DRAFT, **model_schema(template.model, sections(template))}
 
 
 def model_schema(model: type[BaseModel], known: Sequence[Section]) -> dict[str, Any]:
@@ -124,21 +117,7 @@ def page() -> str:
         own = [section for section in every if not section.path.startswith("laws.")]
         parts.append(f"## {name}\n\n{own[0].models[0].__doc__ or ''}\n")
         parts += [section_text(section) for section in own]
-        parts += [alternative_text(key, every, sections(template, key)) for key in template.others]
     return "\n".join([*parts, LAWS, *(section_text(section) for section in laws)])
-
-
-def alternative_text(other: str, own: Iterable[Section], listed: Iterable[Section]) -> str:
-    """Return the table of the keys that another way to tell a machine has, or takes in other units or ranges."""
-
-    def lined(listed: Iterable[Section]) -> dict[str, tuple[str, ...]]:
-        return {
-            f"{key.path}.{line[0]}": line for section in listed for key in section.keys for line in key_lines("", [key])
-        }
-
-    known = lined(own)
-    rows = [(*line[:-1], "") for key, line in lined(listed).items() if known.get(key, ())[1:4] != line[1:4]]
-    return f"### With `{other}`\n\nWhat differs then.\n\n{md_table(rows)}"
 
 
 def section_text(section: Section) -> str:

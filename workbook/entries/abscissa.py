@@ -1,7 +1,7 @@
 """The abscissa of a cycle (a shaft's degrees, time, an angle, a travel), and its conversion to degrees of a turn."""
 
 from dataclasses import dataclass, replace
-from math import tau
+from math import inf, tau
 from typing import Literal, NamedTuple, get_args
 
 from workbook.book.sentence import figure
@@ -11,6 +11,7 @@ from workbook.fields.units import DEGREE, MM, Real
 Range = tuple[float, float | None, float | None]
 TAKEN = "timing_taken"  # the cell by which places become degrees: a file that has it does not hold degrees
 Unit = Literal["s", "°", "rad", "mm"]
+PLACE = "° or the cycle's unit"  # of entries that are places of a cycle
 UNITS: tuple[Unit, ...] = get_args(Unit)  # what a cycle can be entered in that has a length
 
 
@@ -44,6 +45,7 @@ class Abscissa:
     column: str = "theta"  # of the tables over the cycle: what charts are drawn over
     format: str = "0.0##"
     length: float = TURN
+    upper_limit: float = 360  # the largest place that a cell takes: as a cycle is as long as is entered, any there
     measured: bool = False  # with a length that is entered, in its unit
     timed: bool = True  # whether rates are over time: in s, or in degrees of a shaft at a rate
     symbols: tuple[str, str, str, str] = ("y", "ẏ", "ÿ", "j")  # of a position and its rates
@@ -67,10 +69,6 @@ class Abscissa:
     def axis(self, step: float) -> Range:
         """Return the range of a chart's axis, with marks that many degrees apart; an entered end is the program's."""
         return (0, None, None) if self.measured else (0, TURN, step)
-
-    def rule(self, table: str, row: int, name: str) -> str:
-        """Return the rule that finds a fault in a row: of the row, or of the machine where the length is entered."""
-        return f":{name}{row}" if self.measured else f"{table}.{row - 1}:{name}"
 
     def degrees(self, x: Real) -> Real:
         """Return a place of the cycle, as entered, in degrees of a turn."""
@@ -132,6 +130,7 @@ def measured(unit: str, length: float) -> Abscissa:
         "time",
         "0.0####",
         length,
+        inf,
         measured=True,
         timed=timed,
     )

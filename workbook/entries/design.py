@@ -125,8 +125,9 @@ def unknown_line(loc: Sequence[Any], key: str, rule: str, model: type[BaseModel]
 
 
 def of_rule(where: str, error: DesignError) -> Fault:
-    """Return the fault of a rule, of the entries at ``where``."""
-    return Fault(f"{where}.{error.field}".strip("."), where, error.rule, str(error), None, error.fits)
+    """Return the fault of a rule, of the entries at ``where``; of an entry's own limits, of itself."""
+    key = f"{where}.{error.field}".strip(".")
+    return Fault(key, where if error.rule else key, error.rule, str(error), error.value, error.fits)
 
 
 def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: dict[str, Any]) -> Any:

@@ -4,6 +4,7 @@ import types
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import astuple
 from functools import cache
+from math import inf
 from typing import Any, Literal, Union, get_args, get_origin
 
 from annotated_types import Ge, Gt, Le, Lt, MaxLen, MinLen
@@ -46,7 +47,8 @@ def tables(kind: Any) -> tuple[type[BaseModel], ...]:
 def kinds(kind: Any) -> dict[str, type[BaseModel]]:
     """Return the models of a table of different kinds by what the entry ``kind`` says; none of any other."""
     models = tables(kind)
-    return {get_args(model.model_fields[KIND].annotation)[0]: model for model in models} if len(models) > 1 else {}
+    several = len(models) > 1 and all(KIND in model.model_fields for model in models)
+    return {get_args(model.model_fields[KIND].annotation)[0]: model for model in models} if several else {}
 
 
 def kinds_at(model: type[BaseModel], path: Sequence[str]) -> dict[str, type[BaseModel]]:
@@ -79,6 +81,7 @@ def unwrap(annotation: Any, constraints: list[Any]) -> tuple[Any, list[Any]]:
 def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
     """Return the rule and the two messages for the cells of input ``q``."""
     kind, constraints = field_at(model, q.key)
+    constraints = up_to(q.upper_limit, constraints)
     expected = expectation(kind, constraints)
     if q.choices:
         rule, expected = DataValidation("list", formula1=q.choices), "one entry of the list"
@@ -106,12 +109,16 @@ def is_free_text(model: type[BaseModel], q: Quantity) -> bool:
 
 
 @cache
-def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
-    """Return a function from the key of an entry to its limits in cells: of a number, or a required word."""
+def limits(model: type[BaseModel]) -> Callable[[str, float], Limit | None]:
+    """Return a function from the key of an entry, and its largest value, to its limits in cells.
+
+    It has limits where it is a number, or a required word.
+    """
 
     @cache
-    def limit(key: str) -> Limit | None:
+    def limit(key: str, most: float) -> Limit | None:
         kind, constraints = field_at(model, key)
+        constraints = up_to(most, constraints)
         if get_origin(kind) is list:
             return Limit(any(isinstance(c, MinLen) and c.min_length for c in constraints), (), "", number=False)
         required = must_be_there(model, key)
@@ -122,6 +129,11 @@ def limits(model: type[BaseModel]) -> Callable[[str], Limit | None]:
         return Limit(True, (), "one entry of the list", number=False) if listed and required else None
 
     return limit
+
+
+def up_to(most: float, constraints: list[Any]) -> list[Any]:
+    """Return constraints of a number that is at most so large."""
+    return constraints if most == inf else [*(c for c in constraints if not isinstance(c, Le)), Le(most)]
 
 
 def is_required(model: type[BaseModel], key: str) -> bool:
@@ -205,7 +217,7 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
     if kinds(kind):
         return f"the entries of a {either(kinds(kind))}"
     if tables(kind):
-        return f"the entries {listed(kind)}"
+        return ", or ".join(f"the entries {listed(own)}" for own in tables(kind))
     return f"{'a whole number' if kind is int else 'a number'} {bounds_expectation(constraints)}".strip()
 
 

@@ -57,11 +57,14 @@ class CountsAs:
 
 
 class DesignError(EntryError):
-    """Numbers that do not go together: the check of this ``rule`` says FAIL, and the engine is given what ``fits``."""
+    """Numbers that do not go together: the check of this ``rule`` says FAIL, and the engine is given what ``fits``.
 
-    def __init__(self, field: str, message: str, rule: str, fits: Any = None) -> None:
+    Without a rule it is a ``value`` beyond the limits of its own cell.
+    """
+
+    def __init__(self, field: str, message: str, rule: str, fits: Any = None, value: Any = None) -> None:
         super().__init__(field, message)
-        self.rule, self.fits = rule, fits
+        self.rule, self.fits, self.value = rule, fits, value
 
 
 class DesignFaultsError(ValueError):

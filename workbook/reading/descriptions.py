@@ -88,7 +88,7 @@ def described(template: Template[M], data: dict[str, Any], where: Where) -> M:
 
 def validated(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate entries; raise InputError for faults of structure or type: other ones make an unfinished design."""
-    model = template.model_for(data)
+    model = template.model
     try:
         return finished(model, template.check, data, lambda: with_basic_laws(read_machine(template.description)))
     except RefusedError as error:
@@ -99,7 +99,7 @@ def validated(template: Template[M], data: dict[str, Any], where: Where) -> M:
 
 def empty_machine(template: Template[M], layout: dict[str, Any]) -> M:
     """Return the machine of a book's layout with nothing entered; raise InputError for one that no book has."""
-    data, model = deepcopy(layout), template.model_for(layout)
+    data, model = deepcopy(layout), template.model
     try:
         model.model_validate(data)
     except ValidationError as error:

@@ -45,7 +45,7 @@ class Entries:
         self._laws = {key: law["family"] for key, law in self.data["laws"].items()}
         layout = self._declare_empty(self.data.pop(INPUTS, None))
         self._fit(layout)
-        self.moved = mend(file, layout, self.template.model_for(self.data)) if mend else []
+        self.moved = mend(file, layout, self.template.model) if mend else []
         self._value = evaluate(file, [*self._formulas(layout)])
         for block in layout.blocks.values():
             self._read_block(block)
@@ -205,7 +205,7 @@ class Entries:
 
     def _is_stand_in(self, table: str) -> bool:
         """Whether the layout has a stand-in for the rows of a table."""
-        constraints = rules.field_at(self.template.model_for(self.data), table)[1] if has_key(self.data, table) else []
+        constraints = rules.field_at(self.template.model, table)[1] if has_key(self.data, table) else []
         return any(isinstance(c, MakesCells) and c.stand_in is not None for c in constraints)
 
     def _must_be_there(self, key: str) -> bool:
@@ -213,7 +213,7 @@ class Entries:
         begin, _, rest = key.partition(".")
         name, _, below = rest.partition(".")
         known = f"{begin}.{self._laws.get(name, name)}.{below}" if begin == "laws" else key
-        model = self.template.model_for(self.data)
+        model = self.template.model
         return not rules.is_required(model, known) and rules.must_be_there(model, known)
 
     def _entered(self, cell: Address, q: Quantity) -> Any:

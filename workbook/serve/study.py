@@ -234,7 +234,7 @@ def picked(path: Path, number: int) -> str:
             plan.changes({dimension: best.entries[dimension.label] for dimension in plan.space.dimensions}).items(),
         )
         template = template_named(plan.base.template, "template")
-        if template.model_for(data := parse_toml(changed, base)).model_validate(data) == machine:
+        if template.model.model_validate(parse_toml(changed, base)) == machine:
             return changed
     except (MotionbookError, ValidationError):
         pass

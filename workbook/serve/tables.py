@@ -13,7 +13,7 @@ from tomlkit.items import Array
 from workbook.description.keys import Key, Section, sections, toml
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
-from workbook.fields.paths import Place, get, has_key, reach, split, spread
+from workbook.fields.paths import Place, get, reach, split, spread
 from workbook.templates import TEMPLATES
 
 COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")  # entries, blanks, and a comment
@@ -29,9 +29,8 @@ class Table(NamedTuple):
 
 def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
     """Return the tables that a description of a template has, and those that it leaves out."""
-    way = next((key for key in TEMPLATES[template].others if has_key(data, key)), "")
     tables = []
-    for section in template_sections(template, way):
+    for section in template_sections(template):
         for place, entries in spread(data, split(section.path)):
             kind = entries.get(KIND) if isinstance(entries, dict) else None
             if not section.kind or section.kind == kind:
@@ -40,9 +39,9 @@ def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
 
 
 @lru_cache
-def template_sections(template: str, way: str = "") -> list[Section]:
+def template_sections(template: str) -> list[Section]:
     """Return the tables of a template's descriptions."""
-    return sections(TEMPLATES[template], way)
+    return sections(TEMPLATES[template])
 
 
 def part_of(place: Place) -> Place:

@@ -116,7 +116,7 @@ def test_one_schema_serves_all_templates():
 def test_the_schema_explains_units():
     made = schema(TEMPLATES["machine"])
     rate = made["$defs"]["Master"]["properties"]["rate"]
-    assert rate["description"] == "Production rate [cycles/min]: a number greater than 0"
+    assert rate["description"] == "Production rate [cycles/min]: a number greater than 0; optional"
     assert rate["examples"] == [200.0]
 
 

@@ -13,7 +13,7 @@ from tests.workbook.composed import MACHINE, composed, description
 from workbook.build import build, failing_checks, read_inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.machine.time_based import TimedMachine
+from workbook.machines.machine.entries import Cycle
 from workbook.reading.descriptions import counted_from_1, validated
 from workbook.writing.archive import same_book
 
@@ -104,7 +104,7 @@ def test_out_in_and_through(tmp_path):
     assert verify(tmp_path / "book.xlsx").findings == []
     back, notes = read_inputs(tmp_path / "book.xlsx")
     assert (back, notes) == (given, [])
-    assert isinstance(back, TimedMachine)
+    assert isinstance(back.master, Cycle)
     assert back.over.unit == "rad"
     build(back, tmp_path / "again.xlsx")
     assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")

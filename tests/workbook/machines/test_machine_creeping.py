@@ -9,12 +9,12 @@ from engine.drive.creeping import creeping
 from tests.workbook.cells import computed, entered
 from tests.workbook.machines import test_machine_by_angle as turned
 from tests.workbook.machines.drawn_drives import drawn_machine
+from tests.workbook.machines.in_seconds import convert_to_seconds
 from tests.workbook.machines.test_exact_decides import studied
 from tests.workbook.machines.test_machine import TEMPLATE, axis, driven
 from tests.workbook.machines.test_machine_forces import RATIO, RISE, small
 from workbook.errors import InputError
 from workbook.machines.machine.exact import drives_of, judgement
-from workbook.machines.machine.time_based import convert_to_seconds
 from workbook.reading.descriptions import validated, write_machine
 
 FAST = {"inertia": 8.0, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 30000.0}

@@ -126,7 +126,7 @@ def test_every_cell_agrees_with_losses_as_the_document_has_them_where_the_load_d
     data = entries(mechanism__method="document", load__slope=-70.0, motor__holding="motor", phases=phases)
     data["selection"]["axis"] = "Slide"
     data["axes"][0]["motor"]["temperature"] = 90.0
-    assert disagreeing(TEMPLATE, TEMPLATE.model_for(data).model_validate(data))[0] == []
+    assert disagreeing(TEMPLATE, TEMPLATE.model.model_validate(data))[0] == []
 
 
 def test_a_cylinder_is_the_part_of_its_inertia():
@@ -207,7 +207,7 @@ def test_the_engine_s_conveyor_with_losses_and_friction():
     phases = [Phase(TrapezoidalVelocity(0.1, 0.9), 0.5, 30), Phase(Dwell(), 0, 3)]
     data = entries(CONVEYOR, load__friction=0.05, mechanism__method="physical", motor__holding="motor")
     data["axes"][0]["reducer"]["efficiency"] = 0.9
-    value = computed(TEMPLATE, TEMPLATE.model_for(data).model_validate(data))
+    value = computed(TEMPLATE, TEMPLATE.model.model_validate(data))
     sizing = Sizing(mechanism, phases, 0.006402146)
     assert value("drive1_rms") == pytest.approx(sizing.rms_torque, rel=1e-11)
     assert value("drive1_tmax") == pytest.approx(sizing.peak_torque, rel=1e-12)

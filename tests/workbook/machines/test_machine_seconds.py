@@ -11,11 +11,12 @@ import tomli_w
 
 from tests.tiers import by_day, nights
 from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.machines.in_seconds import convert_to_seconds
 from workbook.build import build, read_description, read_inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.machine.time_based import TimedMachine, convert_to_seconds
+from workbook.machines.machine.entries import Cycle
 from workbook.reading.descriptions import counted_from_1, read_machine, validated
 from workbook.templates import TEMPLATES
 from workbook.writing.archive import same_book
@@ -124,7 +125,7 @@ def test_out_in_and_through(tmp_path):
     assert report.findings == []
     back, notes = read_inputs(tmp_path / "book.xlsx")
     assert (back, notes) == (given, [])
-    assert isinstance(back, TimedMachine)
+    assert isinstance(back.master, Cycle)
     build(back, tmp_path / "again.xlsx")
     assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
     (tmp_path / "again.toml").write_text(tomli_w.dumps(as_entered(back)), encoding="utf-8")

@@ -7,9 +7,9 @@ from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
 from workbook.drive.entries import BackEfficiency, Efficiency, RotatingParts, in_unit, noted
+from workbook.entries.abscissa import PLACE
 from workbook.fields.texts import LOOKED_UP
 from workbook.fields.types import (
-    Angle,
     DesignError,
     EmptyCell,
     EntryError,
@@ -43,10 +43,10 @@ class PowerEntry(Model):
 
 
 class ForceWindow(Model):
-    """A process force, N or Nm, between two angles of the cycle, across its end where it ends before it begins."""
+    """A process force, N or Nm, between two places of the cycle, across its end where it ends before it begins."""
 
-    start: Angle
-    stop: Angle
+    start: NotNegative = in_unit(PLACE, "From where it acts")
+    stop: NotNegative = in_unit(PLACE, "To where it acts")
     force: Number
     resists: Literal["always", "moving"] = noted("always", "Against positive motion always, or against any motion")
 

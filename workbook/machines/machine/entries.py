@@ -1,17 +1,19 @@
 """A machine of any axes: what an engineer enters."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Annotated, Any, ClassVar, Literal, Self
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import Field, PrivateAttr, ValidatorFunctionWrapHandler, WrapValidator, model_validator
 
-from workbook.book.sentence import figure
-from workbook.entries.abscissa import ANGLE, Abscissa
+from workbook.drive.entries import in_unit
+from workbook.entries.abscissa import ANGLE, PLACE, Abscissa, measured
+from workbook.entries.abscissa import Unit as CycleUnit
 from workbook.entries.machine import Exporting
-from workbook.entries.phase import Passing, TurnPhase, forward, require_straight
+from workbook.entries.phase import TURN, Passing, TurnPhase, require_straight
 from workbook.fields.texts import Text, place_of, require_distinct
 from workbook.fields.types import (
     ANGLE_TOLERANCE,
+    CountsAs,
     DesignError,
     DesignFaultsError,
     EntryError,
@@ -21,9 +23,11 @@ from workbook.fields.types import (
     Number,
     Positive,
 )
+from workbook.fields.units import PER_MINUTE, shown
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine import entries_beside as beside
 from workbook.machines.machine.mechanism import Mechanism, Table
+from workbook.machines.machine.places import place_faults
 from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, piece_counts, settle_room
 from workbook.selection.entries import UNCHOSEN, Limits, OwnLimits, SelectionSizes, require_known, require_room
 
@@ -31,36 +35,80 @@ MOST_AXES = 24
 PRINTED = ("lead screw", "conveyor")  # the mechanisms of S4
 Unit = Literal["mm", "°"]
 Closes = Literal["position", "feed", "open"]
+NO_TIME = "a cycle in {} does not tell how time passes, which a drive needs; expected none, or a cycle in s"
 OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
 
 
-class Master(Model):
-    """The master shaft: a cycle a turn. A machine without it has cycle = 0.3 (s) instead, and all places in s.
+class CycleEntry(Model):
+    """The cycle: a turn of a master shaft at a rate, or of a machine without one a length in s, °, rad or mm."""
 
-    Or cycle = 100.0 and unit = "mm" (or "°", "rad"): over an abscissa that does not tell how time passes.
-    """
+
+class Master(CycleEntry):
+    """The master shaft, a cycle a turn: all places are in degrees of it."""
 
     rate: Positive  # cycles/min
     compare_rate: Annotated[NotNegative, MakesCells(0.0)] | None = Field(
         default=None, description="Rate in cycles/min at which the sheet Timing shows each axis' extremes too"
     )
 
+    @property
+    def over(self) -> Abscissa:
+        """Degrees of the master shaft."""
+        return ANGLE
+
+    @property
+    def per_minute(self) -> float:
+        """Cycles a minute."""
+        return self.rate
+
+
+class Cycle(CycleEntry):
+    """A cycle without a master shaft: all places are in its unit.
+
+    Over °, rad or mm nothing tells how time passes: rates are geometric, in lift by abscissa, and there are no drives.
+    """
+
+    cycle: Annotated[Positive, CountsAs(TURN), MakesCells(TURN)] = Field(
+        description="Length of a cycle without a master shaft, in place of a rate: its time in s, or in the unit"
+    )
+    unit: CycleUnit = Field("s", description="What the cycle is over: time, an angle, the travel of a product")
+
+    @property
+    def over(self) -> Abscissa:
+        """Seconds, or another abscissa."""
+        return measured(self.unit, self.cycle)
+
+    @property
+    def per_minute(self) -> float:
+        """Cycles a minute; over an abscissa that tells no time, in 60 of its units."""
+        return shown(shown(1.0, self.cycle), PER_MINUTE)
+
+
+def by_rate_or_length(data: Any, handler: ValidatorFunctionWrapHandler) -> Master | Cycle:
+    """Return the cycle of a description, by which of its keys is there; raise EntryError where both are."""
+    keys = data.keys() if isinstance(data, dict) else ()
+    if {"rate", "cycle"} <= set(keys):
+        raise EntryError("rate", "entered beside cycle; expected one of them: a rate of a master shaft, or a cycle")
+    entry: Master | Cycle = (Cycle if "cycle" in keys or isinstance(data, Cycle) else Master).model_validate(data)
+    return entry
+
 
 class AxisPhase(TurnPhase, Passing):
-    """A phase, its lift in the axis' unit, and what it passes its begin with, in m/rad or rad/rad."""
+    """A phase, its lift in the axis' unit, and what it passes its begin with, in lift by rad, or as rates are shown."""
+
+    start: NotNegative = in_unit(PLACE, "From where it moves")
+    stop: NotNegative = in_unit(PLACE, "To where it moves")
 
 
 class Axis(Model):
     """An axis: its phases in a turn of the master shaft; between them it rests."""
 
-    PLACED: ClassVar[bool] = True
-    """whether its entries alone tell if its phases lie right: else the machine does, which knows the cycle's length"""
     name: beside.Name
     group: Text
     unit: Unit = "mm"
     closes: Closes = "position"
     smoothness: Smoothness = "acceleration"
-    shift: Number = 0.0  # degrees by which it is later than its phases say
+    shift: Number = in_unit(PLACE, "By how much it is later than its phases say", 0.0)
     position: Number = 0.0  # where it begins, in its unit
     stops: beside.HardStops | None = None
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
@@ -133,20 +181,6 @@ class Axis(Model):
         """Yield phases that run backwards, or begin before the phase above ends, and an open cycle with a drive."""
         if self.motor is not None and not self.repeats:
             yield DesignError("closes", f"{self.name} {OPEN_DRIVE}", "repeats", "position")
-        if self.PLACED:
-            yield from (*forward(self.name, self.phases), *following(self.name, self.phases))
-
-
-def following(name: str, phases: Sequence[AxisPhase], over: Abscissa = ANGLE) -> Iterator[DesignError]:
-    """Yield the first phase of an axis that begins before the phase above ends."""
-    reached = 0.0
-    for i, phase in enumerate(phases):
-        early = over.degrees(reached) - over.degrees(phase.start)
-        if early > ANGLE_TOLERANCE:
-            problem = f"begins at {figure(phase.start)}{over.after}, {over.text(early)} before row {i} ends"
-            yield DesignError(f"phases.{i}.start", f"{name} row {i + 1} {problem}", "follows", reached)
-            return
-        reached = phase.stop
 
 
 class MachineSizes(SelectionSizes):
@@ -159,11 +193,11 @@ class MachineSizes(SelectionSizes):
 
 
 class AnyMachine(Exporting):
-    """Axes over a master shaft, or without it over a cycle in s or over any abscissa."""
+    """Axes over a master shaft, or without it over a cycle in s or over any abscissa; places are in its unit."""
 
     AXES_AT = ("axes",)
     template: Literal["machine"] = "machine"
-    master: Master
+    master: Annotated[Master | Cycle, WrapValidator(by_rate_or_length)]
     axes: Annotated[list[Axis], Field(min_length=1, max_length=MOST_AXES), MakesCells()]
     switches: Annotated[list[beside.SwitchEntry], MakesCells()] = Field(default=[], max_length=beside.MOST_SWITCHES)
     clearances: Annotated[list[beside.ClearanceEntry], MakesCells()] = Field(
@@ -188,6 +222,9 @@ class AnyMachine(Exporting):
     def _fits(self) -> Self:
         for kind, key in (("axis", "axes"), ("switch", "switches"), ("clearance", "clearances")):
             require_distinct((row.name for row in getattr(self, key)), kind, f"{key}.{{}}.name")
+        for i, axis in enumerate(self.axes):
+            if axis.motor is not None and not self.over.timed:
+                raise EntryError(f"axes.{i}.motor", NO_TIME.format(self.over.unit))
         beside.require_axes(self.clearances, [axis.name for axis in self.axes])
         self._require_drives()
         require_room(self.selection, self.sizes)
@@ -234,8 +271,8 @@ class AnyMachine(Exporting):
         """Raise DesignFaultsError for an axis whose motion has more pieces than its table has rows."""
         number, faults = piece_counts(self.laws), []
         needed = [
-            sum(number[p.law] for p in axis.phases) + len(rests(axis.phases)) + 2 * len(axis.load.windows)
-            for axis in self.axes_turned
+            sum(number[p.law] for p in axis.phases) + len(rests(axis.phases, self.over)) + 2 * len(axis.load.windows)
+            for axis in self.axes
         ]
         space = settle_room(self, max(needed), 2 * self.sizes.phases + 1)  # for the pieces of an axis
         for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
@@ -265,12 +302,16 @@ class AnyMachine(Exporting):
     @property
     def over(self) -> Abscissa:
         """The abscissa over which its cycle is entered and shown."""
-        return ANGLE
+        return self.master.over
 
     @property
     def per_minute(self) -> float:
-        """Cycles a minute."""
-        return self.master.rate
+        """Cycles a minute; over an abscissa that tells no time, in 60 of its units."""
+        return self.master.per_minute
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield phases, process forces and times of switches that do not lie in the cycle, or not in order."""
+        return place_faults(self)
 
     @property
     def weighs(self) -> bool:
@@ -278,18 +319,8 @@ class AnyMachine(Exporting):
         driven = ((axis, axis.mechanism) for axis in self.axes if axis.mechanism)
         return any(axis.unit == "mm" or m.SLIDES or axis.load.arm for axis, m in driven)
 
-    @property
-    def axes_turned(self) -> Sequence[Axis]:
-        """The axes with all their places in degrees of a turn."""
-        return self.axes
 
-    @property
-    def switches_turned(self) -> Sequence[beside.SwitchEntry]:
-        """The switches, likewise."""
-        return self.switches
-
-
-def rests(phases: list[AxisPhase]) -> list[int]:
+def rests(phases: list[AxisPhase], over: Abscissa = ANGLE) -> list[int]:
     """Return the numbers of the phases, from 0, before which an axis rests; behind the last is before another."""
-    ends, begins = [0.0, *(p.stop for p in phases)], [*(p.start for p in phases), 360.0]
+    ends, begins = [0.0, *(over.degrees(p.stop) for p in phases)], [*(over.degrees(p.start) for p in phases), TURN]
     return [i for i, (end, begin) in enumerate(zip(ends, begins, strict=True)) if begin - end > ANGLE_TOLERANCE]

@@ -2,18 +2,18 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any
 
 from pydantic import Field, GetJsonSchemaHandler, field_validator
 from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
-from workbook.entries.abscissa import ANGLE, Abscissa
-from workbook.entries.phase import TURN
+from workbook.drive.entries import in_unit
+from workbook.entries.abscissa import PLACE
 from workbook.fields.paths import spread
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
-from workbook.fields.types import ANGLE_TOLERANCE, Angle, DesignError, EntryError, MakesCells, Model, Number
+from workbook.fields.types import DesignError, EntryError, MakesCells, Model, NotNegative, Number
 
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 TIMES, MOST_SWITCHES, MOST_CLEARANCES = 6, 24, 12  # of being on, that a switch has room for
@@ -36,10 +36,10 @@ def without_empty_end(rows: Any) -> Any:
 
 
 class TimeOn(Model):
-    """A time of being on, in degrees of the master shaft; across the cycle's end where it ends before it begins."""
+    """A time of being on, across the cycle's end where it ends before it begins."""
 
-    start: Angle | None = Field(default=None, description="From where it is on")
-    stop: Angle | None = Field(default=None, description="To where it is on")
+    start: NotNegative | None = in_unit(PLACE, "From where it is on", None, example=20.0)
+    stop: NotNegative | None = in_unit(PLACE, "To where it is on", None, example=95.0)
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -55,8 +55,6 @@ class TimeOn(Model):
 class SwitchEntry(Model):
     """A lane that is on or off over the cycle: a cylinder, a valve, a sensor, a cam switch."""
 
-    PLACED: ClassVar[bool] = True
-    """whether its entries alone tell if its times lie right: else the machine does, which knows the cycle's length"""
     name: Name
     on: Annotated[list[TimeOn], Field(max_length=TIMES)] = Field(
         default=[],
@@ -69,23 +67,9 @@ class SwitchEntry(Model):
         return without_empty_end(on)
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield a time that lacks an end, and the first that does not last or is not over where another begins."""
+        """Yield the first time that lacks an end."""
         half = (k for k, time in enumerate(self.on) if time.ends is None and time != type(time)())
         yield from (DesignError(f"on.{k}", HALF.words, HALF.rule, UNUSED) for k in [*half][:1])
-        yield from meeting(self) if self.PLACED else ()
-
-
-def meeting(turned: SwitchEntry, over: Abscissa = ANGLE) -> Iterator[DesignError]:
-    """Yield the first time of a switch, in degrees, that does not last, or is not over where another begins."""
-    times = [(k, *time.ends) for k, time in enumerate(turned.on, 1) if time.ends]
-    spans = {k: stop - start + (TURN if stop < start else 0.0) for k, start, stop in times}
-    problems = [f"time {k} does not last" for k, span in spans.items() if span <= ANGLE_TOLERANCE]
-    for k, start, _ in times:
-        more = spans[k] - min(((other - start) % TURN for j, other, _ in times if j != k), default=spans[k])
-        if more > ANGLE_TOLERANCE:
-            problems.append(f"time {k} is on {over.text(more)} beyond the begin of another")
-    if problems:
-        yield DesignError("on", f"{turned.name} {problems[0]}", "apart", [UNUSED for _ in turned.on])
 
 
 class HardStops(Model):

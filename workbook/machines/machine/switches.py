@@ -13,6 +13,7 @@ from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
+from workbook.machines.machine.places import in_degrees
 from workbook.machines.machine.timing.cycle import LANE_SHARE
 from workbook.machines.machine.timing.phases import going_beyond, no_fault
 from workbook.machines.machine.view import MachineView
@@ -30,12 +31,12 @@ NONE = ((0.0, 0.0), (0.0, 0.0))  # the bars of a time that is not entered
 
 
 class Lane:
-    """A switch as the timing diagram shows it: bars on a lane; ``typed`` are its times as they are entered."""
+    """A switch as the timing diagram shows it, bars on a lane: its times as ``typed``, and in degrees of a turn."""
 
-    def __init__(self, given: SwitchEntry, number: int, typed: SwitchEntry) -> None:
+    def __init__(self, given: SwitchEntry, number: int, over: Abscissa) -> None:
         self.given, self.number = given, number
-        self.typed: list[TimeOn] = filled(typed.on, TIMES, TimeOn())
-        self.times: list[TimeOn] = filled(given.on, TIMES, TimeOn())
+        self.typed: list[TimeOn] = filled(given.on, TIMES, TimeOn())
+        self.times = [in_degrees(time, over) for time in self.typed]
         self.entered = {k: time.ends for k, time in enumerate(self.times) if time.ends}
 
     @cached_property
@@ -68,8 +69,8 @@ class Lane:
 
 def switches_sheet(book: Book, machine: MachineView) -> None:
     """Declare the sheet, where there are switches."""
-    over, both = machine.over, zip(machine.given.switches_turned, machine.given.switches, strict=True)
-    lanes = [Lane(switch, i, typed) for i, (switch, typed) in enumerate(both, 1)]
+    over = machine.over
+    lanes = [Lane(switch, i, over) for i, switch in enumerate(machine.given.switches, 1)]
     if not lanes:
         return
     sheet = book.sheet("Switches", f"Cylinders, valves, sensors, cam switches: when each is on over a {over.period}.")
@@ -81,7 +82,7 @@ def switches_sheet(book: Book, machine: MachineView) -> None:
         for i in range(1, len(lanes) + 1):
             texts, called = f"[switch{i}_times.{column}]", f'[switches.name.{i}]&" time "'
             name_and_label = f"switch{i}_{name}", f"Switch {i}: {condition}"
-            sheet.checks(no_fault(*name_and_label, texts, called, over.rule("switches", i, rule)))
+            sheet.checks(no_fault(*name_and_label, texts, called, f":{rule}{i}"))
     sheet.not_printed_below()
     sheet.heading("Workings: the times of each switch")
     for lane in lanes:
@@ -103,6 +104,7 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
             unit=over.unit,
             t_before=t - 1,
             format=over.format,
+            upper_limit=over.upper_limit,
         )
         for t in NUMBERS
         for label, name in (("on from", "start"), ("to", "stop"))

@@ -31,7 +31,6 @@ from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.rates_summary import range_of_rates, rate_check, whole_range
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
-from workbook.machines.machine.time_based import TimedMachine, convert_to_seconds
 from workbook.machines.machine.timing.cycle import cycle_sheet, exportable
 from workbook.machines.machine.timing.sheet import timing_sheet
 from workbook.machines.machine.variations import variants
@@ -39,7 +38,7 @@ from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.exported import export_sheet
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.pair_selection import PairSelection
-from workbook.template import Alternative, Template, finish
+from workbook.template import Template, finish
 from workbook.template_outputs import CamAxis, CamSwitch
 
 CELLS = cell_tables(__file__)
@@ -184,5 +183,4 @@ TEMPLATE = Template(
     scaling=SCALING,
     judgement=judgement,
     switches=switches,
-    others={"master.cycle": Alternative(TimedMachine, convert_to_seconds)},
 )

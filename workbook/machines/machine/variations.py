@@ -11,7 +11,7 @@ from workbook.machines.machine.drive_entries import WINDOWS, falling
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, MECHANISMS, SLIDING
-from workbook.machines.machine.time_based import in_units_of
+from workbook.machines.machine.places import to_units
 from workbook.motion.requirements import dwells_for_room, smoothness_for
 
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
@@ -72,7 +72,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     if pace == "cycle":
-        in_units_of(data, master["unit"], master[pace])
+        to_units(data, master["unit"], master[pace])
     return data
 
 

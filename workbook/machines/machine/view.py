@@ -17,6 +17,7 @@ from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, Real, shown, si
 from workbook.machines.machine import entries as entered
 from workbook.machines.machine.extremes import measured
+from workbook.machines.machine.places import axis_in_degrees
 
 UNITS = {"mm": MM, "°": DEGREE}
 BASES = {"mm": "m", "°": "rad"}  # the unit of the motion, by that of its entries
@@ -167,9 +168,9 @@ class MachineView:
         self.hands_over = bool(machine.laws.of("LIN"))
         self.angles = np.linspace(0.0, TURN, machine.sizes.cycle + 1)
         self.samples: Array = si(self.angles, DEGREE)
-        both = zip(machine.axes_turned, machine.axes, strict=True)
         self.axes = [
-            MovingAxis(axis, i, library, self.speed, typed, self.over) for i, (axis, typed) in enumerate(both, 1)
+            MovingAxis(axis_in_degrees(axis, self.over), i, library, self.speed, axis, self.over)
+            for i, axis in enumerate(machine.axes, 1)
         ]
 
     @property

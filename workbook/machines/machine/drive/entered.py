@@ -81,8 +81,8 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
         "Process forces over the cycle: leave spare rows empty",
         WINDOWS,
         cell("k", list(range(1, WINDOWS + 1))),
-        column("start", unit=over.unit, format=over.format),
-        column("stop", unit=over.unit, source=over.entered_of, format=over.format),
+        column("start", unit=over.unit, format=over.format, upper_limit=over.upper_limit),
+        column("stop", unit=over.unit, source=over.entered_of, format=over.format, upper_limit=over.upper_limit),
         column("force", unit=unit),
         column("resists"),
         cell(
@@ -106,7 +106,7 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
 
 def windows_check(view: DriveView) -> Quantity:
     """Return the check that process forces end with the cycle, of which an entry says how long it is."""
-    over, i = view.tables.machine.over, view.driven.number
+    i = view.driven.number
     label = f"{view.driven.called}: no process force goes on beyond the cycle"
-    called, rule = f'[axes.name.{i}]&" process force "', over.rule("axes", i, "forces")
+    called, rule = f'[axes.name.{i}]&" process force "', f":forces{i}"
     return no_fault("@ok_windows", label, "[@windows.beyond]", called, rule)

@@ -85,7 +85,7 @@ def taken(machine: MachineView) -> list[Quantity]:
 
 def compared_rate(machine: MachineView) -> float | None:
     """Return the rate (cycles/min) at which extremes are shown too, if it is entered."""
-    return None if machine.over.measured else machine.given.master.compare_rate
+    return getattr(machine.given.master, "compare_rate", None)
 
 
 def rate_to_compare(machine: MachineView) -> list[Quantity]:

@@ -101,8 +101,8 @@ def entered(tables: AxisTables) -> list[Quantity]:
     ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
     return [
         cell("kind", sampling.kinds(axis.phases, tables.rows), formula=doubled(sampling.kind(tables.at.ends))),
-        cell("start", entry("start"), unit=over.unit, key=key, format=over.format),
-        cell("stop", entry("stop"), unit=over.unit, key=key, format=over.format),
+        cell("start", entry("start"), unit=over.unit, key=key, format=over.format, upper_limit=over.upper_limit),
+        cell("stop", entry("stop"), unit=over.unit, key=key, format=over.format, upper_limit=over.upper_limit),
         cell("lift", entry("lift"), unit=axis.given.unit, key=key),
         cell("law", entry("law"), key=key),
         *passing,
@@ -263,7 +263,7 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
 
     def none_in(column: str, rule: str, condition: str) -> Quantity:
         called = f'[axes.name.{i}]&" row "'
-        return no_fault(f"{t}_{rule}", f"{label}: {condition}", f"[{t}.{column}]", called, over.rule("axes", i, rule))
+        return no_fault(f"{t}_{rule}", f"{label}: {condition}", f"[{t}.{column}]", called, f":{rule}{i}")
 
     sheet.checks(
         none_in("backwards", "forward", "every phase runs forward"),
