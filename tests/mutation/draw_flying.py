@@ -5,8 +5,9 @@ from math import pi, radians
 from typing import Any
 
 from tests.laws import MOVING
-from tests.mutation.draw_selection import drawn_limits, vary_selection
-from tests.mutation.machines import vary_laws
+from tests.mutation.draw_selection import vary_selection
+from tests.mutation.machines import draw, vary_laws
+from workbook.selection.entries import Limits
 
 
 def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
@@ -17,7 +18,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     if law == "OWN":
         data["laws"]["OWN"]["pieces"] = hump(drawn)
     vary_selection(data["selection"], data["sizes"], drawn)
-    data["limits"] = drawn_limits(drawn)
+    draw(data["limits"], Limits, drawn)
     drum = {"tools": float(drawn.randint(1, 8)), "radius": drawn.uniform(30, 400)}
     drum["tool_angle"] = drawn.choice((0.0, drawn.uniform(0.02, 0.9))) * 360 / drum["tools"]
     saw = {"tool_length": drawn.uniform(20, 900), "lead": drawn.uniform(5, 300), "stroke": 10 ** drawn.uniform(1, 5)}

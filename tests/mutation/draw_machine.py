@@ -6,14 +6,23 @@ from typing import Any, get_args
 
 from engine.selection.pair_matrix import Rank
 from tests.laws import MOVING
-from tests.mutation.draw_selection import drawn_limits
-from tests.mutation.machines import shares, vary_laws
+from tests.mutation.machines import draw, shares, vary_laws
 from workbook.machines.machine.drive.mechanisms import LINKAGES
+from workbook.machines.machine.drive_entries import (
+    TRAVELLING_LOAD,
+    TURNING_LOAD,
+    AxisLoad,
+    AxisMotor,
+    PowerEntry,
+    Reducer,
+    StageEntry,
+)
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.entries_beside import STOPS, TIMES
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units
 from workbook.motion.requirements import Smoothness, dwells_for_room
+from workbook.selection.entries import Limits, OwnLimits
 
 SHAPED = {name for name in MOVING if name != "OWN"}
 
@@ -35,9 +44,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         if axis["motor"] is not None:
             drive(axis, drawn, sizes["rotors"], sizes["positions"])
     if any(axis["motor"] is not None for axis in data["axes"]):
-        ranges = {"efficiency": (0.5, 1), "hours": (0, 8784), "price": (0, 9)}
-        data["power"] = {name: drawn.uniform(*ends) for name, ends in ranges.items()}
-        data["limits"] = drawn_limits(drawn)
+        draw(data["power"], PowerEntry, drawn)
+        draw(data["limits"], Limits, drawn)
     if data["selection"]["axis"] is not None:
         data["selection"] |= {
             "axis": drawn.choice([axis["name"] for axis in data["axes"] if axis["motor"]]),
@@ -77,11 +85,9 @@ def times(drawn: random.Random) -> list[dict[str, Any]]:
 
 def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int) -> None:
     """Draw a drive of the same kind: loads that resist or drive, limits far off."""
-    kind, viscous, arm = axis["mechanism"]["kind"], axis["load"]["viscous"], axis["load"]["arm"]
+    kind = axis["mechanism"]["kind"]
     travels = axis["unit"] == "mm" or kind in SLIDING
     axis["rate"] = drawn.choice((None, drawn.uniform(5, 600)))
-    often = drawn.uniform(0, 1)
-    force = drawn.choice((0.0, drawn.uniform(-900, 900)))
     sized = MECHANISMS[kind].SIZE
     axis["mechanism"] |= ({sized: drawn.uniform(2, 300)} if sized else {}) | {
         "efficiency": drawn.uniform(0.3, 1),
@@ -97,16 +103,10 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         crank, share = drawn.uniform(5, 200), drawn.choice((0.0, drawn.uniform(-0.8, 0.8)))
         axis["mechanism"] |= {"crank_radius": crank, "rod_length": crank * drawn.uniform(1.9, 8),
                               "offset": crank * share or None, "start_angle": drawn.uniform(-400, 400)}  # fmt: skip
-    axis["load"] = {
-        "mass": drawn.choice((0.0, drawn.uniform(0.1, 80))), "friction": drawn.choice((0.0, often)),
-        "slope": drawn.choice((0.0, drawn.uniform(-90, 90))), "force": force,
-    } if travels else {
-        "inertia": drawn.choice((0.0, 1e4 * often)), "torque": drawn.choice((0.0, force)), "friction_torque": often,
-    }  # fmt: skip
-    axis["load"]["windows"] = []
-    axis["load"]["viscous"] = None if viscous is None else drawn.choice((0.0, drawn.uniform(0, 200)))
-    axis["load"]["arm"] = arm and {"mass": drawn.uniform(0, 50), "radius": drawn.uniform(0, 900),
-                                   "angle": drawn.uniform(-400, 400)}  # fmt: skip
+    load = axis["load"]
+    others = {*(TURNING_LOAD if travels else TRAVELLING_LOAD), *(("viscous",) if load["viscous"] is None else ())}
+    draw(load, AxisLoad, drawn, others)
+    load["windows"] = []
     axis["parts"] = [
         {
             "name": f"part {i}", "count": float(drawn.randint(0, 5)), "shaft": drawn.choice(("motor", "mechanism")),
@@ -114,42 +114,19 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         }
         for i in range(drawn.randint(0, room))
     ]  # fmt: skip
-    axis["reducer"] = {"ratio": drawn.uniform(0.5, 40), "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1))),
-                       "no_load_torque": drawn.choice((0.0, 10 ** drawn.uniform(-3, 3)))}  # fmt: skip
-    axis["reducer"] |= strength(random.Random(str(axis["reducer"])))
-    axis["stages"] = [stage(drawn) for _ in axis["stages"]]
-    brake = axis["motor"]["brake"] and {
-        "torque": 10 ** drawn.uniform(-3, 3), "closing": drawn.choice((0.0, drawn.uniform(0, 400))),
-        "opening": drawn.uniform(0, 400),
-    }  # fmt: skip
-    axis["motor"] = {
-        "brake": brake,
-        "inertia": drawn.choice((0.0, drawn.uniform(0, 500))), "rated_torque": 10 ** drawn.uniform(-3, 6),
-        "peak_torque": 10 ** drawn.uniform(-3, 6), "max_speed": 10 ** drawn.uniform(-2, 7),
-        "holding": drawn.choice(("motor", "brake")), "temperature": drawn.choice((None, drawn.uniform(-20, 110))),
-        "rated_at": drawn.uniform(20, 60), "limit": drawn.uniform(120, 200),
-        "copper_losses": drawn.choice((None, 10 ** drawn.uniform(-4, 1))),
-        "stall_torque": drawn.choice((None, 10 ** drawn.uniform(-3, 6))),
-        "rated_speed": drawn.choice((None, 10 ** drawn.uniform(-2, 7))),
-    }  # fmt: skip
+    for part, model in (("reducer", Reducer), ("motor", AxisMotor), ("limits", OwnLimits)):
+        draw(axis[part], model, drawn)
+    axis["reducer"]["name"] = axis["motor"]["name"] = ""
+    for one in axis["stages"]:
+        stage(one, drawn)
 
 
-def stage(drawn: random.Random) -> dict[str, Any]:
-    """Return a stage by its ratio, or by teeth."""
-    by_teeth = {"teeth_driver": float(drawn.randint(12, 99)), "teeth_driven": float(drawn.randint(12, 99))}
-    return drawn.choice((by_teeth, {"ratio": drawn.uniform(0.2, 8)})) | {
-        "driver_inertia": drawn.choice((0.0, drawn.uniform(0, 300))), "driven_inertia": drawn.uniform(0, 300),
-        "efficiency": drawn.choice((1.0, drawn.uniform(0.3, 1))),
-        "back_efficiency": drawn.choice((None, drawn.uniform(-0.5, 1))),
-        "friction_torque": drawn.choice((0.0, drawn.uniform(0, 9))),
-    }  # fmt: skip
-
-
-def strength(drawn):
-    """Return a reducer's peak torque, the cycles an hour up to which it holds, and the factor beyond, or none."""
-    return {"peak_torque": drawn.choice((None, 10 ** drawn.uniform(-3, 6))),
-            "full_cycles": drawn.choice((None, 10 ** drawn.uniform(1, 5))),
-            "cycle_factor": drawn.choice((None, drawn.uniform(1, 3)))}  # fmt: skip
+def stage(stage: dict[str, Any], drawn: random.Random) -> None:
+    """Draw a stage by its ratio, or by teeth."""
+    draw(stage, StageEntry, drawn)
+    teeth = {"teeth_driver": float(drawn.randint(12, 99)), "teeth_driven": float(drawn.randint(12, 99))}
+    by_ratio = {"ratio": drawn.uniform(0.2, 8)} | dict.fromkeys(teeth)
+    stage |= drawn.choice((by_ratio, {"ratio": None} | teeth))
 
 
 def inertia(drawn: random.Random) -> dict[str, float]:

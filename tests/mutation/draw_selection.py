@@ -6,12 +6,6 @@ from typing import Any
 from engine.selection.pair_matrix import RANKS
 
 
-def drawn_limits(drawn: random.Random) -> dict[str, Any]:
-    """Return limits of drives drawn anew."""
-    names = ("rms_reserve", "peak_reserve", "speed_reserve", "torque_factor")
-    return {name: drawn.uniform(0.5, 2) for name in names} | {"inertia_ratio": 10 ** drawn.uniform(0, 3)}
-
-
 def vary_selection(selection: dict[str, Any], sizes: dict[str, Any], drawn: random.Random) -> None:
     """Draw the catalogues, the rank and the pair anew; ``sizes`` says how many rows there are."""
     motors = [motor(i, drawn) for i in range(drawn.randint(1, sizes["motors"]))]

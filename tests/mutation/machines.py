@@ -5,10 +5,14 @@ workbook/machines/; here is what they share.
 """
 
 import random
+from collections.abc import Container
 from importlib import import_module
 from typing import Any
 
+from pydantic import BaseModel
+
 from tests.laws import PAGED, blended
+from workbook.entries.facts import varying_entries
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.reading.descriptions import validated
@@ -73,3 +77,13 @@ def own_pieces(drawn: random.Random, room: int) -> list[dict[str, Any]]:
     if len(pieces) < room and drawn.random() < 0.3:
         pieces.insert(drawn.randrange(len(pieces) + 1), {"duration": 0.0, "c0": 5.0})
     return pieces
+
+
+def draw(entries: dict[str, Any], model: type[BaseModel], drawn: random.Random, leaving: Container[str] = ()) -> None:
+    """Draw the entries of a table within those of the variations, by their logarithm where these differ much."""
+    for table, name, values in varying_entries(entries, model, leaving):
+        numbers, table[name] = [value for value in values if isinstance(value, float)], drawn.choice(values)
+        if isinstance(table[name], float):
+            low, high = min(numbers), max(numbers)
+            wide = low > 0 and high / low > 100
+            table[name] = low * (high / low) ** drawn.random() if wide else drawn.uniform(low, high)

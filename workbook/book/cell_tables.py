@@ -10,7 +10,8 @@ stand apart: an engineer reads how the sheet does it, without any Python; and no
 ``formula``  in the notation of :mod:`workbook.book.declare`; of what is given its key in the description; of a
              check its condition, without =
 ``source``   the note beside it
-others       label, symbol, unit, format, align, choices; of a check its rule, and what it says where it fails
+others       label, symbol, unit, format, align, choices; of a check its rule, and what it says where it fails; of
+             an entry an example, and what it is in variations (:mod:`workbook.entries.facts`)
 ===========  ====================================================================================================
 
 A text may have ``{parts}``, which Python fills in, of other names than :data:`OWN`; braces of Excel are written twice.
@@ -42,21 +43,33 @@ OWN = {"formula", "source", "scale", "format", "align", "choices", "limit", "upp
 HEADING, BAR = re.compile(r"^## (.+)$", re.MULTILINE), re.compile(r"(?<!\\)\|")
 
 
+def value_of(text: str) -> Any:
+    """Return the number or word that a text of a table stands for; None of an empty text, and of the word empty."""
+    try:
+        return float(text)
+    except ValueError:
+        return None if text in ("", "empty") else text
+
+
 class CellWords(NamedTuple):
     """The words of a cell, with parts to fill in."""
 
     kind: str
     texts: dict[str, str]  # by attribute
     parts: frozenset[str]  # names of what is to be filled in
+    example: Any = None
+    varies: tuple[Any, ...] = ()
 
     @classmethod
     def of_row(cls, texts: dict[str, str]) -> "CellWords":
         """Return the words of a row, whose texts are given by the heads of their columns."""
         kind, name, formula = (texts.pop(head, "") for head in ("kind", "cell", "formula"))
+        example, varies = (texts.pop(head, "") for head in ("example", "varies"))
         empty = {"label": ""} if kind == "check" else {"label": "", "symbol": "", "unit": ""}
         texts = {"name": name} | empty | texts | ({FORMULAS.get(kind, "formula"): formula} if formula else {})
         fields = (field for text in texts.values() for _, field, _, _ in Formatter().parse(text) if field)
-        return cls(kind, texts, frozenset(re.split(r"[.\[]", field)[0] for field in fields))
+        parts = frozenset(re.split(r"[.\[]", field)[0] for field in fields)
+        return cls(kind, texts, parts, value_of(example), tuple(map(value_of, filter(None, varies.split(", ")))))
 
     def filled(self, more: dict[str, Any]) -> dict[str, Any]:
         """Return the attributes of a cell: its words with their parts, and those attributes that are given.

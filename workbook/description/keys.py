@@ -9,7 +9,9 @@ import tomlkit
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from workbook.book.cell_tables import CellWords
 from workbook.book.quantity import Quantity
+from workbook.entries.facts import facts_of
 from workbook.entries.rules import KIND, either, expectation, is_table, kinds, tables, unwrap
 from workbook.fields.paths import get, spread
 from workbook.laws.entries import ENTRIES, Laws
@@ -19,7 +21,7 @@ from workbook.selection.entries import COMMITTED
 from workbook.template import FOLDER
 from workbook.templates import AnyTemplate
 
-ONE = re.compile(r"\.\d+(?=\.|$)")
+ONE, PART = re.compile(r"\.\d+(?=\.|$)"), re.compile(r"\{\w+\}")
 SHOWN = CODES[1]  # the law whose page says what is entered on all of them
 WORDS = {
     "template": "The kind of machine",
@@ -46,10 +48,7 @@ EXAMPLES: dict[str, Any] = {  # entries of a real machine that no committed desc
     "axes.*.phases.*.velocity": 0.05, "axes.*.phases.*.acceleration": 0.2, "axes.*.parts.*.bore": 25.0,
     "axes.*.mechanism.back_efficiency": 0.85, "axes.*.mechanism.belt_mass": 2.4,
     "axes.*.mechanism.points": [{"angle": 30.0 * k, "position": y} for k, y in enumerate((0.0, 9.0, 26.0, 47.0))],
-    "axes.*.mechanism.points.*.angle": 30.0, "axes.*.mechanism.points.*.position": 9.0, "axes.*.load.viscous": 40.0,
-    "axes.*.motor.brake.torque": 9.0, "axes.*.motor.brake.closing": 20.0, "axes.*.motor.brake.opening": 60.0,
-    "axes.*.reducer.peak_torque": 280.0, "axes.*.reducer.mean_torque": 140.0,
-    "axes.*.reducer.full_cycles": 1000.0, "axes.*.reducer.cycle_factor": 1.6, "axes.*.reducer.max_speed": 6000.0,
+    "axes.*.mechanism.points.*.angle": 30.0, "axes.*.mechanism.points.*.position": 9.0,
     "selection.motors": "committed", "selection.reducers": "committed", "selection.falling": True,
     "sizes.motion_pieces": 40, "laws.SPL.first_slope": 0.5, "laws.SPL.last_slope": 0.5,
     "selection.motors.*.full_torque_to": 3000.0, "selection.motors.*.end_torque": 6.4,
@@ -120,7 +119,8 @@ class ModelWalk:
         every = {name: field for own in known for name, field in own.items()}
         fields = {name: field for name, field in every.items() if name in common or not by_kind}
         below = [(name, tables_of(field)) for name, field in fields.items()]
-        keys = [self._key(join(path, name), fields[name]) for name, nested in below if not nested]
+        facts = {name: words for model in models for name, words in facts_of(model).items()}
+        keys = [self._key(join(path, name), fields[name], facts.get(name)) for name, nested in below if not nested]
         plain = tuple(key._replace(required=key.required and key.name in common) for key in keys)
         if by_kind:
             which = join(path, KIND)
@@ -129,8 +129,9 @@ class ModelWalk:
         yield Section(path, about, models, plain)
         for kind, model in by_kind.items():
             own = [(name, field) for name, field in model.model_fields.items() if name not in fields]
-            keys = tuple(self._key(join(path, name), field, kind) for name, field in own)
-            yield Section(path, doc_line(model), (model,), keys, kind)
+            facts = facts_of(model)
+            own_keys = tuple(self._key(join(path, name), field, facts.get(name), kind) for name, field in own)
+            yield Section(path, doc_line(model), (model,), own_keys, kind)
         for name, nested in below:
             if nested and issubclass(nested[0], Laws):
                 yield from self._laws(join(path, name))
@@ -159,16 +160,18 @@ class ModelWalk:
                 own = tuple(key for key in section.keys if key.name != "family")  # which its name says already
                 yield section._replace(keys=own)
 
-    def _key(self, path: str, field: FieldInfo, of: str = "", listed_in: Any = None) -> Key:
+    def _key(self, path: str, field: FieldInfo, facts: CellWords | None, of: str = "", listed_in: Any = None) -> Key:
         kind, constraints = unwrap(field.annotation, field.metadata)
         table = next(iter(tables(get_args(kind)[0])), None) if get_origin(kind) is list else None
-        meaning, unit = self._meaning(path, field, table)
+        meaning, unit = in_words(facts) if facts else self._meaning(path, field, table)
         default = None if field.is_required() else field.get_default(call_default_factory=True)
+        below = facts_of(table) if table else {}
         rows = [
-            self._key(join(f"{path}.*", name), field, of, first_value(default, name))
+            self._key(join(f"{path}.*", name), field, below.get(name), of, first_value(default, name))
             for name, field in (table.model_fields.items() if table else ())
         ]
         shown = listed_in if listed_in is not None else self._example(path, of)
+        shown = facts.example if shown is None and facts else shown
         shown = field.examples[0] if shown is None and field.examples else shown
         if shown is None and default in (None, "", []):
             raise LookupError(f"{path}{of and f' of a {of}'} has no example: its field has none, nor a committed file")
@@ -200,6 +203,12 @@ class ModelWalk:
             if p.key == name:
                 return Quantity(p.name, f"{p.label} ({p.source})" if p.source else p.label)
         return self._cells.get(f"laws.{SHOWN}.{name}")
+
+
+def in_words(facts: CellWords) -> tuple[str, str]:
+    """Return the label of an entry, with the note beside its cell, and its unit; ``*`` stands for any number."""
+    source = facts.texts.get("source", "")
+    return PART.sub("*", f"{facts.texts['label']} ({source})" if source else facts.texts["label"]), facts.texts["unit"]
 
 
 def first_value(rows: Any, name: str) -> Any:

@@ -58,11 +58,11 @@ class Products(Model):
 class Limits(Model):
     """The limits of every drive, on its sheet, in Selection and Pairs, in studies: figures over their reserves."""
 
-    rms_reserve: Positive = noted(1.0, "Least continuous torque of a motor over its RMS torque")
-    peak_reserve: Positive = noted(1.0, "Least peak torque of a motor over the largest that is asked of it")
-    speed_reserve: Positive = noted(1.0, "Least largest speed of a motor over the largest that is asked of it")
-    inertia_ratio: Positive = noted(10.0, "Largest inertia at a motor's shaft over the motor's own")
-    torque_factor: Positive = noted(1.0, "Factor on the torque that a reducer must hold")
+    rms_reserve: Positive = 1.0
+    peak_reserve: Positive = 1.0
+    speed_reserve: Positive = 1.0
+    inertia_ratio: Positive = 10.0
+    torque_factor: Positive = 1.0
 
     def of_axis(self, own: "OwnLimits") -> "Limits":
         """Return the limits of an axis: its own where it has any."""
@@ -72,19 +72,11 @@ class Limits(Model):
 class OwnLimits(Model):
     """The limits of an axis where they are not the machine's."""
 
-    rms_reserve: Positive | None = Field(
-        default=None, description="Its least continuous torque over RMS torque", examples=[1.2]
-    )
-    peak_reserve: Positive | None = Field(
-        default=None, description="Its least peak torque over the largest that is asked", examples=[1.2]
-    )
-    speed_reserve: Positive | None = Field(
-        default=None, description="Its least largest speed over the largest that is asked", examples=[1.2]
-    )
-    inertia_ratio: Positive | None = Field(default=None, description="Its largest inertia ratio", examples=[5.0])
-    torque_factor: Positive | None = Field(
-        default=None, description="Its factor on the torque that the reducer must hold", examples=[1.2]
-    )
+    rms_reserve: Positive | None = None
+    peak_reserve: Positive | None = None
+    speed_reserve: Positive | None = None
+    inertia_ratio: Positive | None = None
+    torque_factor: Positive | None = None
 
 
 class Ranked(Products):

@@ -3,12 +3,12 @@
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import FIRST, Book, Sheet
 from workbook.book.sentence import CheckSentence
+from workbook.entries.facts import entry_cells
 from workbook.selection.best import best_table, chart, order_table, points_of_pairs
 from workbook.selection.catalogue import FALLING, HALF
 from workbook.selection.drives import every_drive, motors_by_drives, named_drive, points_table
 from workbook.selection.entries import UNCHOSEN, Limits, Products, SelectionSizes
 from workbook.selection.grids import grids, products
-from workbook.selection.limits import limit_cells
 from workbook.selection.pair_selection import PairSelection, rms_of
 
 CELLS = cell_tables(__file__)
@@ -61,7 +61,7 @@ def entries(sheet: Sheet, view: PairSelection, axis: str, limits: Limits | None)
         *([cell("@axis", axis)] if axis else []),
         cell("@rank", s.rank),
         cell("@greatest", s.greatest_margin),
-        *(limit_cells(limits) if limits else ()),
+        *(entry_cells(limits, "limits") if limits else ()),
     )
     load = view.grid.task
     scale = view.shaft.torque

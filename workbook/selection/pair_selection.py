@@ -19,7 +19,6 @@ from workbook.book.rows import filled
 from workbook.fields.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Limits, Ranked, SelectionSizes
-from workbook.selection.limits import LIMITS
 
 BEST = 20  # rows of the list of the best pairs
 AS_ENTERED = "as entered"
@@ -64,7 +63,7 @@ def load_figures(load: PointLoad, turning: float, torque: float) -> dict[str, tu
 
 def limit_figures(limits: Limits, scope: str) -> dict[str, tuple[str, float]]:
     """Return the cells and values of limits, behind the beginning of the cells' names."""
-    return {name: (f"{scope}{name}", getattr(limits, name)) for name in LIMITS}
+    return {name: (f"{scope}{name}", getattr(limits, name)) for name in Limits.model_fields}
 
 
 Cell = str | tuple[str, float] | tuple[str, float, float]

@@ -13,15 +13,6 @@ CHOICES: tuple[dict[str, Any], ...] = (
     {"rank": "inertia match", "efficiency": 0.95},
     {"rank": "smallest motor", "efficiency": 0.93},
 )
-RESERVES: tuple[dict[str, Any], ...] = (
-    {"rms_reserve": 1.0, "speed_reserve": 1.05, "torque_factor": 1.0},
-    {"peak_reserve": 1.3, "inertia_ratio": 40.0, "torque_factor": 1.7},
-    {"rms_reserve": 1.4, "inertia_ratio": 60.0, "torque_factor": 0.6},
-    {"peak_reserve": 0.8, "inertia_ratio": 30.0, "torque_factor": 1.2},
-    {"rms_reserve": 2.0, "speed_reserve": 0.9},
-    {"rms_reserve": 0.9, "inertia_ratio": 90.0, "torque_factor": 2.0},
-)
-"""the limits of drives in each variation"""
 WEAK = 4  # the variation whose motors can do nothing
 
 

@@ -8,6 +8,7 @@ from engine.motion.profile import profile_of
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book
 from workbook.book.summary import summary_sheet
+from workbook.entries.facts import vary
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.law_sheets.book_laws import BookLaws
@@ -21,8 +22,9 @@ from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.view import CutterView, ToolDrive, check
 from workbook.motion.exported import Exportable, export_sheet
 from workbook.motion.requirements import smoothness_for
+from workbook.selection.entries import Limits
 from workbook.selection.page import catalogue_sheet, selection_sheet
-from workbook.selection.variations import RESERVES, vary_selection
+from workbook.selection.variations import vary_selection
 from workbook.template import Template, finish
 from workbook.template_outputs import CamAxis, ExactJudgement, deviations, judged_limits
 
@@ -125,7 +127,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         "smoothness": smoothness_for(turn),
     }
     vary_selection(data["selection"], k, data["sizes"])
-    data["limits"] |= RESERVES[k]
+    vary(data["limits"], Limits, k)
     return data
 
 

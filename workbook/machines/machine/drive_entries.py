@@ -37,9 +37,9 @@ UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
 class PowerEntry(Model):
     """The entries that all drives share: efficiency between motor and mains, hours of running in a year, price."""
 
-    efficiency: Efficiency = noted(1.0, "Of a drive, between its motor's shaft and the mains")
-    hours: Annotated[float, Field(ge=0, le=8784)] = noted(0.0, "Hours of running in a year")
-    price: NotNegative = noted(0.0, "Price of a kWh, in any currency")
+    efficiency: Efficiency = 1.0
+    hours: Annotated[float, Field(ge=0, le=8784)] = 0.0
+    price: NotNegative = 0.0
 
 
 class ForceWindow(Model):
@@ -54,24 +54,22 @@ class ForceWindow(Model):
 class SwingingArm(Model):
     """The weight of an arm that swings in a vertical plane; its inertia is entered with the load's."""
 
-    mass: NotNegative = in_unit("kg", "Mass of the arm", 0.0)
-    radius: NotNegative = in_unit("mm", "Its centre of mass from the axis", 0.0)
-    angle: Number = in_unit("°", "Its angle above the horizontal where the axis is at 0", 0.0)
+    mass: NotNegative = 0.0
+    radius: NotNegative = 0.0
+    angle: Number = 0.0
 
 
 class AxisLoad(Model):
     """The load of an axis: a mass where it travels, an inertia where it turns, and the forces that resist."""
 
-    mass: NotNegative = 0.0  # kg
-    friction: NotNegative = 0.0  # coefficient
-    slope: Slope = 0.0  # degrees
-    force: Number = 0.0  # N
-    inertia: NotNegative = noted(0.0, "Inertia that turns with the axis, in kg cm²")
-    torque: Number = noted(0.0, "Torque against positive motion, in Nm; always, also at rest")
-    friction_torque: NotNegative = noted(0.0, "Friction torque, in Nm; it opposes the motion")
-    viscous: Annotated[NotNegative, MakesCells(0.0)] | None = noted(
-        None, "Viscous friction, in N per m/s, or Nm per rad/s; with it the axis' sheet has an entry for it"
-    )
+    mass: NotNegative = 0.0
+    friction: NotNegative = 0.0
+    slope: Slope = 0.0
+    force: Number = 0.0
+    inertia: NotNegative = 0.0
+    torque: Number = 0.0
+    friction_torque: NotNegative = 0.0
+    viscous: Annotated[NotNegative, MakesCells(0.0)] | None = None  # with it the axis' sheet has an entry for it
     arm: SwingingArm | None = noted(None, "The weight of an arm that swings with a turning axis")
     windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 
@@ -79,31 +77,27 @@ class AxisLoad(Model):
 class MotorBrake(Model):
     """The brake of a motor, at its shaft. It holds in dwells that are no shorter than it takes to close and open."""
 
-    torque: Positive = in_unit("Nm", "Torque that it holds")
-    closing: NotNegative = in_unit("ms", "Time to close", 0.0)
-    opening: NotNegative = in_unit("ms", "Time to open", 0.0)
+    torque: Positive
+    closing: NotNegative = 0.0
+    opening: NotNegative = 0.0
 
 
 class AxisMotor(Model):
     """A motor by its name in the catalogue, or by its figures; at rest it holds the load, or a brake does."""
 
     name: Product = ""
-    inertia: NotNegative | None = None  # kg cm²
-    stall_torque: Positive | None = None  # Nm
-    rated_torque: Positive | None = None  # Nm
-    rated_speed: Positive | None = None  # rpm
-    peak_torque: Positive | None = None  # Nm
-    max_speed: Positive | None = None  # rpm
-    copper_losses: NotNegative | None = noted(
-        None, "Losses of its winding at the rated torque, in kW; empty: as the catalogue has it, or none"
-    )
+    inertia: NotNegative | None = None
+    stall_torque: Positive | None = None
+    rated_torque: Positive | None = None
+    rated_speed: Positive | None = None
+    peak_torque: Positive | None = None
+    max_speed: Positive | None = None
+    copper_losses: NotNegative | None = None
     holding: Literal["motor", "brake"] = "motor"
     brake: MotorBrake | None = noted(None, "Its brake; with it the axis' sheet has entries and a check of the brake")
-    temperature: Temperature | None = noted(
-        None, "Ambient temperature in °C, where that lowers its rated torque; empty: as rated"
-    )
-    rated_at: Temperature = noted(40.0, "Ambient temperature of its rated torque, in °C")
-    limit: Temperature = noted(155.0, "The largest of its winding, in °C")
+    temperature: Temperature | None = None
+    rated_at: Temperature = 40.0
+    limit: Temperature = 155.0
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a figure that is missing of a motor without a name, and a temperature above its limit."""
@@ -121,15 +115,15 @@ class Reducer(Model):
     """The gear unit between motor and mechanism, by its name in the catalogue, or by its figures."""
 
     name: Product = ""
-    ratio: Annotated[Positive, EmptyCell()] = 1.0  # motor over mechanism
+    ratio: Annotated[Positive, EmptyCell()] = 1.0
     efficiency: Annotated[Efficiency, EmptyCell()] = 1.0
-    inertia: NotNegative = 0.0  # kg cm², at the motor's shaft
-    no_load_torque: NotNegative = 0.0  # Nm, at the motor's shaft
-    peak_torque: Positive | None = None  # Nm, behind it
-    full_cycles: Positive | None = None  # 1/h, up to which the peak torque holds
-    cycle_factor: Factor | None = None  # divides that torque beyond
-    mean_torque: Positive | None = None  # Nm, behind it: the cubic mean, weighted by speed
-    max_speed: Positive | None = None  # rpm, of the input
+    inertia: NotNegative = 0.0
+    no_load_torque: NotNegative = 0.0
+    peak_torque: Positive | None = None
+    full_cycles: Positive | None = None
+    cycle_factor: Factor | None = None
+    mean_torque: Positive | None = None
+    max_speed: Positive | None = None
 
 
 STAGED = "expected either a ratio or the teeth of both wheels"
@@ -138,18 +132,14 @@ STAGED = "expected either a ratio or the teeth of both wheels"
 class StageEntry(Model):
     """A stage between reducer and mechanism, such as a toothed belt: by its ratio, or by the teeth of both wheels."""
 
-    ratio: Positive | None = in_unit(
-        "", "Speed of its driving shaft over that of the driven one; empty: by teeth", None, example=2.0
-    )
-    teeth_driver: Positive | None = in_unit("", "Teeth of the driving wheel, on the motor's side", None, example=20.0)
-    teeth_driven: Positive | None = in_unit("", "Teeth of the driven wheel", None, example=40.0)
-    driver_inertia: NotNegative = in_unit("kg cm²", "Inertia on its driving shaft", 0.0)
-    driven_inertia: NotNegative = in_unit("kg cm²", "Inertia on its driven shaft", 0.0)
-    efficiency: Annotated[Efficiency, EmptyCell()] = noted(1.0, "Its efficiency where the motor drives")
-    back_efficiency: BackEfficiency | None = in_unit(
-        "", "Where the load drives; 0 or less: self-locking; empty: as where the motor drives", None, example=0.9
-    )
-    friction_torque: NotNegative = in_unit("Nm", "On its driven shaft, against the motion", 0.0)
+    ratio: Positive | None = None
+    teeth_driver: Positive | None = None
+    teeth_driven: Positive | None = None
+    driver_inertia: NotNegative = 0.0
+    driven_inertia: NotNegative = 0.0
+    efficiency: Annotated[Efficiency, EmptyCell()] = 1.0
+    back_efficiency: BackEfficiency | None = None
+    friction_torque: NotNegative = 0.0
 
     @property
     def reduction(self) -> float:

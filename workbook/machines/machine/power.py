@@ -11,6 +11,7 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc
 from workbook.book.rows import total
+from workbook.entries.facts import entry_cells
 from workbook.fields.units import KW, shown
 from workbook.machines.machine.bus_cuts import BusCuts, cuts_table
 from workbook.machines.machine.drive.view import DriveView
@@ -85,14 +86,10 @@ def power_sheet(book: Book, bus: Mains) -> None:
     """Declare the sheet."""
     cell = CELLS["power_sheet"]
     sheet = book.sheet("Power", "Energy of the drives: from the mains, in brake resistors, over a year.")
-    size, entry = kw(bus.size), CELLS["power_sheet"].entries(bus.entered, "power")
+    size = kw(bus.size)
     sheet.sizes = {"kW": size, "kWh": size, "J": max(drive.scales.work for drive in bus.drives)}
     sheet.heading("Enter", NOTE)
-    sheet.rows(
-        entry("power_eta"),
-        entry("power_hours"),
-        entry("power_price"),
-    )
+    sheet.rows(*entry_cells(bus.entered, "power"))
     sheet.heading("Results: each drive alone")
     whole = bus.alone
     sheet.rows(

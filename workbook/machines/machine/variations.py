@@ -4,15 +4,27 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from engine.selection.pair_matrix import RANKS
+from workbook.entries.facts import vary
 from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing, variations, vary_laws
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.drive_entries import WINDOWS, falling
+from workbook.machines.machine.drive_entries import (
+    TRAVELLING_LOAD,
+    TURNING_LOAD,
+    WINDOWS,
+    AxisLoad,
+    AxisMotor,
+    PowerEntry,
+    Reducer,
+    StageEntry,
+    falling,
+)
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import TIMES
 from workbook.machines.machine.mechanism import BELTED, MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units
 from workbook.motion.requirements import dwells_for_room, smoothness_for
+from workbook.selection.entries import Limits, OwnLimits
 
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
 STRAIGHT = "=-1"  # of a page: how a straight line meets its neighbours
@@ -79,8 +91,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
 def vary_drives_together(data: dict[str, Any], k: int) -> None:
     """Give a machine that has drives another supply, creeping and gravity."""
     driven = [axis for axis in data["axes"] if axis["motor"] is not None]
-    data |= {"power": {"efficiency": 1.0 - 0.07 * k, "hours": 1000.0 * k, "price": 0.1 * k}} if driven else {}
-    data |= {"creep_forces": ("off", "on")[k % 2]} if driven else {}
+    if driven:
+        vary(data["power"], PowerEntry, k)
+        data["creep_forces"] = ("off", "on")[k % 2]
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
 
 
@@ -114,13 +127,7 @@ def choose(data: dict[str, Any], k: int) -> None:
             "greatest_margin": (1e6, 300.0, 1e9, 1e6, 10.0, 1e9)[k],
         }
     if names:
-        data["limits"] |= {
-            "rms_reserve": (0.01, 0.3, 1e-4, 1e-3, 1.2, 1e-4)[k],
-            "peak_reserve": (1.0, 1.2, 0.7, 0.01, 1.0, 1.5)[k],
-            "speed_reserve": (1.0, 0.8, 1.3, 1.0, 1.1, 0.01)[k],
-            "torque_factor": (1.0, 0.01, 1e-4, 1.7, 1.0, 0.5)[k],
-            "inertia_ratio": (1e6, 30.0, 1e6, 1e6, 1e-6, 1e6)[k],
-        }
+        vary(data["limits"], Limits, k)
 
 
 def times(i: int, k: int) -> list[dict[str, float | None]]:
@@ -139,7 +146,7 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
 def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products: dict[str, Any]) -> None:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
     motors, reducers = products["motors"], products["reducers"]
-    kind = axis["mechanism"]["kind"]
+    kind, load = axis["mechanism"]["kind"], axis["load"]
     sized = MECHANISMS[kind].SIZE
     axis["mechanism"] |= ({sized: 7.0 + 11 * k} if sized else {}) | {
         "efficiency": 0.55 + 0.07 * ((i + k) % SIX),
@@ -158,47 +165,20 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
             at += phase["lift"]
     if kind in SLIDING:
         axis["mechanism"] |= by_angle.varied(i, k)
-    axis["load"] = load(axis["load"], i, k, axis["unit"] == "mm" or kind in SLIDING)
+    travels = axis["unit"] == "mm" or kind in SLIDING
+    others = {*(TURNING_LOAD if travels else TRAVELLING_LOAD), *(("viscous",) if load["viscous"] is None else ())}
+    vary(load, AxisLoad, i + k, others)
+    load["windows"] = forces(i, k, 400.0 if travels else 6.0)
     axis["parts"] = parts(k, sizes["rotors"])
-    axis["reducer"] = {
-        "name": reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else "",
-        "ratio": 1.0 + 1.3 * k,
-        "efficiency": 1.0 - 0.06 * ((i + 2 * k) % SIX),
-        "inertia": 1.0 * k,
-        "no_load_torque": 0.07 * ((i + k) % 3),
-        "full_cycles": (None, 7.0, 1e9)[(i + k) % 3],
-        "cycle_factor": (1.6, None, 2.0, 1.1)[(i + k) % 4],
-        "peak_torque": (None, 1e-3, 1e6)[k % 3],
-        "mean_torque": (1e-3, 1e6, None)[k % 3],
-        "max_speed": (1e6, None, 1e-3)[(i + k) % 3],
-    }
-    axis["stages"] = [stage(n + k + i) for n in range(len(axis["stages"]))]
-    own = {"rms_reserve": 0.2, "peak_reserve": 0.6, "speed_reserve": 1.4, "inertia_ratio": 70.0, "torque_factor": 0.3}
-    axis["limits"] = own if (i + k) % 4 == 2 else dict.fromkeys(own)
-    motor(axis["motor"], i, k)
+    vary(axis["reducer"], Reducer, i + k)
+    axis["reducer"]["name"] = reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else ""
+    for n, stage in enumerate(axis["stages"], k + i):
+        vary(stage, StageEntry, n)
+        teeth = {"teeth_driver": 18.0 + n, "teeth_driven": 31.0 + 3 * n}
+        stage |= {"ratio": 0.6 + 0.7 * n} | dict.fromkeys(teeth) if n % 2 else {"ratio": None} | teeth
+    vary(axis["limits"], OwnLimits, i + k)
+    vary(axis["motor"], AxisMotor, i + k)
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
-
-
-def load(entries: dict[str, Any], i: int, k: int, travels: bool) -> dict[str, Any]:
-    """Return another load, of what travels or of what turns."""
-    return {
-        "viscous": None if entries["viscous"] is None else (3.0, 0.0, 140.0, 20.0, 0.6, 55.0)[k],
-        "arm": entries["arm"] and {"mass": 4.0 * k, "radius": 90.0 + 70.0 * i, "angle": 77.0 * k - 90.0},
-        "windows": forces(i, k, 400.0 if travels else 6.0),
-    } | (
-        {
-            "mass": 3.0 * k + i,
-            "friction": 0.03 * k,
-            "slope": (0.0, 20.0, -35.0, 0.0, 80.0, -5.0)[k],
-            "force": (0.0, 90.0, -300.0, 0.0, -40.0, 700.0)[k],
-        }
-        if travels
-        else {
-            "inertia": 100.0 * (k + i % 2),
-            "torque": (0.0, 2.0, -7.0, 0.0, 0.4, -3.0)[k],
-            "friction_torque": 0.2 * k,
-        }
-    )
 
 
 def parts(k: int, room: int) -> list[dict[str, Any]]:
@@ -209,35 +189,6 @@ def parts(k: int, room: int) -> list[dict[str, Any]]:
         geared = {"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}
         rows.append(part | (cylinder if (j + k) % 3 == 1 else {"inertia": 20.0 * (j + k)}) | geared)
     return rows
-
-
-def stage(k: int) -> dict[str, Any]:
-    """Return another stage, by its ratio or by teeth, which locks itself or not."""
-    ratio = {"ratio": 0.6 + 0.7 * k} if k % 2 else {"teeth_driver": 18.0 + k, "teeth_driven": 31.0 + 3 * k}
-    return ratio | {
-        "driver_inertia": 1.5 * k,
-        "driven_inertia": 4.0 * (k % 3),
-        "friction_torque": 0.3 * (k % 4),
-        "efficiency": 1.0 - 0.04 * k,
-        "back_efficiency": (None, 0.7, -0.1, 0.0)[k % 4],
-    }
-
-
-def motor(entries: dict[str, Any], i: int, k: int) -> None:
-    """Give an axis another motor, whose limits are far or near."""
-    limits, brake = ("rated_torque", "peak_torque", "max_speed"), entries["brake"]
-    entries |= {name: 1e-3 * (1 + j) if (k + j) % 2 else 1e6 * (1 + j) for j, name in enumerate(limits)}
-    entries |= {
-        "inertia": 0.0 if k == 4 else 10.0 * (1 + k),
-        "holding": "brake" if k % 3 == 1 else "motor",
-        "temperature": (None, 35.0, 20.0, 90.5, None, 60.0)[(i + k) % SIX],
-        "rated_at": 25.0 + k,
-        "limit": 150.0 + k,
-        "stall_torque": entries["rated_torque"] * 1.6 if (i + k) % 2 else None,
-        "rated_speed": entries["max_speed"] * 0.4 if (i + k) % 4 else None,
-        "copper_losses": (None, 2e-5, 30.0)[(i + k) % 3],
-        "brake": brake and {"torque": (1e-3, 50.0, 1e6)[k % 3], "closing": 9.0 * k, "opening": (0.0, 2e3, 40.0)[i % 3]},
-    }
 
 
 def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:

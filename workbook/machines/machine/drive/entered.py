@@ -4,10 +4,11 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
+from workbook.entries.facts import entry_cells
 from workbook.fields.units import DEGREE, KG_CM2, shown
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.drive_entries import WINDOWS
+from workbook.machines.machine.drive_entries import TRAVELLING_LOAD, TURNING_LOAD, WINDOWS
 from workbook.machines.machine.timing.phases import beyond, no_fault
 
 CELLS = cell_tables(__file__)
@@ -51,14 +52,9 @@ def on_shaft(shaft: str) -> str:
 def loads(driven: Driven, key: str) -> list[Quantity]:
     """Return the entries of the load of this kind."""
     e, travels = driven.entered.load, driven.travels
-    entry = CELLS["loads"].entries(e, f"{key}.load")
-    names = ("mass", "friction", "slope", "force") if travels else ("inertia", "torque", "friction_torque")
-    rows = [entry(f"@{name}") for name in names]
-    if e.viscous is not None:
-        rows.append(entry("@viscous", unit="N s/m" if travels else "Nm s/rad"))
-    if e.arm is not None:
-        rows += [entry("@arm_mass"), entry("@arm_radius"), entry("@arm_angle")]
-    return rows
+    others = {*(TURNING_LOAD if travels else TRAVELLING_LOAD), *(("viscous",) if e.viscous is None else ())}
+    rows = entry_cells(e, f"{key}.load", others)
+    return [row._replace(unit=row.unit.split(" or ")[0 if travels else -1]) for row in rows]
 
 
 # where a process force acts at the angle in the column ``at``

@@ -9,13 +9,13 @@ from engine.drive.limits import ReducerLimits
 from engine.drive.motor import TorqueFall
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity
+from workbook.entries.facts import entry_cells
 from workbook.fields.texts import place_of
 from workbook.fields.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.drive_entries import NEEDED, UNTOLD, AxisMotor
 from workbook.machines.machine.entries import Axis
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Limits, Products
-from workbook.selection.limits import LIMITS
 
 CELLS = cell_tables(__file__)
 
@@ -148,29 +148,20 @@ UNUSED = "not used"  # what is entered of a product that has the catalogue's fig
 
 def entries(axis: Axis, key: str) -> list[Quantity]:
     """Return the rows of what is entered of reducer and motor."""
-    motor, limits = axis.motor or AxisMotor(), CELLS["own limits"].entries(axis.limits, f"{key}.limits")
-    entry = CELLS["further entries of the motor"].entries(motor, f"{key}.motor")
-    brake = CELLS["brake"].entries(motor.brake, f"{key}.motor.brake")
     return [
         *product(axis.reducer, "reducer", key),
         *product(axis.motor, "motor", key),
-        entry("@losses_rated", format=""),
-        entry("@holding"),
-        *(map(brake, CELLS["brake"]) if motor.brake else ()),
-        entry("@temperature"),
-        entry("@rated_at"),
-        entry("@winding"),
-        *map(limits, CELLS["own limits"]),
+        *entry_cells(axis.limits, f"{key}.limits"),
     ]
 
 
 def product(entered: Any, kind: str, key: str) -> list[Quantity]:
-    """Return the rows of what is entered of a motor or a reducer: its name, and its figures."""
-    cell, figures = CELLS["entries"], CELLS[f"{kind} as entered"]
+    """Return the rows of what is entered of a motor or a reducer: its name, and its other entries."""
+    cell = CELLS["entries"]
     return [
         cell("@{kind}_name", entered.name or None, kind=kind, product=kind.capitalize(), key=key),
         cell("@own_{kind}", UNUSED if entered.name else "used", kind=kind, product=kind.capitalize(), unused=UNUSED),
-        *map(figures.entries(entered, f"{key}.{kind}"), figures),
+        *entry_cells(entered, f"{key}.{kind}"),
     ]
 
 
@@ -178,7 +169,7 @@ def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float, limits: Limits
     """Return the rows of the figures that the drive uses, limits over their reserves."""
     cell = CELLS["in_use"]
     return [
-        *(CELLS["limits in use"](f"@{name}", getattr(limits, name)) for name in LIMITS),
+        *(CELLS["limits in use"](f"@{name}", getattr(limits, name)) for name in Limits.model_fields),
         cell("@reducer_row", reducer.row),
         cell("@motor_row", motor.row),
         *(CELLS["reducer in use"](name, getattr(reducer, entry)) for entry, name in REDUCER.items()),

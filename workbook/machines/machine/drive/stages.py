@@ -9,6 +9,7 @@ import numpy as np
 from engine.drive.chain import held_factor
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity
+from workbook.entries.facts import entry_cells
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import LEAST, DriveView
 from workbook.machines.machine.drive_entries import STAGED
@@ -36,14 +37,8 @@ def inertia(driven: Driven) -> str:
 
 def entries(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered of the stages."""
-    rows: list[Quantity] = []
-    words = CELLS["entries"]
-    for n, stage in enumerate(driven.entered.stages, 1):
-        entry = words.entries(stage, f"{key}.stages.{n - 1}")
-        ratio, *others = words
-        rows.append(entry(ratio, name=f"drive{driven.number}_s{n}_ratio", n=n, format=""))
-        rows += [entry(name, n=n) for name in others]
-    return rows
+    stages = enumerate(driven.entered.stages)
+    return [row for n, stage in stages for row in entry_cells(stage, f"{key}.stages.{n}", n=n + 1)]
 
 
 def workings(view: DriveView) -> list[Quantity]:

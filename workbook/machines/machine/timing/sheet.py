@@ -4,13 +4,13 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant
 from workbook.entries.abscissa import TAKEN, Abscissa, unit_cell_name
+from workbook.entries.facts import entry_cells
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.axes import axes_table, rate_to_compare
 from workbook.machines.machine.timing.cycle import CURVES, LANE_SHARE
 from workbook.machines.machine.timing.phases import axis_checks, phases_table
 from workbook.machines.machine.timing.stops import stop_cell, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.selection.limits import limit_cells
 
 CELLS = cell_tables(__file__)
 MARKS = {"mm": "mm", "°": "deg"}
@@ -27,7 +27,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     weight = cell("gravity", machine.given.gravity)
     driven = any(axis.given.motor for axis in machine.axes)
     creeping = cell("creep_forces", machine.given.creep_forces)
-    limits = [creeping, *limit_cells(machine.given.limits)] if driven else []
+    limits = [creeping, *entry_cells(machine.given.limits, "limits")] if driven else []
     sheet.rows(*pace(machine), *([weight] if machine.given.weighs else []), *limits)
     columns = PHASE_MEASURED if machine.over.measured else PHASE
     columns += PASSING if any(axis.ends is not None for axis in axes) else 0
