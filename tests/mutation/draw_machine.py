@@ -8,15 +8,7 @@ from engine.selection.pair_matrix import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import draw, shares, vary_laws
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.drive_entries import (
-    TRAVELLING_LOAD,
-    TURNING_LOAD,
-    AxisLoad,
-    AxisMotor,
-    PowerEntry,
-    Reducer,
-    StageEntry,
-)
+from workbook.machines.machine.drive_entries import AxisLoad, AxisMotor, PowerEntry, Reducer, StageEntry, lacking
 from workbook.machines.machine.entries import Closes
 from workbook.machines.machine.entries_beside import STOPS, TIMES
 from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
@@ -104,8 +96,7 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
         axis["mechanism"] |= {"crank_radius": crank, "rod_length": crank * drawn.uniform(1.9, 8),
                               "offset": crank * share or None, "start_angle": drawn.uniform(-400, 400)}  # fmt: skip
     load = axis["load"]
-    others = {*(TURNING_LOAD if travels else TRAVELLING_LOAD), *(("viscous",) if load["viscous"] is None else ())}
-    draw(load, AxisLoad, drawn, others)
+    draw(load, AxisLoad, drawn, lacking(travels, load["viscous"]))
     load["windows"] = []
     axis["parts"] = [
         {

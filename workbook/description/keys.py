@@ -2,7 +2,7 @@
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple, get_args, get_origin
 
 import tomlkit
@@ -127,11 +127,7 @@ class ModelWalk:
             kind_key = Key(which, WORDS[which], "", either(by_kind), True, None, self._example(which))
             plain = (kind_key, *(key for key in plain if key.name != KIND))
         yield Section(path, about, models, plain)
-        for kind, model in by_kind.items():
-            own = [(name, field) for name, field in model.model_fields.items() if name not in fields]
-            facts = facts_of(model)
-            own_keys = tuple(self._key(join(path, name), field, facts.get(name), kind) for name, field in own)
-            yield Section(path, doc_line(model), (model,), own_keys, kind)
+        yield from (self._of_kind(kind, model, common, path) for kind, model in by_kind.items())
         for name, nested in below:
             if nested and issubclass(nested[0], Laws):
                 yield from self._laws(join(path, name))
@@ -144,6 +140,12 @@ class ModelWalk:
         many = f": {expectation(annotated, constraints)}" if get_origin(annotated) is list else ""
         about = doc_line(models[0].__base__ if models[1:] else models[0])
         yield from self.sections(models, path + (".*" if many else ""), about + many)
+
+    def _of_kind(self, kind: str, model: type[BaseModel], common: Container[str], path: str) -> Section:
+        """Return the section of what a table of a kind has beside what is common to all kinds."""
+        facts, own = facts_of(model), [entry for entry in model.model_fields.items() if entry[0] not in common]
+        keys = tuple(self._key(join(path, name), field, facts.get(name), kind) for name, field in own)
+        return Section(path, doc_line(model), (model,), keys, kind)
 
     def _example(self, path: str, kind: str = "") -> Any:
         """Return the value of a key in the first description that has it, in a table of a kind."""
@@ -165,14 +167,13 @@ class ModelWalk:
         table = next(iter(tables(get_args(kind)[0])), None) if get_origin(kind) is list else None
         meaning, unit = in_words(facts) if facts else self._meaning(path, field, table)
         default = None if field.is_required() else field.get_default(call_default_factory=True)
-        below = facts_of(table) if table else {}
+        row = table or BaseModel
         rows = [
-            self._key(join(f"{path}.*", name), field, below.get(name), of, first_value(default, name))
-            for name, field in (table.model_fields.items() if table else ())
+            self._key(join(f"{path}.*", name), inner, facts_of(row).get(name), of, first_value(default, name))
+            for name, inner in row.model_fields.items()
         ]
-        shown = listed_in if listed_in is not None else self._example(path, of)
-        shown = facts.example if shown is None and facts else shown
-        shown = field.examples[0] if shown is None and field.examples else shown
+        examples = (listed_in, self._example(path, of), facts and facts.example, *(field.examples or []))
+        shown = next((example for example in examples if example is not None), None)
         if shown is None and default in (None, "", []):
             raise LookupError(f"{path}{of and f' of a {of}'} has no example: its field has none, nor a committed file")
         return Key(

@@ -74,6 +74,11 @@ class AxisLoad(Model):
     windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 
 
+def lacking(travels: bool, viscous: float | None) -> set[str]:
+    """Return the entries of a load that an axis has no cell for: of the other motion, and viscous friction."""
+    return {*(TURNING_LOAD if travels else TRAVELLING_LOAD), *(() if viscous is not None else ("viscous",))}
+
+
 class MotorBrake(Model):
     """The brake of a motor, at its shaft. It holds in dwells that are no shorter than it takes to close and open."""
 

@@ -9,8 +9,6 @@ from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing,
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive_entries import (
-    TRAVELLING_LOAD,
-    TURNING_LOAD,
     WINDOWS,
     AxisLoad,
     AxisMotor,
@@ -18,6 +16,7 @@ from workbook.machines.machine.drive_entries import (
     Reducer,
     StageEntry,
     falling,
+    lacking,
 )
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import TIMES
@@ -166,16 +165,13 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     if kind in SLIDING:
         axis["mechanism"] |= by_angle.varied(i, k)
     travels = axis["unit"] == "mm" or kind in SLIDING
-    others = {*(TURNING_LOAD if travels else TRAVELLING_LOAD), *(("viscous",) if load["viscous"] is None else ())}
-    vary(load, AxisLoad, i + k, others)
+    vary(load, AxisLoad, i + k, lacking(travels, load["viscous"]))
     load["windows"] = forces(i, k, 400.0 if travels else 6.0)
     axis["parts"] = parts(k, sizes["rotors"])
     vary(axis["reducer"], Reducer, i + k)
     axis["reducer"]["name"] = reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else ""
     for n, stage in enumerate(axis["stages"], k + i):
-        vary(stage, StageEntry, n)
-        teeth = {"teeth_driver": 18.0 + n, "teeth_driven": 31.0 + 3 * n}
-        stage |= {"ratio": 0.6 + 0.7 * n} | dict.fromkeys(teeth) if n % 2 else {"ratio": None} | teeth
+        vary_stage(stage, n)
     vary(axis["limits"], OwnLimits, i + k)
     vary(axis["motor"], AxisMotor, i + k)
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
@@ -189,6 +185,13 @@ def parts(k: int, room: int) -> list[dict[str, Any]]:
         geared = {"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}
         rows.append(part | (cylinder if (j + k) % 3 == 1 else {"inertia": 20.0 * (j + k)}) | geared)
     return rows
+
+
+def vary_stage(stage: dict[str, Any], n: int) -> None:
+    """Give a stage other entries, by its ratio or by teeth."""
+    vary(stage, StageEntry, n)
+    teeth = {"teeth_driver": 18.0 + n, "teeth_driven": 31.0 + 3 * n}
+    stage |= {"ratio": 0.6 + 0.7 * n} | dict.fromkeys(teeth) if n % 2 else {"ratio": None} | teeth
 
 
 def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:

@@ -8,7 +8,7 @@ from workbook.entries.facts import entry_cells
 from workbook.fields.units import DEGREE, KG_CM2, shown
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.drive_entries import TRAVELLING_LOAD, TURNING_LOAD, WINDOWS
+from workbook.machines.machine.drive_entries import WINDOWS, lacking
 from workbook.machines.machine.timing.phases import beyond, no_fault
 
 CELLS = cell_tables(__file__)
@@ -52,8 +52,7 @@ def on_shaft(shaft: str) -> str:
 def loads(driven: Driven, key: str) -> list[Quantity]:
     """Return the entries of the load of this kind."""
     e, travels = driven.entered.load, driven.travels
-    others = {*(TURNING_LOAD if travels else TRAVELLING_LOAD), *(("viscous",) if e.viscous is None else ())}
-    rows = entry_cells(e, f"{key}.load", others)
+    rows = entry_cells(e, f"{key}.load", lacking(travels, e.viscous))
     return [row._replace(unit=row.unit.split(" or ")[0 if travels else -1]) for row in rows]
 
 
