@@ -339,6 +339,6 @@ def test_every_check_says_where_and_by_how_much(name):
     book = template.declare(read_machine(template.description))
     assert [q.name for _, q in book.checks if not q.says] == []
     blocks = {block.name for block in book.blocks.values() for q in block.quantities
-              if q.role == "input" and book.limit(q.key) is not None}  # fmt: skip
+              if q.role == "input" and book.limit(q.key, q.upper_limit) is not None}  # fmt: skip
     watched = {q.name for guard in book.guards for q, _ in guard.entries} | {guard.table for guard in book.guards}
     assert blocks <= watched
