@@ -13,7 +13,7 @@ from tests.workbook.composed import MACHINE, composed, description
 from workbook.build import build, failing_checks, read_inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.machine.entries import Cycle
+from workbook.machines.machine.cycle_entries import Cycle
 from workbook.reading.descriptions import counted_from_1, validated
 from workbook.writing.archive import same_book
 

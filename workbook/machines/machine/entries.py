@@ -3,17 +3,15 @@
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, PrivateAttr, ValidatorFunctionWrapHandler, WrapValidator, model_validator
+from pydantic import Field, PrivateAttr, WrapValidator, model_validator
 
 from workbook.drive.entries import in_unit
-from workbook.entries.abscissa import ANGLE, PLACE, Abscissa, measured
-from workbook.entries.abscissa import Unit as CycleUnit
+from workbook.entries.abscissa import ANGLE, PLACE, Abscissa
 from workbook.entries.machine import Exporting
 from workbook.entries.phase import TURN, Passing, TurnPhase, require_straight
 from workbook.fields.texts import Text, place_of, require_distinct
 from workbook.fields.types import (
     ANGLE_TOLERANCE,
-    CountsAs,
     DesignError,
     DesignFaultsError,
     EntryError,
@@ -23,9 +21,9 @@ from workbook.fields.types import (
     Number,
     Positive,
 )
-from workbook.fields.units import PER_MINUTE, shown
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine import entries_beside as beside
+from workbook.machines.machine.cycle_entries import Cycle, Master, by_rate_or_length
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.machines.machine.places import place_faults
 from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, piece_counts, settle_room
@@ -37,60 +35,6 @@ Unit = Literal["mm", "°"]
 Closes = Literal["position", "feed", "open"]
 NO_TIME = "a cycle in {} does not tell how time passes, which a drive needs; expected none, or a cycle in s"
 OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
-
-
-class CycleEntry(Model):
-    """The cycle: a turn of a master shaft at a rate, or of a machine without one a length in s, °, rad or mm."""
-
-
-class Master(CycleEntry):
-    """The master shaft, a cycle a turn: all places are in degrees of it."""
-
-    rate: Positive  # cycles/min
-    compare_rate: Annotated[NotNegative, MakesCells(0.0)] | None = Field(
-        default=None, description="Rate in cycles/min at which the sheet Timing shows each axis' extremes too"
-    )
-
-    @property
-    def over(self) -> Abscissa:
-        """Degrees of the master shaft."""
-        return ANGLE
-
-    @property
-    def per_minute(self) -> float:
-        """Cycles a minute."""
-        return self.rate
-
-
-class Cycle(CycleEntry):
-    """A cycle without a master shaft: all places are in its unit.
-
-    Over °, rad or mm nothing tells how time passes: rates are geometric, in lift by abscissa, and there are no drives.
-    """
-
-    cycle: Annotated[Positive, CountsAs(TURN), MakesCells(TURN)] = Field(
-        description="Length of a cycle without a master shaft, in place of a rate: its time in s, or in the unit"
-    )
-    unit: CycleUnit = Field("s", description="What the cycle is over: time, an angle, the travel of a product")
-
-    @property
-    def over(self) -> Abscissa:
-        """Seconds, or another abscissa."""
-        return measured(self.unit, self.cycle)
-
-    @property
-    def per_minute(self) -> float:
-        """Cycles a minute; over an abscissa that tells no time, in 60 of its units."""
-        return shown(shown(1.0, self.cycle), PER_MINUTE)
-
-
-def by_rate_or_length(data: Any, handler: ValidatorFunctionWrapHandler) -> Master | Cycle:
-    """Return the cycle of a description, by which of its keys is there; raise EntryError where both are."""
-    keys = data.keys() if isinstance(data, dict) else ()
-    if {"rate", "cycle"} <= set(keys):
-        raise EntryError("rate", "entered beside cycle; expected one of them: a rate of a master shaft, or a cycle")
-    entry: Master | Cycle = (Cycle if "cycle" in keys or isinstance(data, Cycle) else Master).model_validate(data)
-    return entry
 
 
 class AxisPhase(TurnPhase, Passing):
