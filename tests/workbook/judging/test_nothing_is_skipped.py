@@ -5,15 +5,12 @@ import json
 import openpyxl
 import pytest
 
-from tests.mutation.bench import sized
-from tests.workbook.judging.hands import WORKBOOK, Known, repacked, spot, sub
-from workbook.build import build
+from tests.workbook.judging.hands import WORKBOOK, repacked, spot, sub
 from workbook.errors import InputError, MotionbookError, WitnessError
 from workbook.judging.structure import holds_declared
 from workbook.judging.verify import available_witnesses, verify
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
-from workbook.templates import TEMPLATES
 from workbook.witnesses import engines
 from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.registry import ALL, WITNESSES
@@ -33,17 +30,6 @@ def found(report, address):
 
 def as_text(cell):
     cell.data_type = "s"
-
-
-@pytest.mark.sample(2)
-@pytest.mark.parametrize("name", TEMPLATES)
-def test_every_declared_cell_of_a_new_book_is_compared_by_all_witnesses(name, tmp_path):
-    build(sized(TEMPLATES[name]), tmp_path / "book.xlsx")
-    book = Known(tmp_path / "book.xlsx")
-    report = sums(verify(book.path, ["pycel", "formualizer", "saved"]))
-    assert report.findings == []
-    assert [w.compared for w in report.witnesses] == [report.declared] * 3
-    assert report.declared == len(book.pairs(lambda p: p.declared_formula)) > 1000
 
 
 def test_a_formula_stored_as_its_own_text_is_at_fault(press, tmp_path):

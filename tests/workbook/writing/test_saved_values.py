@@ -13,8 +13,7 @@ import pytest
 
 from tests import cutting
 from tests.mutation.bench import smaller
-from tests.tiers import by_day
-from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
+from tests.workbook.composed import COMPOSED, committed_as
 from workbook.build import build, committed_descriptions
 from workbook.functions import publish
 from workbook.functions.page import EXAMPLE, declare
@@ -74,16 +73,6 @@ def differing(path, book, witness):
     right = ExpectedValues(Match(file, book), book)
     assert len(saved) > 1000
     return [a for a in saved if not difference(computed[a], saved[a], right.peak(a)) <= TOLERANCE]
-
-
-@pytest.mark.parametrize("witness", OTHERS)
-@pytest.mark.parametrize("name", by_day(DESCRIBED, COMPOSED))
-@pytest.mark.sample(2)
-def test_other_programs_compute_what_is_saved(name, witness, tmp_path):
-    template, machine = committed_as(name)
-    machine = smaller(machine)
-    build(machine, tmp_path / "book.xlsx")
-    assert differing(tmp_path / "book.xlsx", template.declare(machine), witness) == []
 
 
 @pytest.mark.nightly
