@@ -8,7 +8,8 @@ import numpy as np
 
 from engine.cams.identify import THINNED
 from engine.motion.profile import SAME
-from workbook.commands.export import LOAD, SHAFT, SwitchFile, choose_axes, parse_tolerance, shafts, switch_format
+from workbook.commands.export import LOAD, SHAFT, choose_axes, parse_tolerance, shafts
+from workbook.commands.switch_export import SwitchFile, switch_format
 from workbook.commands.verify import open_finished, verified_header
 from workbook.controllers import as_description
 from workbook.controllers.registry import target as target_named

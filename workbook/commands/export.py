@@ -1,6 +1,5 @@
 """From a verified book to a controller's file of axes or switches, certified by what an independent reader finds."""
 
-import math
 import os
 import re
 from collections.abc import Mapping, Sequence
@@ -8,16 +7,15 @@ from dataclasses import replace as replaced
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from engine.timing import SwitchDifference
+from workbook.commands.switch_export import SwitchFile, export_switches, switch_format
 from workbook.commands.verify import open_finished, verified_header
 from workbook.controllers.registry import target as target_named
-from workbook.controllers.registry import targets
 from workbook.controllers.tabulation import CertifiedTable, automatic, certify_table, require_count, reread, tabulate
-from workbook.controllers.target import MOST_OFF, CamExport, SwitchExport, Tappets, Target, differences, header, tracks
+from workbook.controllers.target import CamExport, Target, header
 from workbook.entries.machine import Machine
 from workbook.errors import AGREES, DISAGREES, TargetError, WriteError, visible
 from workbook.reports import cams, page
-from workbook.reports.terminal import ERR, OUT, say, say_json, show_table, shown
+from workbook.reports.terminal import ERR, OUT, say, say_json
 from workbook.template_outputs import CamAxis, CamSwitch
 from workbook.templates import TEMPLATES
 from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_same_file, write_text
@@ -26,64 +24,6 @@ AUTO = "auto"
 LOAD, SHAFT = "load", "shaft"
 SEPARATORS = {"semicolon": ";", "comma": ",", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
-
-
-class SwitchFile(NamedTuple):
-    """The switches of a machine with their file's text, and how each differs when that is read back."""
-
-    pairs: Sequence[tuple[CamSwitch, SwitchDifference]]
-    text: str
-    tappets: Tappets
-    path: Path
-
-    @property
-    def beyond(self) -> list[str]:
-        """In a line each, what is farther off than numbers of 32 bits hold."""
-        return [f"{switch.name}: an edge is off by {differs.largest:.3g} {switch.x_unit}"
-                for switch, differs in self.pairs if differs.largest > MOST_OFF]  # fmt: skip
-
-    @property
-    def rows(self) -> list[list[str]]:
-        """A row of texts for each switch."""
-        return [[lane.name, str(differs.edges), f"{differs.largest:.3g} {lane.x_unit}",
-                 f"{differs.x:.6g} {lane.x_unit}" if differs.largest else "", f"{differs.duration:.3g} {lane.x_unit}"]
-                for lane, differs in self.pairs]  # fmt: skip
-
-    def show(self, target: Target) -> None:
-        """Print how each switch differs when its file is read back."""
-        title = shown(f"Switches to {target.name}: {self.tappets.title}")
-        show_table(OUT, cams.SWITCHED, self.rows, (1, 2, 3, 4), title)
-
-    def as_data(self, target: Target) -> dict[str, Any]:
-        """Return the same as data."""
-        switches = [{"switch": switch.name, "unit": switch.x_unit, "edges": differs.edges,
-                     "largest": differs.largest if math.isfinite(differs.largest) else None, "at": differs.x,
-                     "apart": differs.duration} for switch, differs in self.pairs]  # fmt: skip
-        return {"switches": switches, "target": target.name, "file": str(self.path),
-                "untested": [claim.what for claim in self.tappets.untested]}  # fmt: skip
-
-
-def switch_format(target: Target, switches: Sequence[CamSwitch] | None = None) -> Tappets:
-    """Return how a target takes switches; raise TargetError where it does not, or where the machine has none."""
-    if switches is not None and not switches:
-        raise TargetError("the machine has no switches; expected some, or --axis NAME")
-    if target.tappets is None:
-        taking = [target.name for target in targets() if target.tappets]
-        raise TargetError(f"{target.name} takes no switches; expected one of {', '.join(taking)}")
-    return target.tappets
-
-
-def export_switches(
-    machine: str, switches: Sequence[CamSwitch], target: Target, signs: tuple[str, str], mark: Sequence[str], path: Path
-) -> SwitchFile:
-    """Return the file of a machine's switches, read back."""
-    tappets = switch_format(target)
-    header = (f"Switches of {machine}: {tappets.title}", "angles in °; on from one to the other", *mark,
-              *(f"untested: {claim.what} ({claim.source})" for claim in tappets.untested))  # fmt: skip
-    cycle, held = switches[0].switch.cycle, tracks(switches, tappets)
-    text = tappets.write(SwitchExport(held, "Switches", tuple(map(visible, header)), cycle, *signs))
-    compared = differences(switches, tappets.read(text))
-    return SwitchFile(list(zip(switches, compared, strict=True)), text, tappets, path)
 
 
 class Options(NamedTuple):
