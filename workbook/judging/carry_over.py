@@ -8,14 +8,14 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
-from workbook.judging.display.cells import CellGroup
+from workbook.judging.display.cells import rule_words
 from workbook.judging.display.charts import pair_charts, read_charts
-from workbook.judging.display.differences import Differences
-from workbook.judging.display.rules import compare_rules
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.structure import check_structure, listed
 from workbook.reading.contents import Contents
+from workbook.writing.charts import draw
+from workbook.writing.style import conditional_formats
 from workbook.writing.write import NO_ADDITIONS, Additions
 
 
@@ -43,7 +43,8 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
 def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> list[str]:
     """Return a line for each kind of addition to a generated sheet that is not in ``own``, and for names."""
     lines: list[str] = []
-    known_rules = compare_rules(match, [CellGroup(pairs) for pairs in match.columns], Differences())
+    blocks = match.declared.blocks.values()
+    known_rules = {rule_words(mark.rule) for block in blocks for mark in conditional_formats(block)}
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
         declared = next(
@@ -56,9 +57,10 @@ def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> 
             if a.sheet == sheet.title and a not in match.numbers and content not in words
         ]
         notes = [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment]
-        ours_drawn = {id(chart) for *_, chart in pair_charts(match, declared, held)}
+        drawn = [draw(chart, match.declared, 1, 1) for chart, *_ in declared.charts]
+        ours_drawn = {id(chart) for *_, chart in pair_charts(match, declared, drawn, held)}
         charts = [chart.at.a1 for chart in held if id(chart) not in ours_drawn]
-        formats = [str(a.sqref) for a in sheet.conditional_formatting if {id(rule) for rule in a.rules} - known_rules]
+        formats = [str(a.sqref) for a in sheet.conditional_formatting if set(map(rule_words, a.rules)) - known_rules]
         for what, cells in (
             ("texts and numbers", texts),
             ("notes", notes),

@@ -12,10 +12,9 @@ from workbook.book.quantity import FAIL, SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.comparison import Comparison, count_cells, is_error
-from workbook.judging.display.cells import CellGroup, FreshBook, compare_cells
+from workbook.judging.display.cells import BookLooks, CellGroup, FreshBook, compare_cells, compare_rules
 from workbook.judging.display.charts import compare_charts
 from workbook.judging.display.differences import Differences
-from workbook.judging.display.rules import compare_rules, compare_validations
 from workbook.judging.display.sheets import compare_sheets, sheet_views
 from workbook.judging.display.texts import compare_texts
 from workbook.judging.layout import layout_findings, set_consequences_aside
@@ -114,15 +113,16 @@ def check_display(match: Match, model: type[BaseModel], computed: Cells, report:
 
     ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
     """
-    differences, fresh, views = Differences(), FreshBook(match.declared, model), sheet_views(match)
+    differences, fresh = Differences(match), FreshBook(match.declared, model)
+    drawings = match.file.inspected.drawings if match.file.inspected else {}
+    held = BookLooks(match.file.workbook, sheet_views(match.file.workbook, drawings))
     labels = compare_texts(match, report, differences)
     groups = [CellGroup(pairs) for pairs in match.columns] + [CellGroup([], label) for label in labels]
-    compare_cells(match, fresh, groups, views, computed, differences)
+    compare_cells(match, fresh, held, groups, computed, differences)
     if not any(finding.kind == LAYOUT for finding in report.findings):  # with cells that were cut their rules went
-        compare_rules(match, groups, differences)
-    compare_validations(match, model, groups, differences)
+        compare_rules(match, fresh, held, groups, differences)
     compare_sheets(match, fresh.workbook, differences)
-    compare_charts(match, views, differences)
+    compare_charts(match, fresh.workbook, held.views, differences)
     differences.enter(report)
 
 

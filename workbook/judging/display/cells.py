@@ -1,18 +1,19 @@
-"""Attributes of the declared cells of a file and of a fresh build: style, conditional formats, validation, sight."""
+"""Cells of a file and of a fresh build as a reader sees them: style, sight, conditional formats, validation."""
 
-import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from openpyxl import Workbook
+from openpyxl.formula.translate import Translator
 from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
 from workbook.book.quantity import OK
 from workbook.judging.display.differences import Differences, Subject
-from workbook.judging.display.flat import Flat, differing, flatten, in_words
-from workbook.judging.display.formats import format_by_number, plain_number, shows_same
+from workbook.judging.display.flat import Flat, flatten, in_words
+from workbook.judging.display.formats import format_by_number, format_sections, plain_number, shows_same
 from workbook.judging.display.sheets import SheetView
 from workbook.judging.display.texts import QUIET, Label
 from workbook.judging.matching import Match, Pair
@@ -22,7 +23,18 @@ from workbook.writing.archive import Strings
 from workbook.writing.write import make_workbook
 
 WHITE, BLACK = "#FFFFFF", "#000000"
-OVERALL = re.compile("overall|status[0-9]+")  # verdicts of the book and of each sheet, always to be in sight
+OVERALL = ("overall", "status")  # verdicts of the book and of each sheet, always to be in sight
+NO_RULE = "no such rule"
+LIKE_CELLS = {
+    "font name val": "Calibri",
+    "font sz val": "11",
+    "font color": BLACK,
+    "fill patternFill patternType": "solid",
+}
+"""in a conditional format, as LibreOffice adds of rules that came by way of .ods"""
+OF_RULE = ("type", "operator", "stopIfTrue")
+OF_VALIDATION = ("type", "allowBlank", "showDropDown", "showErrorMessage", "showInputMessage", "prompt", "promptTitle",
+    "error", "errorTitle")  # fmt: skip
 
 
 class CellStyles(archive.Cells):
@@ -41,25 +53,91 @@ class CellStyles(archive.Cells):
         self.numbers[row, column] = style
 
 
-class FreshBook:
+class Overlay(NamedTuple):
+    """A conditional format or validation, in words, with the ranges of cells that it covers."""
+
+    rule: Any
+    words: str
+    ranges: list[tuple[int, int, int, int]]  # left, top, right, bottom
+
+    def covers(self, column: int, first: int, last: int) -> bool:
+        """Whether any of its ranges covers rows of a column, from ``first`` to ``last``."""
+        return any(
+            left <= column <= right and top <= first and last <= bottom for left, top, right, bottom in self.ranges
+        )
+
+
+class BookLooks:
+    """A workbook as it looks: its sheets, with the rules that lie over their cells."""
+
+    def __init__(self, workbook: Workbook, views: dict[str, SheetView]) -> None:
+        self.workbook: Any = workbook
+        self.views = views
+
+    @cached_property
+    def rules(self) -> dict[str, list[Overlay]]:
+        """The conditional formats of each sheet."""
+        return {
+            sheet.title: [
+                Overlay(rule, rule_words(rule), [cells.bounds for cells in area.sqref.ranges])
+                for area in sheet.conditional_formatting
+                for rule in area.rules
+            ]
+            for sheet in self.workbook.worksheets
+        }
+
+    @cached_property
+    def validations(self) -> dict[str, list[Overlay]]:
+        """The validations of each sheet."""
+        return {
+            sheet.title: [
+                Overlay(rule, attribute_words(rule, OF_VALIDATION), [cells.bounds for cells in rule.sqref.ranges])
+                for rule in sheet.data_validations.dataValidation
+            ]
+            for sheet in self.workbook.worksheets
+        }
+
+    def validation(self, at: Address) -> str:
+        """Return the validation of a cell in words; nothing of a cell without."""
+        rules = self.validations[at.sheet]
+        return next((rule.words for rule in rules if rule.covers(at.column, at.row, at.row)), "")
+
+    def look(self, style: Any) -> Flat:
+        """Return the attributes of a style of openpyxl's, with its number format."""
+        look = Flat({"number format": format_by_number(self.workbook, style.numFmtId)})
+        for name, part in (
+            ("font", self.workbook._fonts[style.fontId]),
+            ("fill", self.workbook._fills[style.fillId]),
+            ("border", self.workbook._borders[style.borderId]),
+            ("alignment", self.workbook._alignments[style.alignmentId]),
+            ("protection", self.workbook._protections[style.protectionId]),
+        ):
+            look |= flatten(part.to_tree(name), name)
+        pattern, ground = look.get("fill patternFill patternType"), look.get("fill patternFill fgColor", BLACK)
+        if pattern == "solid":
+            look.pop("fill patternFill bgColor", None)
+        ink = look.get("font color") or BLACK
+        return look | {"legible": "no" if ink == (ground if pattern == "solid" else pattern or WHITE) else "yes"}
+
+
+class FreshBook(BookLooks):
     """A declared book as openpyxl would save it, in memory: styles, pages and charts, without contents."""
 
     def __init__(self, declared: Book, model: type[BaseModel]) -> None:
         self._styles = {sheet.title: CellStyles() for sheet in declared.sheets}
-        self.workbook: Any = make_workbook(declared, model, dict(self._styles))
+        workbook = make_workbook(declared, model, dict(self._styles))
+        super().__init__(workbook, {sheet.title: SheetView(sheet) for sheet in workbook.worksheets})
 
-    def style(self, sheet: str, row: int, column: int) -> Any:
+    def style(self, at: Address) -> Any:
         """Return the style of a cell, as openpyxl has it."""
-        return self.workbook._cell_styles[self._styles[sheet].numbers.get((row, column), 0)]
+        return self.workbook._cell_styles[self._styles[at.sheet].numbers.get((at.row, at.column), 0)]
 
 
 class Spot(NamedTuple):
     """A cell in the file, the same in a fresh build, and what it shows."""
 
     at: Address
-    sheet: str
-    row: int
-    column: int
+    fresh: Address
     value: Any
 
 
@@ -73,102 +151,122 @@ class CellGroup(NamedTuple):
     def subject(self) -> Subject:
         """The cells in words, and whether they say OK or FAIL."""
         if self.label:
-            return Subject(self.label.what, is_remark=self.label.text.style in QUIET)
+            return Subject(self.label.what, "remark" if self.label.text.style in QUIET else "")
         quantity, block = self.pairs[0].cell.quantity, self.pairs[0].cell.block
         is_verdict = quantity.role == "check" or (block.name, quantity.name) == ("checks", "verdict")
-        return Subject(f"{quantity.label} ({block.name})" if block.is_table else quantity.label, is_verdict)
+        name = f"{quantity.label} ({block.name})" if block.is_table else quantity.label
+        return Subject(name, "verdict" if is_verdict else "")
+
+    @property
+    def is_overall(self) -> bool:
+        """Whether the cell is a verdict of the book or of a sheet."""
+        return bool(self.pairs) and self.pairs[0].cell.block.name.rstrip("0123456789") in OVERALL
 
     def spots(self) -> Iterator[Spot]:
         """Yield the cells."""
         if self.label:
             text = self.label.text
-            yield Spot(self.label.at, self.label.block.sheet.title, text.row, text.column, text.text)
+            yield Spot(self.label.at, Address(self.label.block.sheet.title, text.row, text.column), text.text)
         for cell, at, held, has_formula in self.pairs:
-            yield Spot(at, cell.block.sheet.title, cell.row, cell.column, cell.expected if has_formula else held)
-
-
-def cell_look(book: Workbook, style: Any) -> Flat:
-    """Return the attributes of a style of openpyxl's but for its number format."""
-    whole: Any = book
-    look = Flat()
-    for name, part in (
-        ("font", whole._fonts[style.fontId]),
-        ("fill", whole._fills[style.fillId]),
-        ("border", whole._borders[style.borderId]),
-        ("alignment", whole._alignments[style.alignmentId]),
-        ("protection", whole._protections[style.protectionId]),
-    ):
-        look |= flatten(part.to_tree(name), name)
-    pattern, ground = look.get("fill patternFill patternType"), look.get("fill patternFill fgColor", BLACK)
-    if pattern == "solid":
-        look.pop("fill patternFill bgColor", None)
-    seen = look.get("font color") or BLACK, ground if pattern == "solid" else pattern or WHITE
-    return look | {"legible": "no" if seen[0] == seen[1] else "yes"}
+            fresh = Address(cell.block.sheet.title, cell.row, cell.column)
+            yield Spot(at, fresh, cell.expected if has_formula else held)
 
 
 def compare_cells(
     match: Match,
     fresh: FreshBook,
-    groups: list[CellGroup],
-    views: dict[str, SheetView],
+    held: BookLooks,
+    groups: Iterable[CellGroup],
     computed: Cells,
     differences: Differences,
 ) -> None:
-    """Enter which declared cells look otherwise than in a fresh build, or are out of sight."""
-    held_book, known = match.file.workbook, dict[tuple[Any, ...], Flat]()
-    pages, fonts = {sheet.title: SheetView(sheet) for sheet in fresh.workbook.worksheets}, text_fonts(match)
+    """Enter which declared cells look otherwise than in a fresh build, are out of sight, or have another validation."""
+    fonts, known = text_fonts(match), dict[tuple[Any, ...], Flat]()
     for group in groups:
         subject, unit = group.subject, group.pairs[0].cell.quantity.unit if group.pairs else ""
-        for spot in group.spots():
-            cell = match.file.cell(spot.at)
-            style, is_text = fresh.style(*spot[1:4]), isinstance(spot.value, str)
-            held: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
-            key = (tuple(style), tuple(held), is_text, unit)
+        is_input = bool(group.pairs) and group.pairs[0].cell.quantity.role == "input"
+        for at, spot, value in group.spots():
+            cell, style, is_text = match.file.cell(at), fresh.style(spot), isinstance(value, str)
+            theirs: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
+            key = (tuple(style), tuple(theirs), is_text, unit)
             if key not in known:
-                looks = cell_look(fresh.workbook, style), cell_look(held_book, held)
-                codes = format_by_number(fresh.workbook, style.numFmtId), format_by_number(held_book, held.numFmtId)
-                known[key] = dict(format_difference(*codes, is_text, unit)) | differing(*looks)
-            if known[key]:
-                differences.tell(spot.at, subject, known[key])
-            if spot.at in fonts:
-                differences.add(spot.at, subject, "fonts within the text", "", fonts[spot.at], misleads=False)
-        compare_sight(group, views, pages, computed, differences)
+                looks = differences.differing(fresh.look(style), held.look(theirs))
+                known[key] = dict(name_formats(looks, is_text, unit))
+            for name, pair in known[key].items():
+                differences.add(at, subject, name, *pair)
+            if at in fonts:
+                differences.add(at, subject, "fonts of its parts", "", fonts[at])
+            if is_input and (words := (fresh.validation(spot), held.validation(at))) and words[0] != words[1]:
+                differences.add(at, subject, "validation", *words)
+            is_failing = subject.kind == "verdict" and (group.is_overall or computed.get(at, value) != OK)
+            cause = held.views[at.sheet].hidden_by(at.row, at.column)
+            if not cause and held.views[at.sheet].is_hidden and is_failing and not group.is_overall:
+                cause = "a hidden sheet"
+            if cause and not fresh.views[spot.sheet].hidden_by(spot.row, spot.column):
+                seen = subject._replace(kind="failing") if is_failing else subject
+                differences.add(at, seen, "sight", "in sight", f"hidden by {cause}")
 
 
-def compare_sight(
-    group: CellGroup,
-    views: dict[str, SheetView],
-    pages: dict[str, SheetView],
-    computed: Cells,
-    differences: Differences,
+def name_formats(looks: Flat, is_text: bool, unit: str) -> Iterator[tuple[str, tuple[Any, Any]]]:
+    """Yield differences of looks; of a number format that shows the same number under the name of its decimals."""
+    for name, (ours, theirs) in looks.items():
+        if name != "number format":
+            yield name, (ours, theirs)
+        elif not shows_same(ours, theirs, is_text):
+            is_other = is_text or plain_number(theirs, unit) != plain_number(ours)
+            yield "number format" if is_other else "decimals", (ours, theirs)
+
+
+def compare_rules(
+    match: Match, fresh: BookLooks, held: BookLooks, groups: Iterable[CellGroup], differences: Differences
 ) -> None:
-    """Enter which cells of a column are out of sight, but in sight in a fresh build."""
-    first, subject = next(group.spots()), group.subject
-    view, page = views[first.at.sheet], pages[first.sheet]
-    if not page.columns[first.column]:
-        return
-    is_narrow = view.hides_column(first.at.column, page.columns[first.column])
-    areas = view.areas_over(first.at.column)
-    is_overall = bool(group.pairs) and bool(OVERALL.fullmatch(group.pairs[0].cell.block.name))
-    for spot in group.spots():
-        cause = "a hidden or narrow column" if is_narrow else ""
-        if view.hides_row(spot.at.row, page.rows[spot.row]):
-            cause = "a hidden or low row"
-        elif areas and any(area.top < view.rows.begin(spot.at.row + 0.5) < area.bottom for area in areas):
-            cause = "a drawing over it"
-        elif view.is_hidden and subject.is_verdict and computed.get(spot.at, spot.value) != OK:
-            cause = "a hidden sheet"
-        counts = subject.is_verdict and (is_overall or computed.get(spot.at, spot.value) != OK)
-        if cause:
-            pair = {"sight": ("in sight", f"hidden by {cause}")}
-            differences.tell(spot.at, subject._replace(is_verdict=counts), pair)
+    """Enter conditional formats of declared cells that a fresh build has not, and those that are gone."""
+    for group in (group for group in groups if group.pairs):
+        cell, first, last = group.pairs[0].cell, group.pairs[0].address, group.pairs[-1].address
+        ours = fresh.rules[cell.block.sheet.title]
+        declared = {rule.words: rule.rule for rule in ours if rule.covers(cell.column, cell.row, cell.row)}
+        missing = set(declared)
+        for rule in held.rules[first.sheet]:
+            if not rule.covers(first.column, last.row, first.row):  # any of the cells
+                continue
+            if rule.words not in declared or not is_same_condition(match, declared[rule.words], rule, group):
+                differences.add(first, group.subject, "conditional format", "", rule.words)
+            elif rule.covers(first.column, first.row, last.row):
+                missing.discard(rule.words)
+        for words in sorted(missing):
+            differences.add(first, group.subject._replace(kind=""), "conditional format", words, NO_RULE)
 
 
-def format_difference(ours: str, theirs: str, is_text: bool, unit: str) -> Iterator[tuple[str, tuple[str, str]]]:
-    """Yield the difference of two number formats: whether it shows another number or text, or other decimals only."""
-    if not shows_same(ours, theirs, is_text):
-        is_other = is_text or plain_number(theirs, unit) != plain_number(ours)
-        yield "number format" if is_other else "decimals", (ours, theirs)
+def rule_words(rule: Any) -> str:
+    """Return the effect of a conditional format, but for the cells that the formula of its condition reads."""
+    flat = Flat() if rule.type == "expression" else Flat(formula=", ".join(map(str, rule.formula)))
+    for sign in (rule.colorScale, rule.dataBar, rule.iconSet):
+        flat |= flatten(sign.to_tree()) if sign is not None else {}
+        flat |= {"showValue": "off"} if getattr(sign, "showValue", None) is False else {}
+    if rule.dxf is not None:
+        look = flatten(rule.dxf.to_tree("look")) | {"numFmt numFmtId": ""}
+        flat |= {name: value for name, value in look.items() if value != LIKE_CELLS.get(name)}
+        if code := flat.get("numFmt formatCode"):
+            flat["numFmt formatCode"] = ";".join(format_sections(code)).replace("\0", "")
+            flat["another number"] = "" if plain_number(code) == ("N",) else "yes"
+    return ", ".join(filter(None, (in_words(flat), attribute_words(rule, OF_RULE))))
+
+
+def attribute_words(rule: Any, names: Iterable[str]) -> str:
+    """Return attributes of a conditional format or validation in words."""
+    return in_words({name: getattr(rule, name) for name in names})
+
+
+def is_same_condition(match: Match, rule: Any, held: Overlay, group: CellGroup) -> bool:
+    """Whether a rule of a file holds for the same values as a rule of a fresh build."""
+    if rule.type != "expression" or not held.rule.formula:
+        return bool(rule.formula == held.rule.formula)
+    block = group.pairs[0].cell.block
+    place, declared = match.file.places[block.name], f"={rule.formula[0]}"
+    first = f"A{min(top for _, top, *_ in held.ranges)}"  # the cell for which its formulas are written
+    text = str(held.rule.formula[0]).removeprefix("=")
+    moved = Translator(f"={text}", first).translate_formula(f"A{place.row}")
+    return moved == declared or match.same_formula(declared, block, moved, place.sheet)
 
 
 def text_fonts(match: Match) -> dict[Address, str]:

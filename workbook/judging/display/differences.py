@@ -1,57 +1,79 @@
 """Differences between a file and a fresh build of the same inputs, the alike in a line, and which mislead."""
 
 import re
-from collections.abc import Container, Mapping
+from collections.abc import Container
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from workbook.book.address import Address
-from workbook.judging.display.flat import Flat, differing
+from workbook.book.formula import Area
+from workbook.judging.display.flat import Flat, is_same, usual_value
+from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, SHOWN, Report
 
-# the attributes of which a difference is a finding; of all others it is a notice
-OF_ALL = re.compile(
-    r"number format|legible|font strike val|font charset val|border diagonal.*"  # of cells
-    r"|kind|another line of a declared name|line .* (x|y|strokes|drawn)|labels .* formatCode"  # of charts
-    r"|axis [xy] (scaling .*|numFmt formatCode|dispUnits.*)|hidden rows|size"
-    r"|.* show(Formulas|Zeros|Objects)|.* date1904"  # of views
+# the attributes of which a difference is a finding, with what is held; of all others it is a notice
+FINDINGS = (
+    re.compile(
+        r"(number format|legible|font strike val|font charset val|border diagonal.*"  # of cells
+        r"|kind|another line of a declared name|line .* (x|y|strokes|drawn)|labels .* formatCode"  # of charts
+        r"|axis [xy] (scaling .*|numFmt formatCode|dispUnits.*)|rows that it draws"
+        r"|sheet name of another|.* show(Formulas|Zeros|Objects)|.* date1904): .*"
+        r"|conditional format: .*(another number|strike|showValue off).*"
+    ),
+    re.compile(r"(font color|fill .*|decimals|conditional format): .*"),  # of verdicts
+    re.compile(r"sight: .*"),  # of verdicts that fail, or of the book
 )
-OF_VERDICTS = re.compile(r"font color|fill .*|decimals|sight|conditional format")
-OF_RULES = re.compile(
-    r".*(another number|strike|in place of figures|one colour).*"
-)  # of conditional formats of figures
+VERDICTS = {"verdict": 1, "failing": 2}  # more tables for a kind
+TEXT = re.compile("(.* )?(text|title)")  # attributes that are read, and judged by what they say
+COPY = "figures of its own"  # what LibreOffice has of a chart that it took off its cells
 TURNS = re.compile(r"^(U|Umdr|rev|tr|giri|Takte|c|cycles)\.?/min$")  # as our users say it
 TELLING = re.compile(r"[0-9]+|[%‰]|\b(?:OK|FAIL)\b")  # what a translation leaves as it is
 
 
+class Source(NamedTuple):
+    """Cells that a chart draws or names, with what they say."""
+
+    area: Area
+    words: str
+
+
 class Subject(NamedTuple):
-    """The owner of an attribute, in words; of a verdict more differences mislead, of a remark none."""
+    """The owner of attributes, in words, and what it is; what else is written beside it misleads in its place."""
 
     words: str
-    is_verdict: bool = False
-    is_remark: bool = False
+    kind: Literal["", "verdict", "failing", "remark", "unit"] = ""
+    others: Container[str] = frozenset()
     group: str = ""  # apart from which its differences are reported, such as those of a chart
 
 
 class Differences:
     """Differences of what is shown, by sheet, attribute, and what is expected and held."""
 
-    def __init__(self) -> None:
+    def __init__(self, match: Match) -> None:
+        self._match = match
         self._groups: dict[tuple[str, str, str, str, str, str], tuple[Address, str, int]] = {}
 
-    def compare(self, at: Address, subject: Subject, fresh: Flat, held: Flat) -> None:
-        """Enter the attributes that differ."""
-        self.tell(at, subject, differing(fresh, held))
+    def compare(self, at: Address, subject: Subject, fresh: Flat, held: Flat, part: str = "") -> None:
+        """Enter the attributes of a subject, or of a part of it, that differ."""
+        for name, pair in self.differing(fresh, held).items():
+            self.add(at, subject, part + name, *pair)
 
-    def tell(self, at: Address, subject: Subject, pairs: Mapping[str, tuple[Any, Any]]) -> None:
-        """Enter attributes with what is expected and held; the table says which mislead."""
-        for name, (expected, held) in pairs.items():
-            self.add(at, subject, name, expected, held, misleads(subject, name, str(held)))
+    def differing(self, fresh: Flat, held: Flat) -> Flat:
+        """Return expected and held values, in pairs, of the attributes that differ."""
+        pairs = {key: (fresh.get(key, usual_value(key)), held.get(key, usual_value(key))) for key in {**fresh, **held}}
+        return {key: pair for key, pair in pairs.items() if not self.is_same(key, *pair)}
 
-    def add(self, at: Address, subject: Subject, attribute: str, expected: Any, held: Any, misleads: bool) -> None:
+    def is_same(self, key: str, ours: Any, theirs: Any) -> bool:
+        """Whether two values show the same; a text that follows a cell is written out as LibreOffice saves it."""
+        if not isinstance(ours, Source):
+            return is_same(key, ours, theirs)
+        return self._match.same(ours.area, theirs.area) if isinstance(theirs, Source) else ours.words == theirs
+
+    def add(self, at: Address, subject: Subject, attribute: str, ours: Any, theirs: Any) -> None:
         """Enter a difference; what misleads a reader is a finding."""
-        kind = SHOWN if misleads else NOTICE
-        key = at.sheet, kind, attribute, str(expected), str(held), subject.group
+        expected, held = (value.words if isinstance(value, Source) else str(value) for value in (ours, theirs))
+        kind = SHOWN if misleads(subject, attribute, expected, held) else NOTICE
+        key = at.sheet, kind, attribute, expected, held, subject.group
         first, words, count = self._groups.get(key, (at, subject.words, 0))
         self._groups[key] = first, words, count + 1
 
@@ -62,20 +84,23 @@ class Differences:
             report.say(at, kind, held or "none", expected or "none", f"{attribute} of {words}{more}")
 
 
-def misleads(subject: Subject, attribute: str, held: str) -> bool:
+def misleads(subject: Subject, attribute: str, expected: str, held: str) -> bool:
     """Whether a difference of an attribute may have a figure, a curve or a verdict read otherwise."""
-    if subject.is_remark:
-        return False
-    if attribute == "conditional format" and OF_RULES.fullmatch(held):
-        return True
-    return bool(OF_ALL.fullmatch(attribute) or (subject.is_verdict and OF_VERDICTS.fullmatch(attribute)))
+    if TEXT.fullmatch(attribute):
+        if held.split() == expected.split():
+            return False
+        if subject.kind == "unit":
+            return is_unit(held) and not is_same_unit(held, expected)
+        return text_misleads(expected, held, subject.others)
+    tables = FINDINGS[: 1 + VERDICTS.get(subject.kind, 0)] if subject.kind != "remark" else ()
+    return held != COPY and any(table.fullmatch(f"{attribute}: {held}") for table in tables)
 
 
 def text_misleads(expected: str, held: str, others: Container[str]) -> bool:
     """Whether a text says what belongs elsewhere: another's words, other figures, or another unit in brackets."""
     more = set(TELLING.findall(held)) - set(TELLING.findall(expected))
     units = [text.partition("[")[2].rstrip("] ") for text in (expected, held)]
-    return bool(more) or held in others or (all(units) and not is_same_unit(*units))
+    return bool(more) or (held in others and bool(held)) or (all(units) and not is_same_unit(*units))
 
 
 def is_same_unit(unit: str, other: str) -> bool:

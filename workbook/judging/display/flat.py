@@ -5,7 +5,7 @@ Fresh builds and files of any program are read by this reader: what is left of t
 
 import re
 from collections import Counter
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from math import isclose
 from typing import Any
 from xml.etree.ElementTree import Element
@@ -45,10 +45,23 @@ USUAL = {  # what programs take where it is not given, by the last names of its 
     "zoomScale": "100",
     "zoomScaleNormal": "100",
 }
+NEAR = re.compile(
+    r".*manualLayout . val"
+)  # the place of a plot, which some programs give with its labels, some without
+SHARE = 0.2  # of a chart's width or height, to which places of plots are the same
 
 
-def flatten(element: Element, path: str = "", leaving: Collection[str] = ()) -> Flat:
-    """Return the attributes and texts of an element, but for elements of the names ``leaving``."""
+def flatten(
+    element: Element,
+    path: str = "",
+    leaving: Collection[str] = (),
+    sources: Mapping[str, str] | None = None,
+    source: Callable[[Element], Any] = str,
+) -> Flat:
+    """Return the attributes and texts of an element, but for elements of the names ``leaving``.
+
+    ``sources`` names the elements of which ``source`` returns the value.
+    """
     name, flat = tag(element), Flat()
     if name in COLOURS:
         flat[path] = colour_name(element.attrib)
@@ -57,10 +70,13 @@ def flatten(element: Element, path: str = "", leaving: Collection[str] = ()) -> 
             flat[f"{path} {key.rpartition('}')[2]}"] = normal_value(name, key, value)
     count = Counter[str]()
     for child in element:
-        if (name := tag(child)) not in leaving and not UNTOLD.fullmatch(name):
+        name = tag(child)
+        if sources and name in sources:
+            flat[f"{path} {sources[name]}".strip()] = source(child)
+        if name not in leaving and not UNTOLD.fullmatch(name):
             count[name] += 1
             place = f"{path} {name} {count[name] if count[name] > 1 else ''}".strip()
-            flat |= flatten(child, place, leaving)
+            flat |= flatten(child, place, leaving, sources, source)
             if text := (child.text or "").strip():
                 flat[place] = text
             elif not (len(child) or child.attrib or name in EMPTY):
@@ -95,20 +111,14 @@ def usual_value(key: str) -> str:
     return next((value for end, value in USUAL.items() if f" {key}".endswith(f" {end}")), "")
 
 
-def differing(fresh: Flat, held: Flat) -> Flat:
-    """Return expected and held values, in pairs, of the attributes that differ."""
-    pairs = {key: (fresh.get(key, usual_value(key)), held.get(key, usual_value(key))) for key in {**fresh, **held}}
-    return {key: pair for key, pair in pairs.items() if not is_same(key, *pair)}
-
-
 def is_same(key: str, ours: Any, theirs: Any) -> bool:
     """Whether two values of an attribute show the same."""
-    if ours == theirs:
-        return True
+    if ours == theirs or key == "number format":
+        return bool(ours == theirs)
     if key.endswith("formatCode"):
         return format_sections(ours)[:3] == format_sections(theirs)[:3]
     try:
-        return isclose(float(ours), float(theirs), rel_tol=1e-3)
+        return isclose(float(ours), float(theirs), rel_tol=1e-3, abs_tol=SHARE if PLACE.fullmatch(key) else 0.0)
     except (TypeError, ValueError):
         return False
 

@@ -22,9 +22,8 @@ from workbook.reading.rows import LAST_ROW, tag
 POINT = 12_700  # EMU
 WIDTH, HEIGHT = 8.43, 15.0  # of a column, in characters of 7 pixels, and of a row, in points, where none is given
 MOST = 409.5  # of both, in the same units
-TOO_SMALL = 0.4  # of the width or height of a fresh build, below which a content is not shown whole
 LAST_SEEN = 1_000  # columns: nothing that is declared lies beyond
-LEAST = 40_000  # EMU, 3 points: below it a row or column is as good as hidden
+NARROW, LOW = 250_000, 76_000  # EMU, 26 pixels and 6 points: below it a column or row is as good as hidden
 CELL = re.compile("([A-Z]{1,3})([1-9][0-9]{0,6})")
 CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|K[0-9A-F]{6}|[BIUEXYS])')  # of fonts in headers and footers
 SETTINGS = re.compile(  # of a book and its windows; all others, such as which cell is selected, are of a moment
@@ -103,19 +102,17 @@ class SheetView:
         left, top = ends[0]
         return Rectangle(left, top, *(ends[1] if ends[1:] else (left + anchor.size[0], top + anchor.size[1])))
 
-    def hides_column(self, column: int, usual: float) -> bool:
-        """Whether a column is hidden, or narrow beside its ``usual`` width (EMU); none that usually is."""
-        least = max(LEAST, TOO_SMALL * min(usual, pixels(WIDTH)))
-        return bool(usual) and (self.columns[column] < least or column < self._first[1])
+    def hidden_by(self, row: int, column: int) -> str:
+        """Return what hides a cell; nothing of a cell in sight."""
+        if self.columns[column] < NARROW or column < self._first[1]:
+            return "a hidden or narrow column"
+        if self.rows[row] < LOW or row < self._first[0]:
+            return "a hidden or low row"
+        is_under = self.areas and any(area.has(*self._middle(row, column)) for area in self.areas)
+        return "a drawing over it" if is_under else ""
 
-    def hides_row(self, row: int, usual: float) -> bool:
-        """Whether a row is hidden, or low beside its ``usual`` height (EMU)."""
-        return self.rows[row] < max(LEAST, TOO_SMALL * min(usual, POINT * HEIGHT)) or row < self._first[0]
-
-    def areas_over(self, column: int) -> list[Rectangle]:
-        """Return the drawings over the middle of a column."""
-        middle = self.columns.begin(column + 0.5) if self.areas else 0.0
-        return [area for area in self.areas if area.left < middle < area.right]
+    def _middle(self, row: int, column: int) -> tuple[float, float]:
+        return self.columns.begin(column + 0.5), self.rows.begin(row + 0.5)
 
 
 def size(given: float | None, usual: float) -> float:
@@ -128,10 +125,9 @@ def pixels(width: float) -> float:
     return float(PIXEL * int(width * 7 + 5)) if width else 0.0
 
 
-def sheet_views(match: Match) -> dict[str, SheetView]:
-    """Return all sheets of a file as they are seen."""
-    drawings = match.file.inspected.drawings if match.file.inspected else {}
-    return {sheet.title: SheetView(sheet, drawings.get(sheet.title, [])) for sheet in match.file.workbook.worksheets}
+def sheet_views(workbook: Workbook, drawings: Mapping[str, Iterable[Anchor]]) -> dict[str, SheetView]:
+    """Return all sheets of a workbook as they are seen, with the drawings on them."""
+    return {sheet.title: SheetView(sheet, drawings.get(sheet.title, ())) for sheet in workbook.worksheets}
 
 
 def compare_sheets(match: Match, fresh: Workbook, differences: Differences) -> None:
@@ -142,15 +138,13 @@ def compare_sheets(match: Match, fresh: Workbook, differences: Differences) -> N
     for sheet, title in match.sheets:
         at, subject, page = Address(title, 1, 1), Subject(title), match.file.workbook[title]
         if title.casefold() != sheet.title.casefold():
-            differences.add(at, subject, "sheet name", sheet.title, title, misleads=title in titles)
-        differences.compare(at, subject, page_attributes(fresh[sheet.title]), page_attributes(page))
+            differences.add(at, subject, f"sheet name{' of another' if title in titles else ''}", sheet.title, title)
+        ours, theirs = page_attributes(fresh[sheet.title]), page_attributes(page)
         if inspected:
-            held = settings(inspected.pages[title])
+            theirs |= settings(inspected.pages[title]) | additions(inspected.pages[title])
             usual = settings([fresh[sheet.title].views.to_tree("sheetViews")])
-            usual = {name: value for name, value in usual.items() if name in held}  # frozen panes may go
-            differences.compare(at, subject, usual, held)
-            for name in additions(inspected.pages[title]):
-                differences.add(at, subject, "sheet", "as built", name, misleads=False)
+            ours |= {name: value for name, value in usual.items() if name in theirs}  # frozen panes may go
+        differences.compare(at, subject, ours, theirs)
         compare_links(match, sheet, title, differences)
         compare_print_area(match, sheet, page, differences)
 
@@ -163,10 +157,10 @@ def settings(part: Iterable[Element]) -> Flat:
     return {name: value for name, value in flat.items() if SETTINGS.fullmatch(name)}
 
 
-def additions(page: Element) -> list[str]:
-    """Return the names of the elements of a sheet's part that may show what no fresh build shows."""
+def additions(page: Element) -> Flat:
+    """Return the elements of a sheet's part that may show what no fresh build shows."""
     names = {tag(element) for part in (page, *page.iterfind("{*}extLst/{*}ext")) for element in part}
-    return sorted(name for name in names if not QUIET.fullmatch(name))
+    return {name: "added" for name in names if not QUIET.fullmatch(name)}
 
 
 def page_attributes(sheet: Worksheet) -> Flat:
@@ -184,7 +178,7 @@ def compare_print_area(match: Match, sheet: Sheet, page: Any, differences: Diffe
     for block, place in match.placed(sheet) if page._print_area and not sheet.unprinted else ():
         is_due = block.quantities[0].role == "check" and block.row <= (sheet.print_rows or sheet.row)
         if is_due and not any(place.cell(0, 0).a1 in cells for cells in page._print_area.ranges):
-            differences.add(place.cell(0, 0), Subject(block.name), "print area", "with it", "without it", False)
+            differences.add(place.cell(0, 0), Subject(block.name), "print area", "with it", "without it")
 
 
 def compare_links(match: Match, sheet: Sheet, title: str, differences: Differences) -> None:

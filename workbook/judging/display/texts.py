@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Sheet, Text
-from workbook.judging.display.differences import Differences, Subject, is_same_unit, is_unit, text_misleads
+from workbook.judging.display.differences import Differences, Subject, is_unit
 from workbook.judging.matching import MOST_BETWEEN, Match
 from workbook.judging.report import LAYOUT, Report
 
@@ -40,10 +40,13 @@ def compare_texts(match: Match, report: Report, differences: Differences) -> lis
     labels: list[Label] = []
     for sheet, _ in match.sheets:
         placed = list(place_texts(match, sheet))
+        words = {style: {text.text for text in sheet.texts if text.style == style} for style in (*ABOVE, *BESIDE)}
         for label in placed:
             first = match.file.places[label.block.name].cell(0, 0)
             if not first.column or (first.sheet, first.a1) not in misled:  # column 0: the first is gone
-                compare_text(match, label, placed, differences)
+                style, value = label.text.style, match.file.value(label.at)
+                subject = Subject(label.what, "unit" if style == "unit" else "", words[style])
+                differences.compare(label.at, subject, {"text": label.text.text}, {"text": str(value or "")})
         compare_unlabelled(match, sheet, differences)
         labels += placed
     return labels
@@ -107,22 +110,6 @@ def has_words(match: Match, at: Address, text: Text) -> bool:
     return isinstance(held, str) and held.split() == text.text.split()
 
 
-def compare_text(match: Match, label: Label, labels: list[Label], differences: Differences) -> None:
-    """Enter what is wrong with a text: another's text, figure or unit in its place misleads."""
-    value = match.file.value(label.at)
-    expected, held = label.text.text, "" if value is None else str(value)
-    if held == expected:
-        return
-    others = {other.text.text for other in labels if other.text.style == label.text.style} - {expected}
-    if has_words(match, label.at, label.text):
-        wrong = False
-    elif label.text.style == "unit":
-        wrong = is_unit(held) and not is_same_unit(held, expected)
-    else:
-        wrong = text_misleads(expected, held, others)
-    differences.add(label.at, Subject(label.what), "text", expected, held, wrong)
-
-
 def compare_unlabelled(match: Match, sheet: Sheet, differences: Differences) -> None:
     """Enter a unit beside a cell whose quantity has none."""
     named = {(text.row, text.column) for text in sheet.texts}
@@ -132,4 +119,4 @@ def compare_unlabelled(match: Match, sheet: Sheet, differences: Differences) -> 
             continue
         text = match.file.value(at)
         if isinstance(text, str) and at not in match.numbers and is_unit(text):
-            differences.add(at, Subject(f"unit of {quantity.label}"), "text", "", text, misleads=True)
+            differences.add(at, Subject(f"unit of {quantity.label}", "unit"), "text", "", text)
