@@ -12,10 +12,10 @@ from workbook.book.quantity import FAIL, SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import ReadError, WitnessError
 from workbook.judging.comparison import Comparison, count_cells, is_error
-from workbook.judging.display.cells import BookLooks, CellGroup, FreshBook, compare_cells, compare_rules
+from workbook.judging.display.cells import BookLooks, CellGroup, build_looks, compare_cells, compare_rules
 from workbook.judging.display.charts import compare_charts
 from workbook.judging.display.differences import Differences
-from workbook.judging.display.sheets import compare_sheets, sheet_views
+from workbook.judging.display.sheets import compare_sheets
 from workbook.judging.display.texts import compare_texts
 from workbook.judging.layout import layout_findings, set_consequences_aside
 from workbook.judging.matching import Match, Pair
@@ -113,9 +113,8 @@ def check_display(match: Match, model: type[BaseModel], computed: Cells, report:
 
     ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
     """
-    differences, fresh = Differences(match), FreshBook(match.declared, model)
-    drawings = match.file.inspected.drawings if match.file.inspected else {}
-    held = BookLooks(match.file.workbook, sheet_views(match.file.workbook, drawings))
+    differences, fresh = Differences(match), build_looks(match.declared, model)
+    held = BookLooks(match.file.workbook, match.file.inspected.drawings if match.file.inspected else {})
     labels = compare_texts(match, report, differences)
     groups = [CellGroup(pairs) for pairs in match.columns] + [CellGroup([], label) for label in labels]
     compare_cells(match, fresh, held, groups, computed, differences)

@@ -51,9 +51,17 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
         if chart.lanes:
             drawn.series[-1].dLbls = lane_labels(series, book, ink)
     drawn.graphical_properties = NO_LINE  # no frame
+    drawn.visible_cells_only = not any(is_folded(series.y, book) for series in chart.series)
     drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 and not chart.lanes else None
     axes(drawn, chart, book)
     return drawn
+
+
+def is_folded(text: str, book: Book) -> bool:
+    """Whether the column ``[table.column]`` is folded away on its sheet; programs draw no such column unless told."""
+    table, column = text.strip("[]").split(".")
+    block = book.blocks[table]
+    return 0 < block.sheet.folded <= block.columns[column]
 
 
 def heading(text: str, look: ParagraphProperties, book: Book) -> Title:

@@ -1,7 +1,8 @@
 """Cells of a file and of a fresh build as a reader sees them: style, sight, conditional formats, validation."""
 
-from collections.abc import Iterable, Iterator
-from functools import cached_property
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from openpyxl import Workbook
@@ -18,23 +19,18 @@ from workbook.judging.display.sheets import SheetView
 from workbook.judging.display.texts import QUIET, Label
 from workbook.judging.matching import Match, Pair
 from workbook.reading.contents import Cells
+from workbook.reading.package import Anchor
 from workbook.writing import archive
 from workbook.writing.archive import Strings
 from workbook.writing.write import make_workbook
 
 WHITE, BLACK = "#FFFFFF", "#000000"
-OVERALL = ("overall", "status")  # verdicts of the book and of each sheet, always to be in sight
+OVERALL = re.compile("overall|status[0-9]+")  # verdicts of the book and of each sheet, always to be in sight
+NOTHING: Mapping[str, Any] = MappingProxyType({})
 NO_RULE = "no such rule"
-LIKE_CELLS = {
-    "font name val": "Calibri",
-    "font sz val": "11",
-    "font color": BLACK,
-    "fill patternFill patternType": "solid",
-}
-"""in a conditional format, as LibreOffice adds of rules that came by way of .ods"""
-OF_RULE = ("type", "operator", "stopIfTrue")
-OF_VALIDATION = ("type", "allowBlank", "showDropDown", "showErrorMessage", "showInputMessage", "prompt", "promptTitle",
-    "error", "errorTitle")  # fmt: skip
+LIKE_CELLS = {"font name val": "Calibri", "font sz val": "11", "font color": BLACK}  # as .ods has it in each rule
+UNSHOWN = ("priority", "dxfId", "sqref")  # attributes of rules
+DEFAULTS = ("0", "between", "stop")  # values of attributes of rules, which some programs write
 
 
 class CellStyles(archive.Cells):
@@ -68,34 +64,29 @@ class Overlay(NamedTuple):
 
 
 class BookLooks:
-    """A workbook as it looks: its sheets, with the rules that lie over their cells."""
+    """A workbook as it looks: the file, with its drawings by sheet, or a fresh build, with its styles by cell."""
 
-    def __init__(self, workbook: Workbook, views: dict[str, SheetView]) -> None:
+    def __init__(
+        self,
+        workbook: Workbook,
+        drawings: Mapping[str, Iterable[Anchor]] = NOTHING,
+        styles: Mapping[str, CellStyles] = NOTHING,
+    ) -> None:
         self.workbook: Any = workbook
-        self.views = views
+        self._styles = styles
+        self.views = {sheet.title: SheetView(sheet, drawings.get(sheet.title, ())) for sheet in workbook.worksheets}
+        self.rules, self.validations = dict[str, list[Overlay]](), dict[str, list[Overlay]]()
+        for sheet in self.workbook.worksheets:
+            rules = [(area, rule, rule_words(rule)) for area in sheet.conditional_formatting for rule in area.rules]
+            checks = [(rule, rule, attribute_words(rule)) for rule in sheet.data_validations.dataValidation]
+            self.rules[sheet.title], self.validations[sheet.title] = (
+                [Overlay(rule, words, [cells.bounds for cells in area.sqref.ranges]) for area, rule, words in overlays]
+                for overlays in (rules, checks)
+            )
 
-    @cached_property
-    def rules(self) -> dict[str, list[Overlay]]:
-        """The conditional formats of each sheet."""
-        return {
-            sheet.title: [
-                Overlay(rule, rule_words(rule), [cells.bounds for cells in area.sqref.ranges])
-                for area in sheet.conditional_formatting
-                for rule in area.rules
-            ]
-            for sheet in self.workbook.worksheets
-        }
-
-    @cached_property
-    def validations(self) -> dict[str, list[Overlay]]:
-        """The validations of each sheet."""
-        return {
-            sheet.title: [
-                Overlay(rule, attribute_words(rule, OF_VALIDATION), [cells.bounds for cells in rule.sqref.ranges])
-                for rule in sheet.data_validations.dataValidation
-            ]
-            for sheet in self.workbook.worksheets
-        }
+    def style(self, at: Address) -> Any:
+        """Return the style of a cell of a fresh build, as openpyxl has it."""
+        return self.workbook._cell_styles[self._styles[at.sheet].numbers.get((at.row, at.column), 0)]
 
     def validation(self, at: Address) -> str:
         """Return the validation of a cell in words; nothing of a cell without."""
@@ -105,14 +96,9 @@ class BookLooks:
     def look(self, style: Any) -> Flat:
         """Return the attributes of a style of openpyxl's, with its number format."""
         look = Flat({"number format": format_by_number(self.workbook, style.numFmtId)})
-        for name, part in (
-            ("font", self.workbook._fonts[style.fontId]),
-            ("fill", self.workbook._fills[style.fillId]),
-            ("border", self.workbook._borders[style.borderId]),
-            ("alignment", self.workbook._alignments[style.alignmentId]),
-            ("protection", self.workbook._protections[style.protectionId]),
-        ):
-            look |= flatten(part.to_tree(name), name)
+        for name in ("font", "fill", "border", "alignment", "protection"):
+            parts = getattr(self.workbook, f"_{name}s")
+            look |= flatten(parts[getattr(style, f"{name}Id")].to_tree(name), name)
         pattern, ground = look.get("fill patternFill patternType"), look.get("fill patternFill fgColor", BLACK)
         if pattern == "solid":
             look.pop("fill patternFill bgColor", None)
@@ -120,17 +106,10 @@ class BookLooks:
         return look | {"legible": "no" if ink == (ground if pattern == "solid" else pattern or WHITE) else "yes"}
 
 
-class FreshBook(BookLooks):
-    """A declared book as openpyxl would save it, in memory: styles, pages and charts, without contents."""
-
-    def __init__(self, declared: Book, model: type[BaseModel]) -> None:
-        self._styles = {sheet.title: CellStyles() for sheet in declared.sheets}
-        workbook = make_workbook(declared, model, dict(self._styles))
-        super().__init__(workbook, {sheet.title: SheetView(sheet) for sheet in workbook.worksheets})
-
-    def style(self, at: Address) -> Any:
-        """Return the style of a cell, as openpyxl has it."""
-        return self.workbook._cell_styles[self._styles[at.sheet].numbers.get((at.row, at.column), 0)]
+def build_looks(declared: Book, model: type[BaseModel]) -> BookLooks:
+    """Return a declared book as openpyxl would save it, in memory: styles, pages and charts, without contents."""
+    styles = {sheet.title: CellStyles() for sheet in declared.sheets}
+    return BookLooks(make_workbook(declared, model, dict(styles)), styles=styles)
 
 
 class Spot(NamedTuple):
@@ -157,11 +136,6 @@ class CellGroup(NamedTuple):
         name = f"{quantity.label} ({block.name})" if block.is_table else quantity.label
         return Subject(name, "verdict" if is_verdict else "")
 
-    @property
-    def is_overall(self) -> bool:
-        """Whether the cell is a verdict of the book or of a sheet."""
-        return bool(self.pairs) and self.pairs[0].cell.block.name.rstrip("0123456789") in OVERALL
-
     def spots(self) -> Iterator[Spot]:
         """Yield the cells."""
         if self.label:
@@ -174,7 +148,7 @@ class CellGroup(NamedTuple):
 
 def compare_cells(
     match: Match,
-    fresh: FreshBook,
+    fresh: BookLooks,
     held: BookLooks,
     groups: Iterable[CellGroup],
     computed: Cells,
@@ -183,8 +157,9 @@ def compare_cells(
     """Enter which declared cells look otherwise than in a fresh build, are out of sight, or have another validation."""
     fonts, known = text_fonts(match), dict[tuple[Any, ...], Flat]()
     for group in groups:
-        subject, unit = group.subject, group.pairs[0].cell.quantity.unit if group.pairs else ""
+        whole, unit = group.subject, group.pairs[0].cell.quantity.unit if group.pairs else ""
         is_input = bool(group.pairs) and group.pairs[0].cell.quantity.role == "input"
+        is_overall = bool(group.pairs) and bool(OVERALL.fullmatch(group.pairs[0].cell.block.name))
         for at, spot, value in group.spots():
             cell, style, is_text = match.file.cell(at), fresh.style(spot), isinstance(value, str)
             theirs: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
@@ -192,19 +167,18 @@ def compare_cells(
             if key not in known:
                 looks = differences.differing(fresh.look(style), held.look(theirs))
                 known[key] = dict(name_formats(looks, is_text, unit))
+            is_wrong = whole.kind == "verdict" and computed.get(at, value) != OK
+            subject = whole._replace(kind="failing") if is_wrong or is_overall else whole
             for name, pair in known[key].items():
                 differences.add(at, subject, name, *pair)
             if at in fonts:
                 differences.add(at, subject, "fonts of its parts", "", fonts[at])
             if is_input and (words := (fresh.validation(spot), held.validation(at))) and words[0] != words[1]:
                 differences.add(at, subject, "validation", *words)
-            is_failing = subject.kind == "verdict" and (group.is_overall or computed.get(at, value) != OK)
-            cause = held.views[at.sheet].hidden_by(at.row, at.column)
-            if not cause and held.views[at.sheet].is_hidden and is_failing and not group.is_overall:
-                cause = "a hidden sheet"
-            if cause and not fresh.views[spot.sheet].hidden_by(spot.row, spot.column):
-                seen = subject._replace(kind="failing") if is_failing else subject
-                differences.add(at, seen, "sight", "in sight", f"hidden by {cause}")
+            view, page = held.views[at.sheet], fresh.views[spot.sheet]
+            cause = view.hidden_by(at.row, at.column) or ("a hidden sheet" if is_wrong and view.is_hidden else "")
+            if cause and not page.hidden_by(spot.row, spot.column):
+                differences.add(at, subject, "sight", "in sight", f"hidden by {cause}")
 
 
 def name_formats(looks: Flat, is_text: bool, unit: str) -> Iterator[tuple[str, tuple[Any, Any]]]:
@@ -245,16 +219,17 @@ def rule_words(rule: Any) -> str:
         flat |= {"showValue": "off"} if getattr(sign, "showValue", None) is False else {}
     if rule.dxf is not None:
         look = flatten(rule.dxf.to_tree("look")) | {"numFmt numFmtId": ""}
-        flat |= {name: value for name, value in look.items() if value != LIKE_CELLS.get(name)}
+        flat |= {name: value for name, value in look.items() if value not in (LIKE_CELLS.get(name), "solid")}
         if code := flat.get("numFmt formatCode"):
             flat["numFmt formatCode"] = ";".join(format_sections(code)).replace("\0", "")
             flat["another number"] = "" if plain_number(code) == ("N",) else "yes"
-    return ", ".join(filter(None, (in_words(flat), attribute_words(rule, OF_RULE))))
+    return ", ".join(filter(None, (in_words(flat), attribute_words(rule))))
 
 
-def attribute_words(rule: Any, names: Iterable[str]) -> str:
-    """Return attributes of a conditional format or validation in words."""
-    return in_words({name: getattr(rule, name) for name in names})
+def attribute_words(rule: Any) -> str:
+    """Return the attributes of a conditional format or validation in words; a list has no operator."""
+    shown = {name: value for name, value in rule if name not in UNSHOWN and value not in DEFAULTS}
+    return in_words(shown | ({"operator": ""} if rule.type == "list" else {}))
 
 
 def is_same_condition(match: Match, rule: Any, held: Overlay, group: CellGroup) -> bool:

@@ -15,6 +15,7 @@ from workbook.judging.matching import Match
 from workbook.reading.rows import tag
 
 T = TypeVar("T")
+U = TypeVar("U")
 CM = 360_000  # EMU
 SMALL = 0.4  # of the width or height of a fresh build, below which a chart can hardly be read
 SOURCES = {"xVal": "x", "cat": "x", "yVal": "y", "val": "y", "plus": "strokes", "tx": "text"}  # elements with cells
@@ -41,15 +42,13 @@ class ChartData(NamedTuple):
 
 def read_charts(match: Match, title: str) -> Iterator[ChartData]:
     """Yield the charts of a sheet of the file."""
-
-    def saved_text(address: Address) -> Any:
-        return match.file.saved.get(address) or match.file.value(address) or ""
-
-    inspected = match.file.inspected
+    file, inspected = match.file, match.file.inspected
     for number, anchor in enumerate(inspected.drawings.get(title, ()) if inspected else ()):
         if anchor.chart is not None:
             at = Address(title, anchor.first.row + 1, anchor.first.column + 1)
-            yield read_chart(anchor.chart, at, match.file.contents.area, saved_text, number)
+            yield read_chart(
+                anchor.chart, at, file.contents.area, lambda a: file.saved.get(a) or file.value(a) or "", number
+            )
 
 
 def read_chart(
@@ -84,11 +83,11 @@ def read_chart(
     groups = [part for part in parts if tag(part).endswith("Chart")]
     ids = [part.get("val") for part in groups[0] if tag(part) == "axId"] if groups else []
     looks = attributes(root, leaving=("ser", *TEXTS, *map(tag, axes)))
-    looks |= {"kind": ", ".join(sorted(map(tag, groups))), "title": looks.pop("chart title text", "")}
+    looks |= {"kind": ", ".join(sorted({*map(tag, groups)})), "title": looks.pop("chart title text", "")}
     for axis in axes:
         own = next((part.get("val") for part in axis if tag(part) == "axId"), None)
         looks |= attributes(axis, f"axis {'xy'[ids.index(own)]}" if own in ids[:2] else "another axis")
-    lines = [attributes(series) for group in groups for series in group.findall("{*}ser")]
+    lines = [dict.fromkeys((*DRAWN, "text"), "") | attributes(s) for group in groups for s in group.findall("{*}ser")]
     lines = [{key: value for key, value in line.items() if not key.startswith("marker spPr ln")} for line in lines]
     return ChartData(lines, looks, at, number)
 
@@ -96,34 +95,26 @@ def read_chart(
 def compare_charts(match: Match, fresh: Any, views: Mapping[str, SheetView], differences: Differences) -> None:
     """Enter declared charts that draw something else than in the workbook ``fresh``, cannot be seen, or are gone."""
     for sheet, title in match.sheets:
-        pairs = list(pair_charts(match, sheet, fresh[sheet.title]._charts, list(read_charts(match, title))))
-        titles = {str(words(ours.looks["title"])) for _, ours, _ in pairs}
+        pairs = pair_charts(match, sheet, fresh[sheet.title]._charts, list(read_charts(match, title)))
+        titles = {str(ours.looks["title"]) for _, ours, _ in pairs}
         for drawn, ours, theirs in pairs:
-            name = f"the chart {words(ours.looks['title'])!r}"
-            if theirs is None and match.file.inspected:
-                differences.add(Address(title, 1, 1), Subject(name), "chart", words(ours.looks["title"]), "")
-            if theirs is None:
-                continue
-            axes = {words(ours.looks.get(f"axis {letter} title text", "")) for letter in "xy"}
-            subject = Subject(name, "", titles | axes, theirs.at.a1)
-            compare_attributes(differences, theirs.at, subject, ours.looks, theirs.looks)
-            compare_lines(match, subject, ours, theirs, differences)
-            compare_sight(subject, theirs, (drawn.width, drawn.height), views, differences)
-
-
-def words(value: Any) -> Any:
-    """Return what a text or a source says."""
-    return value.words if isinstance(value, Source) else value
+            name = str(ours.looks["title"])
+            axes = {str(ours.looks.get(f"axis {letter} title text", "")) for letter in "xy"}
+            subject = Subject(f"the chart {name!r}", "", titles | axes, theirs.at.a1 if theirs else "")
+            if theirs is not None:
+                compare_attributes(differences, theirs.at, subject, ours.looks, theirs.looks)
+                compare_lines(match, subject, ours, theirs, differences)
+                compare_sight(subject, theirs, (drawn.width, drawn.height), views, differences)
+            elif match.file.inspected:
+                differences.add(Address(title, 1, 1), subject, "chart", name, "")
 
 
 def pair_charts(
     match: Match, sheet: Sheet, drawn: Iterable[Any], held: list[ChartData]
-) -> Iterator[tuple[Any, ChartData, ChartData | None]]:
-    """Yield each chart of openpyxl's that is ``drawn``, its attributes, and the chart of the file most like it."""
+) -> list[tuple[Any, ChartData, ChartData | None]]:
+    """Return each chart of openpyxl's that is ``drawn``, its attributes, and the chart of the file most like it."""
     differences, at = Differences(match), Address(sheet.title, 1, 1)
-    charts = {
-        id(chart): (chart, read_chart(chart._write(), at, match.declared_area, match.declared_value)) for chart in drawn
-    }
+    fresh = [(chart, read_chart(chart._write(), at, match.declared_area, match.declared_value)) for chart in drawn]
 
     def likeness(ours: tuple[Any, ChartData], theirs: ChartData) -> float:
         lines = ours[1].lines
@@ -131,17 +122,15 @@ def pair_charts(
         has_title = differences.is_same("title", ours[1].looks["title"], theirs.looks["title"])
         return 2 * shared + has_title - 0.1 * abs(len(lines) - len(theirs.lines))
 
-    paired = {id(ours[0]): theirs for ours, theirs in pair_alike(charts.values(), held, likeness) if ours is not None}
-    for key, (chart, data) in charts.items():
-        yield chart, data, paired[key]
+    return [(*ours, theirs) for ours, theirs in pair_alike(fresh, held, likeness) if ours is not None]
 
 
 def pair_alike(
-    fresh: Iterable[T], held: Iterable[Any], likeness: Callable[[T, Any], float]
-) -> Iterator[tuple[T | None, Any | None]]:
+    fresh: Iterable[T], held: Iterable[U], likeness: Callable[[T, U], float]
+) -> Iterator[tuple[T | None, U | None]]:
     """Yield what is alike in pairs, the most alike first, then what is left of either side."""
     ours, theirs = dict(enumerate(fresh)), dict(enumerate(held))
-    ranked = sorted(((-likeness(mine, other), i, j) for i, mine in ours.items() for j, other in theirs.items()))
+    ranked = sorted((-likeness(mine, other), i, j) for i, mine in ours.items() for j, other in theirs.items())
     for rank, i, j in ranked:
         if rank < 0 and i in ours and j in theirs:
             yield ours.pop(i), theirs.pop(j)
@@ -151,31 +140,30 @@ def pair_alike(
 
 def has_data(differences: Differences, fresh: Flat, held: Flat) -> bool:
     """Whether two lines draw the same columns."""
-    return all(differences.is_same(name, fresh.get(name, ""), held.get(name, "")) for name in DRAWN)
+    return all(differences.is_same(name, fresh[name], held[name]) for name in DRAWN)
 
 
 def compare_lines(match: Match, subject: Subject, fresh: ChartData, held: ChartData, differences: Differences) -> None:
     """Enter lines of a chart that are gone, added, or not as in a fresh build."""
-    sources = [line.get(name) for line in fresh.lines for name in ("x", "y")]
+    sources = [source for line in fresh.lines for source in (line["x"], line["y"])]
     if any(isinstance(source, Source) and match.lost(source.area) for source in sources):
         return
-    names = {words(line.get("text", "")) for line in fresh.lines}
+    subject = subject._replace(others={str(line["text"]) for line in fresh.lines})
 
     def likeness(ours: Flat, theirs: Flat) -> float:
-        is_named = differences.is_same("text", ours.get("text", ""), theirs.get("text", ""))
-        return 1 + 2 * is_named + 4 * has_data(differences, ours, theirs)
+        return (
+            1 + 2 * differences.is_same("text", ours["text"], theirs["text"]) + 4 * has_data(differences, ours, theirs)
+        )
 
     for ours, theirs in pair_alike(fresh.lines, held.lines, likeness):
-        if ours is None:
-            name = words((theirs or {}).get("text", ""))
-            of_declared = " of a declared name" if name in names else ""
-            differences.add(held.at, subject, f"another line{of_declared}", "", name or "drawn")
-            continue
-        part = f"line {words(ours.get('text', ''))!r} "
-        if theirs is None:
+        part = f"line {str(ours['text'])!r} " if ours else ""
+        if ours and theirs:
+            compare_attributes(differences, held.at, subject, ours, theirs, part)
+        elif ours:
             differences.add(held.at, subject, f"{part}drawn", "yes", "no")
-        else:
-            compare_attributes(differences, held.at, subject._replace(others=names), ours, theirs, part)
+        elif theirs:
+            of_declared = " of a declared name" if str(theirs["text"]) in subject.others else ""
+            differences.add(held.at, subject, f"another line{of_declared}", "", theirs["text"] or "drawn")
 
 
 def compare_attributes(
@@ -199,7 +187,7 @@ def compare_sight(
         differences.add(held.at, subject, "size", "as built", f"{share:.0%} of it")
     if any(area.has(*middle) for area in areas[held.number + 1 :]):
         differences.add(held.at, subject, "sight", "in sight", "behind another drawing")
-    drawn = [value.area for line in held.lines for value in (line.get("x"), line.get("y")) if isinstance(value, Source)]
+    drawn = [value.area for line in held.lines for value in (line["x"], line["y"]) if isinstance(value, Source)]
     rows = [(views[area.sheet].rows, range(area.top, area.bottom + 1)) for area in drawn if area.sheet in views]
     hidden = [sum(not heights[row] for row in numbers) for heights, numbers in rows]
     if any(hidden) and held.looks.get("chart plotVisOnly val", "1") == "1":

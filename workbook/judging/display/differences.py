@@ -36,6 +36,10 @@ class Source(NamedTuple):
     area: Area
     words: str
 
+    def __str__(self) -> str:
+        """Return what they say."""
+        return self.words
+
 
 class Subject(NamedTuple):
     """The owner of attributes, in words, and what it is; what else is written beside it misleads in its place."""
@@ -71,7 +75,7 @@ class Differences:
 
     def add(self, at: Address, subject: Subject, attribute: str, ours: Any, theirs: Any) -> None:
         """Enter a difference; what misleads a reader is a finding."""
-        expected, held = (value.words if isinstance(value, Source) else str(value) for value in (ours, theirs))
+        expected, held = str(ours), str(theirs)
         kind = SHOWN if misleads(subject, attribute, expected, held) else NOTICE
         key = at.sheet, kind, attribute, expected, held, subject.group
         first, words, count = self._groups.get(key, (at, subject.words, 0))

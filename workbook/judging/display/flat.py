@@ -45,9 +45,7 @@ USUAL = {  # what programs take where it is not given, by the last names of its 
     "zoomScale": "100",
     "zoomScaleNormal": "100",
 }
-NEAR = re.compile(
-    r".*manualLayout . val"
-)  # the place of a plot, which some programs give with its labels, some without
+PLACE = re.compile(r".*manualLayout . val")  # of a plot: with its labels or without, as programs like it
 SHARE = 0.2  # of a chart's width or height, to which places of plots are the same
 
 

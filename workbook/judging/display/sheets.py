@@ -108,11 +108,8 @@ class SheetView:
             return "a hidden or narrow column"
         if self.rows[row] < LOW or row < self._first[0]:
             return "a hidden or low row"
-        is_under = self.areas and any(area.has(*self._middle(row, column)) for area in self.areas)
-        return "a drawing over it" if is_under else ""
-
-    def _middle(self, row: int, column: int) -> tuple[float, float]:
-        return self.columns.begin(column + 0.5), self.rows.begin(row + 0.5)
+        middle = (self.columns.begin(column + 0.5), self.rows.begin(row + 0.5)) if self.areas else (0.0, 0.0)
+        return "a drawing over it" if any(area.has(*middle) for area in self.areas) else ""
 
 
 def size(given: float | None, usual: float) -> float:
@@ -123,11 +120,6 @@ def size(given: float | None, usual: float) -> float:
 def pixels(width: float) -> float:
     """Return the size of a column of so many characters (EMU)."""
     return float(PIXEL * int(width * 7 + 5)) if width else 0.0
-
-
-def sheet_views(workbook: Workbook, drawings: Mapping[str, Iterable[Anchor]]) -> dict[str, SheetView]:
-    """Return all sheets of a workbook as they are seen, with the drawings on them."""
-    return {sheet.title: SheetView(sheet, drawings.get(sheet.title, ())) for sheet in workbook.worksheets}
 
 
 def compare_sheets(match: Match, fresh: Workbook, differences: Differences) -> None:
