@@ -16,7 +16,7 @@ from workbook.judging.structure import check_structure, listed
 from workbook.reading.contents import Contents
 from workbook.writing.charts import draw
 from workbook.writing.style import conditional_formats
-from workbook.writing.write import NO_ADDITIONS, Additions
+from workbook.writing.write import NO_ADDITIONS, Additions, chart_size
 
 
 def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> list[str]:
@@ -57,7 +57,7 @@ def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> 
             if a.sheet == sheet.title and a not in match.numbers and content not in words
         ]
         notes = [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment]
-        drawn = [draw(chart, match.declared, 1, 1) for chart, *_ in declared.charts]
+        drawn = [draw(chart, match.declared, *chart_size(*place)) for chart, _, *place in declared.charts]
         ours_drawn = {id(chart) for *_, chart in pair_charts(match, declared, drawn, held)}
         charts = [chart.at.a1 for chart in held if id(chart) not in ours_drawn]
         formats = [str(a.sqref) for a in sheet.conditional_formatting if set(map(rule_words, a.rules)) - known_rules]
