@@ -1,6 +1,5 @@
 """Cells of a file and of a fresh build as a reader sees them: style, sight, conditional formats, validation."""
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -25,7 +24,7 @@ from workbook.writing.archive import Strings
 from workbook.writing.write import make_workbook
 
 WHITE, BLACK = "#FFFFFF", "#000000"
-OVERALL = re.compile("overall|status[0-9]+")  # verdicts of the book and of each sheet, always to be in sight
+OVERALL = ("overall", "status")  # verdicts of the book and of each sheet, always to be in sight
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 NO_RULE = "no such rule"
 LIKE_CELLS = {"font name val": "Calibri", "font sz val": "11", "font color": BLACK}  # as .ods has it in each rule
@@ -136,6 +135,11 @@ class CellGroup(NamedTuple):
         name = f"{quantity.label} ({block.name})" if block.is_table else quantity.label
         return Subject(name, "verdict" if is_verdict else "")
 
+    @property
+    def is_overall(self) -> bool:
+        """Whether the cells are verdicts of the book or of a sheet."""
+        return bool(self.pairs) and self.pairs[0].cell.block.name.rstrip("0123456789") in OVERALL
+
     def spots(self) -> Iterator[Spot]:
         """Yield the cells."""
         if self.label:
@@ -157,28 +161,31 @@ def compare_cells(
     """Enter which declared cells look otherwise than in a fresh build, are out of sight, or have another validation."""
     fonts, known = text_fonts(match), dict[tuple[Any, ...], Flat]()
     for group in groups:
-        whole, unit = group.subject, group.pairs[0].cell.quantity.unit if group.pairs else ""
-        is_input = bool(group.pairs) and group.pairs[0].cell.quantity.role == "input"
-        is_overall = bool(group.pairs) and bool(OVERALL.fullmatch(group.pairs[0].cell.block.name))
-        for at, spot, value in group.spots():
-            cell, style, is_text = match.file.cell(at), fresh.style(spot), isinstance(value, str)
+        whole, quantity = group.subject, group.pairs[0].cell.quantity if group.pairs else None
+        for spot in group.spots():
+            at, cell, style = spot.at, match.file.cell(spot.at), fresh.style(spot.fresh)
             theirs: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
-            key = (tuple(style), tuple(theirs), is_text, unit)
+            key = (tuple(style), tuple(theirs), isinstance(spot.value, str), quantity.unit if quantity else "")
             if key not in known:
-                looks = differences.differing(fresh.look(style), held.look(theirs))
-                known[key] = dict(name_formats(looks, is_text, unit))
-            is_wrong = whole.kind == "verdict" and computed.get(at, value) != OK
-            subject = whole._replace(kind="failing") if is_wrong or is_overall else whole
+                known[key] = dict(name_formats(differences.differing(fresh.look(style), held.look(theirs)), *key[2:]))
+            is_wrong = whole.kind == "verdict" and computed.get(at, spot.value) != OK
+            subject = whole._replace(kind="failing") if is_wrong or group.is_overall else whole
             for name, pair in known[key].items():
                 differences.add(at, subject, name, *pair)
             if at in fonts:
                 differences.add(at, subject, "fonts of its parts", "", fonts[at])
-            if is_input and (words := (fresh.validation(spot), held.validation(at))) and words[0] != words[1]:
-                differences.add(at, subject, "validation", *words)
-            view, page = held.views[at.sheet], fresh.views[spot.sheet]
-            cause = view.hidden_by(at.row, at.column) or ("a hidden sheet" if is_wrong and view.is_hidden else "")
-            if cause and not page.hidden_by(spot.row, spot.column):
+            if quantity and quantity.role == "input":
+                ours = {"validation": fresh.validation(spot.fresh)}
+                differences.compare(at, subject, ours, {"validation": held.validation(at)})
+            if cause := hiding_cause(fresh, held, spot, is_wrong):
                 differences.add(at, subject, "sight", "in sight", f"hidden by {cause}")
+
+
+def hiding_cause(fresh: BookLooks, held: BookLooks, spot: Spot, is_wrong: bool) -> str:
+    """Return the cause that hides a cell but in a fresh build; a hidden sheet hides verdicts that are ``is_wrong``."""
+    view, page = held.views[spot.at.sheet], fresh.views[spot.fresh.sheet]
+    cause = view.hidden_by(spot.at.row, spot.at.column) or ("a hidden sheet" if is_wrong and view.is_hidden else "")
+    return cause if cause and not page.hidden_by(spot.fresh.row, spot.fresh.column) else ""
 
 
 def name_formats(looks: Flat, is_text: bool, unit: str) -> Iterator[tuple[str, tuple[Any, Any]]]:

@@ -40,56 +40,60 @@ class ChartData(NamedTuple):
     number: int = 0
 
 
-def read_charts(match: Match, title: str) -> Iterator[ChartData]:
-    """Yield the charts of a sheet of the file."""
-    file, inspected = match.file, match.file.inspected
-    for number, anchor in enumerate(inspected.drawings.get(title, ()) if inspected else ()):
-        if anchor.chart is not None:
-            at = Address(title, anchor.first.row + 1, anchor.first.column + 1)
-            yield read_chart(
-                anchor.chart, at, file.contents.area, lambda a: file.saved.get(a) or file.value(a) or "", number
-            )
+class ChartReader(NamedTuple):
+    """A reader of the charts of a sheet: how names of sheets are resolved, and what a cell shows."""
 
+    sheet: str
+    named: Callable[[str, str], Area]
+    shown: Callable[[Address], Any]
 
-def read_chart(
-    root: Element,
-    at: Address,
-    named: Callable[[str, str], Area],
-    shown: Callable[[Address], Any],
-    number: int = 0,
-) -> ChartData:
-    """Return a chart that stands at a cell; ``named`` resolves names of sheets, ``shown`` says what a cell shows."""
-
-    def source(element: Element) -> Source | str:
+    def source(self, element: Element) -> Source | str:
         """Return the cells to which an element refers, or its text; LibreOffice quotes a text as if it referred."""
         text = next((part.text or "" for part in element.iter() if tag(part) == "f"), "")
         if not text or text.startswith('"'):
             own = "".join(part.text or "" for part in element.iter() if tag(part) in ("t", "v"))
             return text.strip('"').replace('""', '"') or own
         try:
-            area = reference(text, at.sheet, named) if "!" in text else None
+            area = reference(text, self.sheet, self.named) if "!" in text else None
         except FormulaError:
             area = None
         if area is None:
             return COPY if COPIED.fullmatch(text) else text
-        words = str(shown(area.first)) if tag(element) == "tx" else f"{area.sheet}!{area.a1}"
+        words = str(self.shown(area.first)) if tag(element) == "tx" else f"{area.sheet}!{area.a1}"
         return Source(area._replace(single=area.size == 1), words)
 
-    def attributes(element: Element, path: str = "", leaving: Collection[str] = TEXTS) -> Flat:
-        return flatten(element, path, leaving, SOURCES, source)
+    def attributes(self, element: Element, path: str = "", leaving: Collection[str] = ()) -> Flat:
+        """Return the attributes of an element, with the cells and texts that it names."""
+        return flatten(element, path, (*leaving, *TEXTS), SOURCES, self.source)
 
-    parts = root.findall(".//{*}plotArea/*")
-    axes = [part for part in parts if tag(part).endswith("Ax")]
-    groups = [part for part in parts if tag(part).endswith("Chart")]
-    ids = [part.get("val") for part in groups[0] if tag(part) == "axId"] if groups else []
-    looks = attributes(root, leaving=("ser", *TEXTS, *map(tag, axes)))
-    looks |= {"kind": ", ".join(sorted({*map(tag, groups)})), "title": looks.pop("chart title text", "")}
-    for axis in axes:
-        own = next((part.get("val") for part in axis if tag(part) == "axId"), None)
-        looks |= attributes(axis, f"axis {'xy'[ids.index(own)]}" if own in ids[:2] else "another axis")
-    lines = [dict.fromkeys((*DRAWN, "text"), "") | attributes(s) for group in groups for s in group.findall("{*}ser")]
-    lines = [{key: value for key, value in line.items() if not key.startswith("marker spPr ln")} for line in lines]
-    return ChartData(lines, looks, at, number)
+    def line(self, series: Element) -> Flat:
+        """Return the attributes of a line but for the outline of its markers, which LibreOffice leaves out."""
+        line = dict.fromkeys((*DRAWN, "text"), "") | self.attributes(series)
+        return {key: value for key, value in line.items() if not key.startswith("marker spPr ln")}
+
+    def chart(self, root: Element, at: Address, number: int = 0) -> ChartData:
+        """Return a chart that stands at a cell, with its number among the drawings of the sheet."""
+        parts = root.findall(".//{*}plotArea/*")
+        axes = [part for part in parts if tag(part).endswith("Ax")]
+        groups = [part for part in parts if tag(part).endswith("Chart")]
+        looks = self.attributes(root, leaving=("ser", *map(tag, axes)))
+        looks |= {"kind": ", ".join(sorted({*map(tag, groups)})), "title": looks.pop("chart title text", "")}
+        ids = [axis.get("val") for axis in root.findall(".//{*}plotArea/*/{*}axId")][:2]  # of the first group
+        for axis in axes:
+            own = next((part.get("val") for part in axis.findall("{*}axId")), None)
+            looks |= self.attributes(axis, f"axis {'xy'[ids.index(own)]}" if own in ids else "another axis")
+        return ChartData(
+            [self.line(series) for group in groups for series in group.findall("{*}ser")], looks, at, number
+        )
+
+
+def read_charts(match: Match, title: str) -> Iterator[ChartData]:
+    """Yield the charts of a sheet of the file."""
+    file, inspected = match.file, match.file.inspected
+    reader = ChartReader(title, file.contents.area, lambda at: file.saved.get(at) or file.value(at) or "")
+    for number, anchor in enumerate(inspected.drawings.get(title, ()) if inspected else ()):
+        if anchor.chart is not None:
+            yield reader.chart(anchor.chart, Address(title, anchor.first.row + 1, anchor.first.column + 1), number)
 
 
 def compare_charts(match: Match, fresh: Any, views: Mapping[str, SheetView], differences: Differences) -> None:
@@ -114,7 +118,8 @@ def pair_charts(
 ) -> list[tuple[Any, ChartData, ChartData | None]]:
     """Return each chart of openpyxl's that is ``drawn``, its attributes, and the chart of the file most like it."""
     differences, at = Differences(match), Address(sheet.title, 1, 1)
-    fresh = [(chart, read_chart(chart._write(), at, match.declared_area, match.declared_value)) for chart in drawn]
+    reader = ChartReader(sheet.title, match.declared_area, match.declared_value)
+    fresh = [(chart, reader.chart(chart._write(), at)) for chart in drawn]
 
     def likeness(ours: tuple[Any, ChartData], theirs: ChartData) -> float:
         lines = ours[1].lines
@@ -138,6 +143,11 @@ def pair_alike(
     yield from ((None, other) for other in theirs.values())
 
 
+def drawn_areas(chart: ChartData) -> list[Area]:
+    """Return the columns that a chart draws."""
+    return [value.area for line in chart.lines for value in (line["x"], line["y"]) if isinstance(value, Source)]
+
+
 def has_data(differences: Differences, fresh: Flat, held: Flat) -> bool:
     """Whether two lines draw the same columns."""
     return all(differences.is_same(name, fresh[name], held[name]) for name in DRAWN)
@@ -145,8 +155,7 @@ def has_data(differences: Differences, fresh: Flat, held: Flat) -> bool:
 
 def compare_lines(match: Match, subject: Subject, fresh: ChartData, held: ChartData, differences: Differences) -> None:
     """Enter lines of a chart that are gone, added, or not as in a fresh build."""
-    sources = [source for line in fresh.lines for source in (line["x"], line["y"])]
-    if any(isinstance(source, Source) and match.lost(source.area) for source in sources):
+    if any(match.lost(area) for area in drawn_areas(fresh)):
         return
     subject = subject._replace(others={str(line["text"]) for line in fresh.lines})
 
@@ -187,8 +196,8 @@ def compare_sight(
         differences.add(held.at, subject, "size", "as built", f"{share:.0%} of it")
     if any(area.has(*middle) for area in areas[held.number + 1 :]):
         differences.add(held.at, subject, "sight", "in sight", "behind another drawing")
-    drawn = [value.area for line in held.lines for value in (line["x"], line["y"]) if isinstance(value, Source)]
-    rows = [(views[area.sheet].rows, range(area.top, area.bottom + 1)) for area in drawn if area.sheet in views]
+    drawn = [area for area in drawn_areas(held) if area.sheet in views]
+    rows = [(views[area.sheet].rows, range(area.top, area.bottom + 1)) for area in drawn]
     hidden = [sum(not heights[row] for row in numbers) for heights, numbers in rows]
     if any(hidden) and held.looks.get("chart plotVisOnly val", "1") == "1":
         differences.add(held.at, subject, "rows that it draws", "all", f"without {max(hidden):,} hidden rows")

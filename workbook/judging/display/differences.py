@@ -37,7 +37,7 @@ class Source(NamedTuple):
     words: str
 
     def __str__(self) -> str:
-        """Return what they say."""
+        """Return the words."""
         return self.words
 
 

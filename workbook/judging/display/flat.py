@@ -7,6 +7,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping
 from math import isclose
+from types import MappingProxyType
 from typing import Any
 from xml.etree.ElementTree import Element
 
@@ -53,7 +54,7 @@ def flatten(
     element: Element,
     path: str = "",
     leaving: Collection[str] = (),
-    sources: Mapping[str, str] | None = None,
+    sources: Mapping[str, str] = MappingProxyType({}),
     source: Callable[[Element], Any] = str,
 ) -> Flat:
     """Return the attributes and texts of an element, but for elements of the names ``leaving``.
@@ -69,7 +70,7 @@ def flatten(
     count = Counter[str]()
     for child in element:
         name = tag(child)
-        if sources and name in sources:
+        if name in sources:
             flat[f"{path} {sources[name]}".strip()] = source(child)
         if name not in leaving and not UNTOLD.fullmatch(name):
             count[name] += 1

@@ -103,7 +103,7 @@ class SheetView:
         return Rectangle(left, top, *(ends[1] if ends[1:] else (left + anchor.size[0], top + anchor.size[1])))
 
     def hidden_by(self, row: int, column: int) -> str:
-        """Return what hides a cell; nothing of a cell in sight."""
+        """Return the cause that hides a cell; nothing of a cell in sight."""
         if self.columns[column] < NARROW or column < self._first[1]:
             return "a hidden or narrow column"
         if self.rows[row] < LOW or row < self._first[0]:
