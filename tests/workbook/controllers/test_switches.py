@@ -257,7 +257,7 @@ def test_a_machine_without_switches_says_so(run, book):
 
 
 def test_an_edge_that_is_too_far_off_is_not_written(run, laned, tmp_path, monkeypatch):
-    monkeypatch.setattr("workbook.commands.export.MOST_OFF", -1.0)
+    monkeypatch.setattr("workbook.commands.switch_export.MOST_OFF", -1.0)
     assert MOST_OFF > 0.0
     code, _, err = run("export", laned, "--switches", "--to", "csv", "--unverified")
     assert code == 1
