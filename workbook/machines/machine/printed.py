@@ -14,7 +14,8 @@ NONE = "-"
 LOSSY = "/@i/(@eta1*@eta2)"
 INERTIA = f"(@j0-@jm+@j1/@i1^2/@eta1+@m/@i{LOSSY})"
 RESISTS = f"(@rub+@steady){LOSSY}"
-ALL, RESISTING = "[@printed.here.3]", "[@printed.here.6]"
+ALL = "[@printed.here.3]"
+STEADY = "[@printed.here.6]+@no_load"  # a no-load torque is no load of the document's, but the motor has to give it
 
 
 class Printed(NamedTuple):
@@ -90,17 +91,17 @@ FIGURES = (
     Printed(
         "Torque accelerating",
         "Nm",
-        f"{RESISTING}+{ALL}*@i*@amax",
+        f"{STEADY}+{ALL}*@i*@amax",
         0.103,
         1.5343,
         (0.1021457, 1.536194),
         "follows the rounded acceleration",
     ),
-    Printed("Torque at uniform speed", "Nm", RESISTING, 0.0113, 1.508, (0.01133007, 1.509848)),
+    Printed("Torque at uniform speed", "Nm", STEADY, 0.0113, 1.508, (0.01133007, 1.509848)),
     Printed(
         "Torque decelerating",
         "Nm",
-        f"{RESISTING}-{ALL}*@i*@amax",
+        f"{STEADY}-{ALL}*@i*@amax",
         -0.0805,
         1.4816,
         (-0.0794856, 1.483502),
