@@ -217,7 +217,7 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
     if kinds(kind):
         return f"the entries of a {either(kinds(kind))}"
     if tables(kind):
-        return ", or ".join(f"the entries {listed(own)}" for own in tables(kind))
+        return f"the entries {listed(kind)}"
     return f"{'a whole number' if kind is int else 'a number'} {bounds_expectation(constraints)}".strip()
 
 
@@ -246,7 +246,9 @@ def either(choices: Iterable[Any]) -> str:
 
 
 def listed(kind: Any) -> str:
-    """Return the entries of a table in words, those that may be left out last."""
+    """Return the entries of a table in words, those that may be left out last; of either of two tables, each."""
+    if len(tables(kind)) > 1 and not kinds(kind):
+        return ", or ".join(map(listed, tables(kind)))
     required = [name for name, field in fields(kind).items() if field.is_required()]
     optional = [name for name in fields(kind) if name not in required]
     if not required:
