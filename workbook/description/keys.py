@@ -188,7 +188,7 @@ class ModelWalk:
         )
 
     def _meaning(self, path: str, field: FieldInfo, table: type[BaseModel] | None) -> tuple[str, str]:
-        """Return what a key means and its unit: as its field says, else as its cell shows."""
+        """Return the meaning and the unit of a key: as its field says, else as its cell shows."""
         cell = self._cells.get(path) or self._of_law(path)
         meaning = field.description or WORDS.get(path) or (cell.label if cell else "")
         more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows

@@ -14,7 +14,7 @@ from workbook.laws.pages.spline import ROOM
 
 
 class Sizes(Model):
-    """How large the tables are built: intervals of a cycle, a law, an exported axis; rows."""
+    """Sizes of the tables: intervals of a cycle, a law, an exported axis; rows."""
 
     cycle: Annotated[int, Field(ge=4, le=7200)] = 360
     law: Annotated[int, Field(ge=4, le=1000)] = 60
@@ -57,7 +57,7 @@ Dated = Annotated[Text, BeforeValidator(lambda day: day.isoformat() if isinstanc
 
 
 class Machine(Model):
-    """What every machine description has, whatever its template."""
+    """Entries that every machine description has, whatever its template."""
 
     template: str
     title: Text

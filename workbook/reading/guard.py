@@ -134,18 +134,23 @@ def refuse_odd_parts(parts: list[zipfile.ZipInfo], size: int) -> None:
         if times > 1:
             raise Refusal(f"holds {short(name)} {times} times; each part is expected once")
     for part in parts:
-        if part.filename.startswith("/") or any(c in part.filename for c in ("\\", ":", "\0")):
-            raise Refusal(f"holds a part named {short(part.filename)}, which no spreadsheet program writes")
-        if ".." in part.filename.split("/"):
-            raise Refusal(f"holds a part named {short(part.filename)}, which leads out of the workbook")
-        if part.flag_bits & 1:
-            raise Refusal("a zip protected by a password; remove the password")
+        refuse_odd_part(part)
     if min(part.header_offset for part in parts):  # zipfile moves every offset, others read what stands before
         raise Refusal(f"has something before its first part: another zip, which programs may read instead; {SAVE_AS}")
     if sum(part.compress_size for part in parts) > size:
         raise Refusal("its parts overlap, as in a zip bomb")
     if sum(part.file_size for part in parts) > MOST_UNPACKED:
         raise Refusal(f"unpacks to more than {MOST_UNPACKED:,} bytes, the most that is expected of a workbook")
+
+
+def refuse_odd_part(part: zipfile.ZipInfo) -> None:
+    """Refuse a part whose name no spreadsheet program writes, and one that is encrypted."""
+    if part.filename.startswith("/") or any(c in part.filename for c in ("\\", ":", "\0")):
+        raise Refusal(f"holds a part named {short(part.filename)}, which no spreadsheet program writes")
+    if ".." in part.filename.split("/"):
+        raise Refusal(f"holds a part named {short(part.filename)}, which leads out of the workbook")
+    if part.flag_bits & 1:
+        raise Refusal("a zip protected by a password; remove the password")
 
 
 def unpack(archive: zipfile.ZipFile, part: zipfile.ZipInfo) -> bytes:

@@ -16,7 +16,7 @@ from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import UNSIZED, MechanismEntry, Table
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.view import MachineView, MovingAxis
 
 CELLS = cell_tables(__file__)
 
@@ -97,17 +97,22 @@ def require_mechanisms(machine: AnyMachine) -> None:
     if not any(axis.mechanism and axis.mechanism.LARGE for axis in machine.axes):
         return
     for axis in MachineView(machine, laws(machine.laws)).axes:
-        name, given, unit = axis.given.name, axis.given.mechanism, axis.given.unit
+        given = axis.given.mechanism
         if given is None or not given.LARGE:
             continue
         where, large = f"axes.{axis.number - 1}.mechanism", given.model_dump() | given.LARGE
-        if said := apart(given, unit):
-            raise DesignError(where, said, f"linked{axis.number}", large)
-        linkage = None if given.SLIDES else linkage_of(given, axis.unit)
-        for row, k in enumerate(axis.entered if linkage else (), 1):
-            errors = [error for y in axis.motion.reaches[k] if linkage and (error := linkage.beyond(y))]
-            if errors:
-                found = max(errors, key=lambda error: error.by)
-                place, by = (shown(value, axis.unit) for value in (found.position, found.by))
-                said = f"{name} row {row}" + WORDS.format(figure(place), unit, rounded(by), unit, found.end)
-                raise DesignError(where, said, f"reach{axis.number}", large)
+        if problem := apart(given, axis.given.unit):
+            raise DesignError(where, problem, f"linked{axis.number}", large)
+        if not given.SLIDES and (problem := beyond_reach(axis, linkage_of(given, axis.unit))):
+            raise DesignError(where, problem, f"reach{axis.number}", large)
+
+
+def beyond_reach(axis: MovingAxis, linkage: Linkage) -> str:
+    """Return in words by how much the first phase that leaves a mechanism's reach does so; nothing if none does."""
+    for row, k in enumerate(axis.entered, 1):
+        errors = [error for y in axis.motion.reaches[k] if (error := linkage.beyond(y))]
+        if errors:
+            farthest, unit = max(errors, key=lambda error: error.by), axis.given.unit
+            place, by = (shown(value, axis.unit) for value in (farthest.position, farthest.by))
+            return f"{axis.given.name} row {row}" + WORDS.format(figure(place), unit, rounded(by), unit, farthest.end)
+    return ""
