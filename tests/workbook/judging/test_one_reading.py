@@ -124,7 +124,7 @@ def test_parts_whose_names_differ_in_case_are_refused(book, tmp_path):
 
 def test_a_sheet_of_another_namespace_or_root_is_refused(book, tmp_path):
     sheet = "xl/worksheets/sheet2.xml"
-    other = {sheet: lambda data: data.replace(SPACE, b"http://purl.oclc.org/ooxml/spreadsheetml/main")}
+    other = {sheet: lambda data: data.replace(SPACE, b"urn:another")}
     assert "no worksheet" in refused(repacked(book.path, tmp_path / "a.xlsx", other))
     root = {sheet: lambda data: data.replace(b"<worksheet ", b"<sheet ").replace(b"</worksheet>", b"</sheet>")}
     assert "no worksheet" in refused(repacked(book.path, tmp_path / "b.xlsx", root))
