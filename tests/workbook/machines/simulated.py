@@ -19,6 +19,8 @@ ZOOMS, FINE = 4, 33
 """how often the surroundings of a peak are looked at again, and at how many places"""
 STEPS = 7200
 """of a cycle, of drives on a bus"""
+INSIDE = 1e-7
+"""rad: nearer to the end of a stretch the motion counts as on the stretch beside, so that no peak is looked for there"""
 STILL = 1e-9
 """share of the largest speed: what is slower stands"""
 RPM, CM2, MM = pi / 30, 1e-4, 1e-3
@@ -129,13 +131,13 @@ class Simulated:
         edges = [radians(edge) - self.late for one in self.given.load.windows for edge in (one.start, one.stop)]
         cuts += [self.begin + (edge - self.begin) % self.total for edge in edges]
         cuts = np.unique([*cuts, self.begin, self.begin + self.total])
-        cuts = cuts[np.concatenate([[True], np.diff(cuts) > 1e-9])]
+        cuts = cuts[np.concatenate([[True], np.diff(cuts) > 3.0 * INSIDE])]
         places = np.concatenate([np.linspace(a, b, 60)[1:-1] for a, b in pairwise(cuts)])
         turns = self.zeros(self.load_velocity, places)
         knots = [one.position * self.unit for one in getattr(self.given.mechanism, "points", [])[1:-1]]
         passed = [self.zeros(lambda x, knot=knot: self.moved(x)[0] - knot, places) for knot in knots]
         cuts = np.unique(np.concatenate([cuts, turns, *passed]))
-        return cuts[np.concatenate([[True], np.diff(cuts) > 1e-9])]
+        return cuts[np.concatenate([[True], np.diff(cuts) > 3.0 * INSIDE])]
 
     def zeros(self, quantity, places):
         """Where a quantity changes its sign, by bisection between places."""
@@ -250,8 +252,7 @@ class Simulated:
         """Speed (rad/s), torque (Nm) and power (W) of the motor, and the torque behind the reducer, at places."""
         motor, reducer = self.given.motor, self.reducer
         y, v, a = self.moved(x)
-        whole = v.sum(axis=1, keepdims=True) if v.ndim == 2 else v  # of a stretch, which has one direction to its ends
-        way = np.where(still, 0.0, np.sign(whole))
+        way = np.where(still, 0.0, np.sign(v))
         first, second = self.ratio(y)
         turning = second * v**2 + first * a
         at_motor, at_mechanism = self.inertias
@@ -295,7 +296,7 @@ class Simulated:
         best = -np.inf
         for row in np.argsort(found.max(axis=1))[-4:]:
             k = int(found[row].argmax())
-            inner = [self.stretches[row] + 1e-10, *self.nodes[0][row], self.stretches[row + 1] - 1e-10]
+            inner = [self.stretches[row] + INSIDE, *self.nodes[0][row], self.stretches[row + 1] - INSIDE]
             low, high = inner[k], inner[k + 2]
             still, dwell = (column[row : row + 1, None] for column in self.dwells)
             for _ in range(ZOOMS):
