@@ -43,7 +43,7 @@ def piece_ends(pieces: Sequence[Piece]) -> list[PieceEnds]:
 POINTS = 9  # of a piece, with both its ends
 SAME = 1e-9  # difference of ξ, v or a below which two values count as equal
 _BASIS = Legendre.basis(POINTS - 1)
-_NODES = np.array([-1.0, *_BASIS.deriv().roots(), 1.0])
+_NODES = np.array([-1.0, *_BASIS.deriv().roots().real, 1.0])  # which NumPy from 2.5 on gives as complex numbers
 SHARES: Array = (_NODES + 1.0) / 2.0  # places of the points, as shares of a piece's duration
 WEIGHTS: Array = 1.0 / (POINTS * (POINTS - 1) * _BASIS(_NODES) ** 2)  # of the points in a mean over the piece; sum 1
 SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}  # quantity and its derivative by ξ
