@@ -42,23 +42,21 @@ class Place(NamedTuple):
     rows: int
     columns: int
     rows_at: tuple[int, ...] = ()  # the offsets of its rows where others lie between them
-    columns_at: tuple[int | None, ...] = ()  # and of its columns; None of a column that is gone
+    columns_at: tuple[int, ...] = ()  # and of its columns
 
     def cell(self, i: int, j: int) -> Address:
-        """Return the address of the cell in row ``i`` and column ``j`` of the block, from 0; column 0 if it is gone."""
+        """Return the address of the cell in row ``i`` and column ``j`` of the block, from 0."""
         row = self.rows_at[i] if 0 <= i < len(self.rows_at) else i
-        if not 0 <= j < len(self.columns_at):
-            return Address(self.sheet, self.row + row, self.column + j)
-        offset = self.columns_at[j]
-        return Address(self.sheet, self.row + row, 0 if offset is None else self.column + offset)
+        column = self.columns_at[j] if 0 <= j < len(self.columns_at) else j
+        return Address(self.sheet, self.row + row, self.column + column)
 
     def down(self, j: int) -> list[Address]:
-        """Return the cells of a column; column 0 if it is gone."""
+        """Return the cells of a column."""
         offsets, column = self.rows_at or range(self.rows), self.cell(0, j).column
         return [Address(self.sheet, self.row + offset, column) for offset in offsets]
 
     def part(self, j: int) -> Self:
-        """Return the place of a column; column 0 if it is gone."""
+        """Return the place of a column."""
         return self._replace(column=self.cell(0, j).column, columns=1, columns_at=())
 
     @property
@@ -67,23 +65,9 @@ class Place(NamedTuple):
         return self.cell(0, 0), self.cell(self.rows - 1, self.columns - 1)
 
 
-class Fit(NamedTuple):
-    """The place of a table, and the changes to its rows and columns."""
+class Tear(NamedTuple):
+    """The place in a file where cells of tables are gone, or too many."""
 
-    place: Place
-    inserted: tuple[int, ...] = ()  # rows of the sheet that lie within
-    added: tuple[int, ...] = ()  # columns of the sheet that lie within
-    lost: tuple[tuple[int, int], ...] = ()  # before a row of the sheet: how many rows are gone
-    gone: tuple[int, ...] = ()  # the numbers of the columns that are
-    named: Place | None = None  # where the name of a single cell leads that leads to several
-
-    @property
-    def size(self) -> int:
-        """The number of rows that the table had."""
-        return self.place.rows + sum(count for _, count in self.lost)
-
-    def before(self, j: int) -> int:
-        """Return the column of the sheet before which the column ``j``, that is gone, has stood."""
-        behind = (self.place.cell(0, k).column for k in range(j + 1, self.place.columns))
-        ahead = max((self.place.cell(0, k).column for k in range(j)), default=self.place.column - 1)
-        return next((column for column in behind if column), ahead + 1)
+    sheet: str
+    cells: str
+    change: str

@@ -162,8 +162,6 @@ class Comparison:
     def elsewhere(self, template: AnyTemplate, machine: Machine, suspects: set[Address]) -> list[Finding]:
         """Return the findings at variations of the inputs: cells in turn, the ``suspects`` at each."""
         report = Report(self.report.path, self.report.template)
-        if any(place is None for _, place in self.match.misfits):
-            return []
         try:
             machines = template.variants(machine)
         except ValidationError:  # numbers so large that no neighbour of theirs is a number

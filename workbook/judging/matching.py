@@ -1,6 +1,6 @@
 """The cells of a file that are cells of the declaration: by defined names and the blocks that they anchor."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
@@ -11,11 +11,11 @@ from workbook.book.declare import Block, Book, Cell, Sheet
 from workbook.book.formula import Area, FormulaError, read
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, is_formula
+from workbook.reading.table_fit import MOST_BETWEEN
 
 Argument = Area | str
 Index = tuple[str, int, int]  # block, row and column of a cell
-MOST_BETWEEN = 10  # rows that someone may have put between a header and its table
-HEAD = range(1, 4)  # how far above a table its headings are declared
+HEADING = -1  # the row of a table's headings, before its first
 
 
 class Pair(NamedTuple):
@@ -40,22 +40,18 @@ class Match:
     file: BookFile
     declared: Book
     pairs: list[Pair] = field(default_factory=list)
-    misfits: list[tuple[Block, Place | None]] = field(default_factory=list)  # blocks gone, or of another size there
     columns: list[list[Pair]] = field(default_factory=list)  # the same by columns of blocks
 
     def __post_init__(self) -> None:
         for block in self.declared.blocks.values():
             place = self.file.places.get(block.name)
-            if place is None or (self.size_of(block), place.columns) != (block.size, len(block.quantities)):
-                self.misfits.append((block, place))
-            if place is None:
+            if place is None or block.name in self.file.torn:
                 continue
             for j, cells in enumerate(block.by_column()):
-                if j < place.columns and place.rows and place.cell(0, j).column:
-                    addresses = zip(cells, place.down(j), strict=False)  # either may have more rows
-                    self.columns.append(
-                        [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in addresses]
-                    )
+                addresses = zip(cells, place.down(j), strict=True)
+                self.columns.append(
+                    [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in addresses]
+                )
         self.pairs += chain.from_iterable(self.columns)
 
     def placed(self, sheet: Sheet) -> list[tuple[Block, Place]]:
@@ -66,11 +62,6 @@ class Match:
     def sheets(self) -> list[tuple[Sheet, str]]:
         """The declared sheets of which the file has blocks, each with the title of the sheet on which they are."""
         return [(sheet, placed[0][1].sheet) for sheet in self.declared.sheets if (placed := self.placed(sheet))]
-
-    def size_of(self, block: Block) -> int:
-        """Return how many rows a block had in the file, those counted that are gone."""
-        fit = self.file.fits.get(block.name)
-        return fit.size if fit is not None else self.file.places[block.name].rows
 
     @cached_property
     def numbers(self) -> dict[Address, int]:
@@ -98,25 +89,14 @@ class Match:
         alike = (declared.shape, declared.anchors) == (held.shape, held.anchors)
         return list(zip(declared.arguments, held.arguments, strict=True)) if alike else None
 
-    def differing_corners(self, pair: Pair) -> Iterator[tuple[Index, Index]]:
-        """Yield the corners by which a formula of the declared shape differs: declared, and held."""
+    def cells_read_elsewhere(self, pair: Pair) -> Iterator[tuple[Address, Address]]:
+        """Yield the cells that a formula of the declared shape reads outside of all blocks: their places, and those."""
         for our, other in self._arguments(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet) or ():
-            if not isinstance(our, str) and not isinstance(other, str) and not self.same(our, other):
+            if isinstance(our, Area) and isinstance(other, Area):
                 for ours, theirs in zip(corners(our), corners(other), strict=True):
-                    yield self._declared_index.get(ours, ours), self._held_index.get(theirs, theirs)
-
-    def leads_out(self, address: Address) -> bool:
-        """Whether the formula in a cell of the file begins or ends a reference at a cell of no block."""
-        formula = self.file.contents.formulas.get(address)
-        areas = (
-            (argument for argument in formula.arguments if isinstance(argument, Area)) if formula is not None else ()
-        )
-        return any(corner not in self._held_index for area in areas for corner in corners(area))
-
-    def lost(self, area: Area | None) -> bool:
-        """Whether the file has not the column that a declared area is."""
-        name, _, j = self._declared_index[area.first] if area is not None else ("", 0, 0)
-        return name not in self.file.places or not self.file.places[name].cell(0, j).column
+                    name, i, j = self._declared_index.get(ours, ("", HEADING, 0))
+                    if i != HEADING and name in self.file.places and theirs not in self._held_index:
+                        yield self.file.places[name].cell(i, j), theirs
 
     def declared_value(self, address: Address) -> Any:
         """Return the content of a declared cell, at its address in the declaration."""
@@ -124,83 +104,31 @@ class Match:
         block = self.declared.blocks[name]
         return as_rows(block.quantities[j].value, block.size, name)[i]
 
-    def same(self, declared: Area | str | None, held: Area | str | None) -> bool:
+    def same(self, declared: Argument | None, held: Argument | None) -> bool:
         """Whether two arguments mean the same: every cell is named by its block and its place in the block."""
         if not isinstance(declared, Area) or not isinstance(held, Area):
             return declared == held
-        ours, theirs = (
-            [index.get(corner, corner) for corner in corners(area)]
-            for area, index in ((declared, self._declared_index), (held, self._held_index))
-        )
-        single, (name, i, _), there = declared.single and held.single, ours[0], theirs[0]
-        moved = single and i == -1 and isinstance(there, Address) and name in self.headless
-        if moved and isinstance(self.file.value(Address(*there)), str | None):  # its table's header was left behind
-            return True
-        return declared.single == held.single and all(map(self._same_cell, ours, theirs))
+        return declared.single == held.single and all(map(self._same_cell, corners(declared), corners(held)))
 
-    def _same_cell(self, declared: Index, held: Index) -> bool:
-        """Whether two cells match; in a table that has lost rows also by a row's number, and if each is the last."""
-        if declared == held:
-            return True
-        (name, i, j), (other, h, k) = declared, held
-        block = self.declared.blocks.get(name)
-        if block is None or (name, j) != (other, k):
-            return False
-        place, fit = self.file.places[name], self.file.fits.get(name)
-        before = sum(count for row, count in fit.lost if row <= place.cell(h, 0).row) if fit else 0
-        return i == h + before or (i == block.size - 1 and h == place.rows - 1)
+    def _same_cell(self, declared: Address, held: Address) -> bool:
+        """Whether two cells match, of which one in a table's heading is any that holds no number above its column."""
+        ours, theirs = self._declared_index.get(declared, declared), self._held_index.get(held, held)
+        if ours == theirs or isinstance(ours, Address) or ours[1] != HEADING or ours[0] not in self.file.places:
+            return ours == theirs
+        top = self.file.places[ours[0]].cell(0, ours[2])
+        is_above = held.row in range(top.row - MOST_BETWEEN, top.row) and held == top._replace(row=held.row)
+        return is_above and isinstance(self.file.value(held), str | None)
 
     @cached_property
     def _declared_index(self) -> dict[Address, Index]:
-        return cell_index({name: declared_place(b) for name, b in self.declared.blocks.items()}, lambda name: 1)
+        places = [(block.name, declared_place(block)) for block in self.declared.blocks.values()]
+        tables = [(name, place) for name, place in places if self.declared.blocks[name].is_table]
+        headings = {at.cell(HEADING, j): (name, HEADING, j) for name, at in tables for j in range(at.columns)}
+        return headings | cell_index(places)
 
     @cached_property
     def _held_index(self) -> dict[Address, Index]:
-        places = {name: self.file.places[name] for name in self.declared.blocks if name in self.file.places}
-        return cell_index(places, self._header_above)
-
-    def _header_above(self, name: str) -> int:
-        """Return how many rows above a block its header stands: a line with any of its texts, else the next text."""
-        place = self.file.places[name]
-        for line, texts in enumerate(self._heading(self.declared.blocks[name])):
-            for up in range(1, min(MOST_BETWEEN, place.row - line)):
-                held = self._line_held(place, up + line)
-                if any(cell and cell == other for cell, other in zip(texts, held, strict=True)):
-                    return up
-        above = range(1, min(MOST_BETWEEN, place.row))
-        return next((up for up in above if any(isinstance(cell, str) for cell in self._line_held(place, up))), 1)
-
-    def _heading(self, block: Block) -> list[list[str | None]]:
-        """Return the lines of a block's heading as declared, from the line just above it."""
-        columns = block.columns.values()
-        return [[self._texts.get((block.sheet.title, block.row - up, column)) for column in columns] for up in HEAD]
-
-    def _line_held(self, place: Place, up: int) -> list[Any]:
-        """Return the contents of the file so many rows above a block."""
-        return [self.file.value(place.cell(-up, j)) for j in range(place.columns)]
-
-    @cached_property
-    def headless(self) -> set[str]:
-        """The tables that have lost their headings: there is no text just above, and none of their own further up."""
-        headless = set()
-        for block in self.declared.blocks.values():
-            place = self.file.places.get(block.name) if block.is_table else None
-            names = {text for line in self._heading(block) for text in line if text} if place else set()
-            held = (
-                {
-                    up: {text for text in self._line_held(place, up) if isinstance(text, str)}
-                    for up in range(1, min(MOST_BETWEEN + len(HEAD), place.row))
-                }
-                if place
-                else {}
-            )
-            if names and not any(held.get(up) for up in HEAD) and not any(names & texts for texts in held.values()):
-                headless.add(block.name)
-        return headless
-
-    @cached_property
-    def _texts(self) -> dict[Index, str]:
-        return {(s.title, text.row, text.column): text.text for s in self.declared.sheets for text in s.texts}
+        return cell_index((name, self.file.places[name]) for name in self.declared.blocks if name in self.file.places)
 
     @cached_property
     def declared_area(self) -> Callable[[str, str], Area]:
@@ -225,9 +153,7 @@ def declared_place(block: Block) -> Place:
     return Place(block.sheet.title, block.row, block.column, block.size, len(block.quantities))
 
 
-def cell_index(places: dict[str, Place], header: Callable[[str], int]) -> dict[Address, Index]:
-    """Return the place of every cell of the blocks, and of tables' headers ``header`` rows above, which are row −1."""
-    columns = [(name, place, j) for name, place in places.items() for j in range(place.columns)]
-    up = {name: header(name) for name, place in places.items() if place.rows > 1 or place.columns > 1}
-    cells = {place.cell(-up[name], j): (name, -1, j) for name, place, j in columns if name in up}
-    return cells | {at: (name, i, j) for name, place, j in columns for i, at in enumerate(place.down(j))}
+def cell_index(places: Iterable[tuple[str, Place]]) -> dict[Address, Index]:
+    """Return the place of every cell of the blocks."""
+    columns = [(name, place, j) for name, place in places for j in range(place.columns)]
+    return {at: (name, i, j) for name, place, j in columns for i, at in enumerate(place.down(j))}

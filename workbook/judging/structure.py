@@ -23,14 +23,7 @@ LAST_DIGITS = 1e-14  # LibreOffice keeps 15 digits of a number when it saves
 
 
 def check_structure(match: Match, report: Report) -> set[Address]:
-    """Enter missing blocks, and formulas and constants that are not the declared ones; return those formulas."""
-    for block, place in match.misfits:
-        if place is not None and block.is_table:  # reported with what was inserted or is gone
-            continue
-        expected = f"{block.size} rows by {len(block.quantities)} columns"
-        size = f"{place.rows} rows by {place.columns} columns" if place else None
-        where = (place.sheet, place.cell(0, 0).a1) if place else (block.sheet.title, block.name)
-        report.findings.append(Finding(*where, "missing", size, expected, block.title or block.quantities[0].label))
+    """Enter formulas and constants that are not the declared ones; return those formulas."""
     suspects = set()
     for pair in match.pairs:
         if pair.cell.quantity.role == "input":
@@ -113,9 +106,6 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
         for name, defined in sheet.defined_names.items():
             if name.casefold() in declared:  # formulas of the sheet take it for the book's of the same name
                 yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
-    for name, fit in match.file.fits.items():
-        if fit.named is not None:  # of a single cell, that leads to several
-            yield finding(fit.place, name, range_of(fit.named), range_of(fit.place))
     for misled in (column_name_findings, stray_blocks, mislabelled_cells, displaced_texts, exchanged_tables):
         yield from misled(match)
     inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
@@ -183,7 +173,7 @@ def column_name_findings(match: Match) -> Iterator[Finding]:
             continue
         first, last = (place.part(part - block.column) for part in block.ends(column))
         right, held = (first.corners[0], last.corners[1]), places.get(name)
-        if first.column and last.column and (held is None or held.corners != right):
+        if held is None or held.corners != right:
             expected = range_of(first._replace(columns=last.column - first.column + 1))
             yield finding(held or first, name, range_of(held), expected)
 
@@ -247,9 +237,8 @@ def exchanged_tables(match: Match) -> Iterator[Finding]:
     alike = defaultdict[tuple[str, ...], list[tuple[Block, Place]]](list)
     for sheet in match.declared.sheets:
         for block, place in match.placed(sheet):
-            if block.name not in match.headless:
-                what = [q.name for q in block.quantities] if block.is_table else [block.quantities[0].label]
-                alike[sheet.title, *what].append((block, place))
+            what = [q.name for q in block.quantities] if block.is_table else [block.quantities[0].label]
+            alike[sheet.title, *what].append((block, place))
     for blocks in alike.values():
         for (before, first), (after, second) in pairwise(blocks):
             in_order = first.sheet != second.sheet or first[:3] < second[:3]  # another sheet is what strays() tells

@@ -19,8 +19,8 @@ from workbook.judging.display.sheets import compare_sheets
 from workbook.judging.display.texts import compare_texts
 from workbook.judging.layout import layout_findings, set_consequences_aside
 from workbook.judging.matching import Match, Pair
-from workbook.judging.repair import is_empty_row, repair_book, report_wrong_results
-from workbook.judging.report import LAYOUT, NOTICE, ORDER, Check, Report, WitnessRun
+from workbook.judging.repair import repair_book
+from workbook.judging.report import NOTICE, ORDER, Check, Report, WitnessRun
 from workbook.judging.structure import audit, check_structure, stale_functions
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
@@ -77,10 +77,14 @@ def judge(
 ) -> None:
     """Enter into ``report`` all findings in ``file``, whose inputs are ``machine``.
 
-    ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others any.
+    Nothing is compared where a table is torn. ``given`` are the values of inputs that hold a formula. Witnesses that
+    are ``named`` must answer, of the others any.
     """
     match = Match(file, template.declare(machine))
     report.findings += layout_findings(match)
+    if file.torn:
+        count_cells(match, report)
+        return
     suspects = check_structure(match, report)
     report.notes += stale_functions(file.workbook)
     report.findings += audit(match, type(machine))
@@ -98,8 +102,6 @@ def judge(
         for witness in asked:
             comparison.ask(witness)
         comparison.require_answers(named)
-        if any(map(is_empty_row, report.notices)):
-            report_wrong_results(single.values(open_book(file.path)), match, comparison.values, report)
         report.findings += comparison.elsewhere(template, machine, suspects)
         report.checks = check_results(match, comparison.values)
         check_display(match, type(machine), comparison.values, report)
@@ -118,8 +120,7 @@ def check_display(match: Match, model: type[BaseModel], computed: Cells, report:
     labels = compare_texts(match, report, differences)
     groups = [CellGroup(pairs) for pairs in match.columns] + [CellGroup([], label) for label in labels]
     compare_cells(match, fresh, held, groups, computed, differences)
-    if not any(finding.kind == LAYOUT for finding in report.findings):  # with cells that were cut their rules went
-        compare_rules(match, fresh, held, groups, differences)
+    compare_rules(match, fresh, held, groups, differences)
     compare_sheets(match, fresh.workbook, differences)
     compare_charts(match, fresh.workbook, held.views, differences)
     differences.enter(report)

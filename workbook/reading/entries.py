@@ -3,7 +3,6 @@
 from collections.abc import Callable, Collection, Iterator
 from typing import Any
 
-from openpyxl.utils import get_column_letter
 from pydantic import BaseModel
 
 from workbook.book.address import Address
@@ -16,7 +15,8 @@ from workbook.fields.paths import MISSING, get, has_key, put, split
 from workbook.fields.types import MakesCells
 from workbook.reading.descriptions import cell_key, empty_machine, template_named, validated
 from workbook.reading.files import BookFile, is_formula, require_narrow
-from workbook.reading.table_fit import changed_tables
+from workbook.reading.table_fit import UNDO as UNDO_TEAR
+from workbook.reading.table_fit import fit_tables, tables_by_tear
 from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
@@ -37,14 +37,14 @@ class Entries:
         self.computed: dict[Address, Any] = {}
         self.template = self._template()
         self.data = self._layout()
-        self.missing: list[str] = []
         self.beyond: list[str] = []  # of each table of entries the cells under its last row, which nothing reads
         self._between: list[str] = []
         self._emptied: list[str] = []
-        self.gone: dict[tuple[str, int], list[str]] = {}
         self._laws = {key: law["family"] for key, law in self.data["laws"].items()}
         layout = self._declare_empty(self.data.pop(INPUTS, None))
-        self._fit(layout)
+        fit_tables(file, layout)
+        self._torn = {b.name for b in layout.blocks.values() if any(q.role == "input" for q in b.quantities)}
+        self._torn &= file.torn.keys()
         self.moved = mend(file, layout, self.template.model) if mend else []
         self._value = evaluate(file, [*self._formulas(layout)])
         for block in layout.blocks.values():
@@ -54,32 +54,16 @@ class Entries:
 
     def machine(self) -> Machine:
         """Return the entries; raise InputError whose lines name the sheet, the cell and what is expected."""
-        if self.missing:
-            raise InputError(
-                [f"{self.file.path}: the name {name} is missing; its inputs cannot be found" for name in self.missing]
-            )
-        if self.gone:
-            raise InputError(
-                [
-                    f"{self.file.path.name}: {sheet}: a column is gone before column {get_column_letter(n)}, "
-                    f"and what was entered in {', '.join(what)}; undo that, or take it from a copy"
-                    for (sheet, n), what in self.gone.items()
-                ]
-            )
+        if self._torn:
+            tears = tables_by_tear(self.file, self._torn).items()
+            at = ((f"{tear.sheet}!{tear.cells}: {tear.change}", ", ".join(names)) for tear, names in tears)
+            raise InputError([f"{self.file.path.name}: {where}, in {names}; {UNDO_TEAR}" for where, names in at])
         if self.disputed:
             raise InputError(self.disputed)
-        if self._between and not self._lost():
+        if self._between:
             raise InputError(self._between[:1])
         data, named = self._by_name()
-        try:
-            machine = validated(self.template, data, lambda key: self._where(cell_key(key, named)))
-        except InputError as refused:
-            moved = [
-                f"{self.file.path.name}: {move.sheet}!{move.cell}: {move.computed}; {move.expected}"
-                for move in self.moved
-                if move.kind == "notice"
-            ]
-            raise InputError(self._lost() or moved[:1] or refused.lines) from None
+        machine = validated(self.template, data, lambda key: self._where(cell_key(key, named)))
         built = {
             name: text
             for name, place in self.file.places.items()  # what laws and axes were called
@@ -88,19 +72,6 @@ class Entries:
         machine.laws.built_as({name: built[f"{key}_built"] for name, key in named.items() if f"{key}_built" in built})
         machine.built_as(built)
         return machine
-
-    def _lost(self) -> list[str]:
-        """Return in a line each where rows are gone from tables, for entries that without them make no machine."""
-        what = "and what is left does not go together; undo that, or take the table from a copy"
-        tables: dict[tuple[str, int], list[str]] = {}
-        for table, fit in self.file.fits.items():
-            for row, _ in fit.lost:
-                tables.setdefault((fit.place.sheet, row), []).append(table)
-        return [
-            f"{self.file.path.name}: {sheet}: above row {row}, a row is gone from the "
-            f"table{'s' if len(torn) > 1 else ''} {', '.join(torn)}, {what}"
-            for (sheet, row), torn in tables.items()
-        ]
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
         """Return the entries with the book's own laws by their names, and for each of these names its key."""
@@ -136,38 +107,23 @@ class Entries:
             raise ReadError(f"{self.file.path}: {cell}: {fault}; {UNDO}") from None
 
     def _declare_empty(self, inputs: Any) -> Book:
-        """Declare the book of the file's layout, of so many ``inputs``, with nothing entered, and with few samples."""
+        """Declare the book of the file's layout, of so many ``inputs``, with nothing entered."""
         try:
             machine = empty_machine(self.template, self.data)
         except InputError as refused:
             cell, (first, *_) = self.file.places[NAME].cell(0, 0), refused.lines
             raise ReadError(f"{self.file.path}: {cell}: {first}; {UNDO}") from None
-        few = machine.sizes.model_copy(update={"cycle": 4, "law": 4})
-        book = self.template.finished(machine.model_copy(update={"sizes": few}))
+        book = self.template.finished(machine)
         if (known := len(input_keys(book))) != inputs:
             problem = f"has cells for {quoted(inputs)} entries, where its template has {known}"
             raise ReadError(f"{self.file.path}: {problem}; expected a book of this version: build it anew")
         return book
 
-    def _fit(self, layout: Book) -> None:
-        """Find the tables into which rows or columns were put, or from which some were taken."""
-        self.file.fits |= changed_tables(self.file, layout)
-        for name, fit in self.file.fits.items():
-            self.file.places[name] = fit.place
-
     def _read_block(self, block: Block) -> None:
         inputs = [(j, q) for j, q in enumerate(block.quantities) if q.role == "input"]
-        if not inputs:
+        if not inputs or block.name in self._torn:
             return
-        place = self.file.places.get(block.name)
-        if place is None:
-            self.missing.append(block.name)
-            return
-        for j, q in inputs:
-            if not place.cell(0, j).column:
-                at = (place.sheet, self.file.fits[block.name].before(j))
-                self.gone.setdefault(at, []).append(f"{q.label!r} of the table {block.name}")
-        inputs = [(j, q) for j, q in inputs if place.cell(0, j).column]
+        place = self.file.places[block.name]
         rows = [[self._entered(place.cell(i, j), q) for j, q in inputs] for i in range(place.rows)]
         self._look_below(block, [place.cell(place.rows - 1, j) for j, _ in inputs])
         used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
@@ -231,10 +187,9 @@ class Entries:
 
     def _formulas(self, layout: Book) -> Iterator[Address]:
         for block in layout.blocks.values():
-            place = self.file.places.get(block.name)
-            columns = [j for j, q in enumerate(block.quantities) if q.role == "input"]
-            cells = [place.cell(i, j) for j in columns for i in range(place.rows)] if place else []
-            yield from (cell for cell in cells if cell.column and is_formula(self.file.value(cell)))
+            place = None if block.name in self._torn else self.file.places.get(block.name)
+            columns = [place.down(j) for j, q in enumerate(block.quantities) if q.role == "input"] if place else []
+            yield from (cell for column in columns for cell in column if is_formula(self.file.value(cell)))
 
     def _where(self, key: str) -> str:
         """Return the cell of ``key``, or of the first entry below or above it."""

@@ -17,7 +17,7 @@ from openpyxl.descriptors.base import Descriptor
 from openpyxl.reader.excel import ExcelReader
 from openpyxl.utils.cell import range_boundaries
 
-from workbook.book.address import Address, Fit, Place
+from workbook.book.address import Address, Place, Tear
 from workbook.book.columns import Moving
 from workbook.book.formula import Area
 from workbook.errors import ReadError, quoted
@@ -54,8 +54,9 @@ class BookFile:
     places: dict[str, Place]
     notes: list[str] = field(default_factory=list)
     saved: Cells = field(default_factory=dict)  # with formula cells; nothing of a workbook that is no file yet
-    fits: dict[str, Fit] = field(default_factory=dict)  # tables that are not as named, as who knows them finds them
-    mended: bool = False  # whether cells were put back into tables, so that it is not as the file is
+    inserted: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows of the sheet put into each table
+    torn: dict[str, Tear] = field(default_factory=dict)  # the tables and cells that are gone, or not whole
+    mended: bool = False  # whether entries were put in order, so that it is not as the file is
     inspected: Inspected | None = None  # what openpyxl does not read
     bare: bool = False  # whether it is a copy of contents and names alone
 

@@ -155,8 +155,6 @@ def has_data(differences: Differences, fresh: Flat, held: Flat) -> bool:
 
 def compare_lines(match: Match, subject: Subject, fresh: ChartData, held: ChartData, differences: Differences) -> None:
     """Enter lines of a chart that are gone, added, or not as in a fresh build."""
-    if any(match.lost(area) for area in drawn_areas(fresh)):
-        return
     subject = subject._replace(others={str(line["text"]) for line in fresh.lines})
 
     def likeness(ours: Flat, theirs: Flat) -> float:

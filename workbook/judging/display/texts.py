@@ -7,8 +7,9 @@ from typing import NamedTuple
 from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Sheet, Text
 from workbook.judging.display.differences import Differences, Subject, is_unit
-from workbook.judging.matching import MOST_BETWEEN, Match
-from workbook.judging.report import LAYOUT, Report
+from workbook.judging.matching import Match
+from workbook.judging.report import Report
+from workbook.reading.table_fit import MOST_BETWEEN
 
 HEADINGS = ("heading", "subheading", "title")
 ABOVE = (*HEADINGS, "header", "units", "equation")
@@ -34,16 +35,13 @@ class Label(NamedTuple):
 def compare_texts(match: Match, report: Report, differences: Differences) -> list[Label]:
     """Enter texts that say something else than declared; return the declared texts with their places."""
     misled = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
-    for name in match.headless:
-        at = match.file.places[name].cell(0, 0)
-        report.say(at, LAYOUT, "no headings", "its headings above it: move them together", f"the table {name}")
     labels: list[Label] = []
     for sheet, _ in match.sheets:
         placed = list(place_texts(match, sheet))
         words = {style: {text.text for text in sheet.texts if text.style == style} for style in (*ABOVE, *BESIDE)}
         for label in placed:
             first = match.file.places[label.block.name].cell(0, 0)
-            if not first.column or (first.sheet, first.a1) not in misled:  # column 0: the first is gone
+            if (first.sheet, first.a1) not in misled:
                 style, value = label.text.style, match.file.value(label.at)
                 subject = Subject(label.what, "unit" if style == "unit" else "", words[style])
                 differences.compare(label.at, subject, {"text": label.text.text}, {"text": str(value or "")})
@@ -77,7 +75,7 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
     """
     lines = defaultdict[tuple[str, int], list[tuple[Text, Block]]](list)
     for text, block in describe_texts(sheet):
-        if block.name in match.file.places.keys() - match.headless:
+        if block.name in match.file.places:
             is_above = text.style in ABOVE
             offset = text.row - block.row if is_above else text.column - block.column
             lines[block.name if is_above else "", offset].append((text, block))
