@@ -85,7 +85,7 @@ def refuse_cut_cells(file: BookFile, layout: Book) -> None:
     match = Match(file, layout)
     empty = {pair.address: pair.cell.block for pair in match.pairs if pair.held is None}
     cut: dict[str, dict[Address, Address]] = {}
-    for pair in (p for p in match.pairs if p.declared_formula and p.held != p.cell.content) if empty else ():
+    for pair in (p for p in match.pairs if p.declared_formula and is_formula(p.held) and p.held != p.cell.content):
         for home, there in match.cells_read_elsewhere(pair):
             if home in empty:
                 cut.setdefault(empty[home].name, {})[home] = there

@@ -6,7 +6,7 @@ import openpyxl
 import pytest
 
 from workbook.build import read_inputs
-from workbook.judging.repair import report_wrong_results
+from workbook.errors import InputError
 from workbook.judging.verify import verify
 
 
@@ -65,18 +65,8 @@ def test_a_name_that_look_ups_read_otherwise_is_found_and_the_rest_is_judged(hel
                    "lift": [None, 30, 0, -30]}),
     ],
 )  # fmt: skip
-def test_rows_left_empty_before_others_are_judged_as_if_these_were_moved_up(table, columns, edited, press):
-    report, path = edited(table, **columns)
-    assert (report.findings, report.compared) == ([], report.declared)
-    (notice,) = report.notices
-    assert re.fullmatch(f"nothing is entered in row [12] of the table {table}, but below it", notice.computed)
-    assert read_inputs(path)[0] == press.machine
-
-
-def test_an_empty_row_by_which_results_are_wrong_is_found(edited, monkeypatch):
-    """The press's cells read over empty rows; here the witness of the file as it is says otherwise."""
-    name = "workbook.judging.verify.report_wrong_results"
-    monkeypatch.setattr(name, lambda before, *others: report_wrong_results({}, *others))
-    report, _ = edited("motors", name=["M1", None, "M2", "M3"], torque=[4, None, 12, 30])
-    assert [one.kind for one in report.findings] == ["layout"]
-    assert report.findings[0].expected.startswith("fill it, or move up what is below: ")
+def test_a_row_left_empty_before_others_is_told_in_a_line(table, columns, edited):
+    with pytest.raises(InputError) as refused:
+        edited(table, **columns)
+    (line,) = refused.value.lines
+    assert re.search(f"nothing is entered in row [12] of the table {table}, but below it; fill it, or move up", line)
