@@ -21,6 +21,12 @@ def visible(text: str, safe: str = "") -> str:
     )
 
 
+def listed(names: list[str], most: int = 3) -> str:
+    """Return the first names, and how many more there are."""
+    rest = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + rest
+
+
 def quoted(value: Any) -> str:
     """Return a value as an engineer wrote it, in short and in a line."""
     if isinstance(value, bool):

@@ -63,11 +63,3 @@ class Place(NamedTuple):
     def corners(self) -> tuple[Address, Address]:
         """The first and the last cell."""
         return self.cell(0, 0), self.cell(self.rows - 1, self.columns - 1)
-
-
-class Tear(NamedTuple):
-    """The place in a file where cells of tables are gone, or too many."""
-
-    sheet: str
-    cells: str
-    change: str

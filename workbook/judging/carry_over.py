@@ -8,11 +8,12 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
+from workbook.errors import listed
 from workbook.judging.display.cells import rule_words
 from workbook.judging.display.charts import pair_charts, read_charts
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.structure import check_structure, listed
+from workbook.judging.structure import check_structure
 from workbook.reading.contents import Contents
 from workbook.writing.charts import draw
 from workbook.writing.style import conditional_formats

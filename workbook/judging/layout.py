@@ -1,4 +1,4 @@
-"""Rows put into tables, and tables that are torn: a finding each, and none for what follows from it."""
+"""Rows put into tables: a finding each, and none for what follows from it."""
 
 from collections import defaultdict
 from collections.abc import Iterator
@@ -8,21 +8,17 @@ from workbook.book.address import Address
 from workbook.book.declare import Block
 from workbook.judging.matching import Match
 from workbook.judging.report import LAYOUT, Finding, Report
-from workbook.reading.table_fit import UNDO, tables_by_tear
 
 FOLLOWING = frozenset(("value", "error", "follows", "saved"))
 SPARE = "no row between the table's own: delete it, and enter what it should hold in a spare row"
 
 
 def layout_findings(match: Match) -> Iterator[Finding]:
-    """Yield a finding for each place where tables are torn, or rows were put into them."""
-    blocks = match.declared.blocks
-    for tear, names in tables_by_tear(match.file, blocks).items():
-        yield Finding(tear.sheet, tear.cells, LAYOUT, tear.change, UNDO, table_titles([blocks[n] for n in names]))
+    """Yield a finding for rows of a sheet that were put into tables."""
     inserted = defaultdict[tuple[str, int], list[Block]](list)
     for name, rows in match.file.inserted.items():
         for row in rows:
-            inserted[match.file.places[name].sheet, row].append(blocks[name])
+            inserted[match.file.places[name].sheet, row].append(match.declared.blocks[name])
     for _, run in groupby(enumerate(sorted(inserted)), key=lambda pair: (pair[1][0], pair[1][1] - pair[0])):
         places = [place for _, place in run]
         (sheet, first), (_, last) = places[0], places[-1]
@@ -31,10 +27,8 @@ def layout_findings(match: Match) -> Iterator[Finding]:
 
 
 def table_titles(blocks: list[Block]) -> str:
-    """Return which tables they are: the heading of the first, and the names of all; of a cell its label."""
+    """Return which tables they are: the heading of the first, and the names of all."""
     block, names = blocks[0], [b.name for b in blocks]
-    if not block.is_table:
-        return block.title or block.quantities[0].label
     above = [text for text in block.sheet.texts if text.style == "heading" and text.row < block.row]
     heading = max(above, key=lambda text: text.row).text if above else block.title
     return f"{heading}: the table {names[0]}" if len(names) == 1 else f"{heading}: the tables {', '.join(names)}"

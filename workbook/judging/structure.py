@@ -13,6 +13,7 @@ from workbook.book.address import Address, Place
 from workbook.book.declare import FIRST, Block
 from workbook.book.rows import is_number
 from workbook.entries.rules import field_at
+from workbook.errors import listed
 from workbook.functions.declarations import NAMESPACE
 from workbook.functions.names import definitions, meaning
 from workbook.judging.matching import Match
@@ -151,12 +152,6 @@ def stale_functions(workbook: Workbook) -> Iterator[str]:
     other = sorted(d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.stored))
     if other:
         yield f"names that are not today's definitions: {listed(other, MOST)}; take them from motion-functions.xlsx"
-
-
-def listed(names: list[str], most: int = 3) -> str:
-    """Return the first names, and how many more there are."""
-    rest = f" and {len(names) - most} more" if len(names) > most else ""
-    return ", ".join(names[:most]) + rest
 
 
 def finding(place: Place, name: str, fault: str, expected: str) -> Finding:

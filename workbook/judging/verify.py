@@ -10,7 +10,7 @@ from pydantic import BaseModel
 from workbook.book.address import Address
 from workbook.book.quantity import FAIL, SAYS
 from workbook.entries.machine import Machine
-from workbook.errors import ReadError, WitnessError
+from workbook.errors import InputError, ReadError, WitnessError
 from workbook.judging.comparison import Comparison, count_cells, is_error
 from workbook.judging.display.cells import BookLooks, CellGroup, build_looks, compare_cells, compare_rules
 from workbook.judging.display.charts import compare_charts
@@ -25,6 +25,7 @@ from workbook.judging.structure import audit, check_structure, stale_functions
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, open_book, require_little_work
+from workbook.reading.table_fit import tear_lines
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.registry import ALL, WITNESSES
@@ -34,12 +35,14 @@ from workbook.witnesses.witness import CellWitness, Witness, evaluation_copy, na
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     """Verify a workbook by the witnesses of these names, or by ``all`` that are on this machine.
 
-    Raises ReadError or InputError for a book that cannot be read or a witness that is unknown, WitnessError for any
-    that is asked by name and is not on this machine.
+    Raises ReadError or InputError for a book that cannot be read, a table that is torn or a witness that is unknown,
+    WitnessError for any that is asked by name and is not on this machine.
     """
     names, absent = available_witnesses(witnesses)
     file = open_book(path)
     entries = Entries(file, agreed_values, repair_book)
+    if file.torn:
+        raise InputError(tear_lines(file, file.torn))
     report = Report(path, entries.template.name, notes=list(file.notes))
     for move in entries.moved:
         (report.notices if move.kind == NOTICE else report.findings).append(move)
@@ -77,14 +80,10 @@ def judge(
 ) -> None:
     """Enter into ``report`` all findings in ``file``, whose inputs are ``machine``.
 
-    Nothing is compared where a table is torn. ``given`` are the values of inputs that hold a formula. Witnesses that
-    are ``named`` must answer, of the others any.
+    ``given`` are the values of inputs that hold a formula. Witnesses that are ``named`` must answer, of the others any.
     """
     match = Match(file, template.declare(machine))
     report.findings += layout_findings(match)
-    if file.torn:
-        count_cells(match, report)
-        return
     suspects = check_structure(match, report)
     report.notes += stale_functions(file.workbook)
     report.findings += audit(match, type(machine))

@@ -15,8 +15,7 @@ from workbook.fields.paths import MISSING, get, has_key, put, split
 from workbook.fields.types import MakesCells
 from workbook.reading.descriptions import cell_key, empty_machine, template_named, validated
 from workbook.reading.files import BookFile, is_formula, require_narrow
-from workbook.reading.table_fit import UNDO as UNDO_TEAR
-from workbook.reading.table_fit import fit_tables, tables_by_tear
+from workbook.reading.table_fit import fit_tables, tear_lines
 from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
@@ -55,9 +54,7 @@ class Entries:
     def machine(self) -> Machine:
         """Return the entries; raise InputError whose lines name the sheet, the cell and what is expected."""
         if self._torn:
-            tears = tables_by_tear(self.file, self._torn).items()
-            at = ((f"{tear.sheet}!{tear.cells}: {tear.change}", ", ".join(names)) for tear, names in tears)
-            raise InputError([f"{self.file.path.name}: {where}, in {names}; {UNDO_TEAR}" for where, names in at])
+            raise InputError(tear_lines(self.file, self._torn))
         if self.disputed:
             raise InputError(self.disputed)
         if self._between:

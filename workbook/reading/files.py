@@ -17,7 +17,7 @@ from openpyxl.descriptors.base import Descriptor
 from openpyxl.reader.excel import ExcelReader
 from openpyxl.utils.cell import range_boundaries
 
-from workbook.book.address import Address, Place, Tear
+from workbook.book.address import Address, Place
 from workbook.book.columns import Moving
 from workbook.book.formula import Area
 from workbook.errors import ReadError, quoted
@@ -55,7 +55,7 @@ class BookFile:
     notes: list[str] = field(default_factory=list)
     saved: Cells = field(default_factory=dict)  # with formula cells; nothing of a workbook that is no file yet
     inserted: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows of the sheet put into each table
-    torn: dict[str, Tear] = field(default_factory=dict)  # the tables and cells that are gone, or not whole
+    torn: dict[str, str] = field(default_factory=dict)  # where and how each table is torn that is not whole
     mended: bool = False  # whether entries were put in order, so that it is not as the file is
     inspected: Inspected | None = None  # what openpyxl does not read
     bare: bool = False  # whether it is a copy of contents and names alone

@@ -10,9 +10,10 @@ from collections.abc import Container
 
 from openpyxl.utils import get_column_letter
 
-from workbook.book.address import Address, Tear
+from workbook.book.address import Address
 from workbook.book.declare import Block, Book
 from workbook.book.rows import as_rows, is_number
+from workbook.errors import listed
 from workbook.reading.files import BookFile
 
 MOST_BETWEEN = 10  # rows that someone may have put between a table's headings and its first row
@@ -27,11 +28,11 @@ def fit_tables(file: BookFile, layout: Book) -> None:
     for name, block in layout.blocks.items():
         place = file.places.get(name)
         if place is None:
-            file.torn[name] = Tear(block.sheet.title, name, "no cells have this name")
+            file.torn[name] = f"{block.sheet.title}: cells are gone, or have no name"
         elif block.is_table:
             beside[place.sheet, place.row, place.rows].append(block)
         elif (count := place.rows * place.columns) > 1:
-            file.torn[name] = Tear(place.sheet, place.cell(0, 0).a1, f"{count} cells have the name {name}; expected 1")
+            file.torn[name] = f"{place.cell(0, 0)}: {count} cells have a name that is of 1"
     for blocks in beside.values():
         for block in blocks:
             fit_columns(file, block)
@@ -52,8 +53,7 @@ def fit_rows(file: BookFile, blocks: list[Block]) -> None:
         missing = block.size - len(own)
         if missing:
             count, state = abs(missing), f"gone above row {row}" if missing > 0 else f"too many at row {row}"
-            change = f"{'a row is' if count == 1 else f'{count} rows are'} {state}"
-            file.torn[block.name] = Tear(place.sheet, f"{row}:{row}", change)
+            file.torn[block.name] = f"{place.sheet}: {'a row is' if count == 1 else f'{count} rows are'} {state}"
         elif len(own) < place.rows:
             file.places[block.name] = file.places[block.name]._replace(rows=len(own), rows_at=tuple(own))
             file.inserted[block.name] = tuple(place.row + i for i in range(place.rows) if i not in own)
@@ -94,9 +94,9 @@ def fit_columns(file: BookFile, block: Block) -> None:
         at = next(here, min(place.columns, len(labels)))
         letter, gone = get_column_letter(place.column + at), ", ".join(map(repr, labels[at : at - added]))
         change = f"a column is gone before column {letter}: {gone}" if added < 0 else f"{added} columns are too many"
-        file.torn[block.name] = Tear(place.sheet, f"{letter}:{letter}", change)
+        file.torn[block.name] = f"{place.sheet}: {change}"
     elif len(inserted) == place.columns:
-        file.torn[block.name] = Tear(place.sheet, place.cell(0, 0).a1, "no headings stand above the table")
+        file.torn[block.name] = f"{place.cell(0, 0)}: no headings stand above the table"
 
 
 def has_texts_above(file: BookFile, block: Block) -> bool:
@@ -105,10 +105,10 @@ def has_texts_above(file: BookFile, block: Block) -> bool:
     return any(isinstance(file.value(at), str) for at in cells)
 
 
-def tables_by_tear(file: BookFile, names: Container[str]) -> dict[Tear, list[str]]:
-    """Return the tears of the tables of these names, each with its tables."""
-    tears = defaultdict[Tear, list[str]](list)
+def tear_lines(file: BookFile, names: Container[str]) -> list[str]:
+    """Return in a line each where tables of these names are torn, what is gone, and what to do."""
+    tables = defaultdict[str, list[str]](list)
     for name, tear in file.torn.items():
         if name in names:
-            tears[tear].append(name)
-    return tears
+            tables[tear].append(name)
+    return [f"{file.path.name}: {tear}, of {listed(torn)}; {UNDO}" for tear, torn in tables.items()]
