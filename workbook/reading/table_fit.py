@@ -5,6 +5,7 @@ entries stands, and columns without a heading of the table, were put in. Every o
 user's to undo.
 """
 
+import math
 from collections import defaultdict
 from collections.abc import Container
 
@@ -18,19 +19,19 @@ from workbook.reading.files import BookFile
 
 MOST_BETWEEN = 10  # rows that someone may have put between a table's headings and its first row
 HEADER_ROWS = range(1, 4)  # above a table, where its headings are declared
-LAST_DIGITS = 9  # of a number that numbers rows
+LAST_DIGITS = 1e-9  # of a number that numbers rows
 UNDO = "undo that, or take the table from a copy"
 
 
 def fit_tables(file: BookFile, layout: Book) -> None:
     """Take rows and columns that were put into tables out of their places, and enter the tables that are torn."""
-    beside = defaultdict[tuple[str, int, int], list[Block]](list)
+    beside = defaultdict[tuple[str, int, int, int], list[Block]](list)
     for name, block in layout.blocks.items():
         place = file.places.get(name)
         if place is None:
             file.torn[name] = f"{block.sheet.title}: cells are gone, or have no name"
         elif block.is_table:
-            beside[place.sheet, place.row, place.rows].append(block)
+            beside[place.sheet, place.row, place.rows, block.size].append(block)
         elif (count := place.rows * place.columns) > 1:
             file.torn[name] = f"{place.cell(0, 0)}: {count} cells have a name that is of 1"
     for blocks in beside.values():
@@ -42,21 +43,20 @@ def fit_tables(file: BookFile, layout: Book) -> None:
 
 def fit_rows(file: BookFile, blocks: list[Block]) -> None:
     """Take rows that were put in out of tables of the same rows; enter those of which rows are gone or too many."""
-    place = file.places[blocks[0].name]
-    if all(block.size == place.rows for block in blocks):
+    place, size = file.places[blocks[0].name], blocks[0].size
+    if place.rows == size:
         return
     columns = [file.places[b.name].down(j) for b in blocks for j, q in enumerate(b.quantities) if q.role != "input"]
     own = [i for i in range(place.rows) if any(file.value(column[i]) not in (None, "") for column in columns)]
-    own = own if place.rows > blocks[0].size else list(range(place.rows))
-    row = place.row + first_other_row(file, blocks, own)
+    own = own if place.rows > size else list(range(place.rows))
+    missing, row = size - len(own), place.row + first_other_row(file, blocks, own)
     for block in blocks:
-        missing = block.size - len(own)
         if missing:
             count, state = abs(missing), f"gone above row {row}" if missing > 0 else f"too many at row {row}"
             file.torn[block.name] = f"{place.sheet}: {'a row is' if count == 1 else f'{count} rows are'} {state}"
-        elif len(own) < place.rows:
+        else:
             file.places[block.name] = file.places[block.name]._replace(rows=len(own), rows_at=tuple(own))
-            file.inserted[block.name] = tuple(place.row + i for i in range(place.rows) if i not in own)
+            file.inserted[block.name] = tuple(place.row + i for i in sorted({*range(place.rows)} - {*own}))
 
 
 def first_other_row(file: BookFile, blocks: list[Block], own: list[int]) -> int:
@@ -66,7 +66,8 @@ def first_other_row(file: BookFile, blocks: list[Block], own: list[int]) -> int:
             for j, q in enumerate(block.quantities):
                 held = file.value(file.places[block.name].cell(i, j))
                 declared = None if q.role == "input" or q.formula else as_rows(q.value, block.size, block.name)[k]
-                if is_number(declared) and is_number(held) and round(held - declared, LAST_DIGITS):
+                both = is_number(declared) and is_number(held)
+                if both and not math.isclose(held, declared, rel_tol=LAST_DIGITS, abs_tol=LAST_DIGITS):
                     return i
     return own[-1] + 1 if own else 0
 
