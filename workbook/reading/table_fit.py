@@ -61,14 +61,17 @@ def fit_rows(file: BookFile, blocks: list[Block]) -> None:
 
 def first_other_row(file: BookFile, blocks: list[Block], own: list[int]) -> int:
     """Return the first of the ``own`` rows of tables that has another number than declared; else the row behind."""
+    numbers = [
+        (file.places[block.name].down(j), as_rows(q.value, block.size, block.name))
+        for block in blocks
+        for j, q in enumerate(block.quantities)
+        if q.role != "input" and q.formula is None
+    ]
     for k, i in enumerate(own[: blocks[0].size]):
-        for block in blocks:
-            for j, q in enumerate(block.quantities):
-                held = file.value(file.places[block.name].cell(i, j))
-                declared = None if q.role == "input" or q.formula else as_rows(q.value, block.size, block.name)[k]
-                both = is_number(declared) and is_number(held)
-                if both and not math.isclose(held, declared, rel_tol=LAST_DIGITS, abs_tol=LAST_DIGITS):
-                    return i
+        for held, declared in ((file.value(cells[i]), values[k]) for cells, values in numbers):
+            both = is_number(declared) and is_number(held)
+            if both and not math.isclose(held, declared, rel_tol=LAST_DIGITS, abs_tol=LAST_DIGITS):
+                return i
     return own[-1] + 1 if own else 0
 
 
