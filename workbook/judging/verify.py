@@ -12,7 +12,7 @@ from workbook.book.quantity import FAIL, SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, WitnessError
 from workbook.judging.comparison import Comparison, count_cells, is_error
-from workbook.judging.display.cells import BookLooks, CellGroup, build_looks, compare_cells, compare_rules
+from workbook.judging.display.cells import BookLooks, build_looks, compare_cells, compare_rules, find_spots
 from workbook.judging.display.charts import compare_charts
 from workbook.judging.display.differences import Differences
 from workbook.judging.display.sheets import compare_sheets
@@ -117,9 +117,8 @@ def check_display(match: Match, model: type[BaseModel], computed: Cells, report:
     differences, fresh = Differences(match), build_looks(match.declared, model)
     held = BookLooks(match.file.workbook, match.file.inspected.drawings if match.file.inspected else {})
     labels = compare_texts(match, report, differences)
-    groups = [CellGroup(pairs) for pairs in match.columns] + [CellGroup([], label) for label in labels]
-    compare_cells(match, fresh, held, groups, computed, differences)
-    compare_rules(match, fresh, held, groups, differences)
+    compare_cells(match, fresh, held, find_spots(match, labels), computed, differences)
+    compare_rules(match, fresh, held, differences)
     compare_sheets(match, fresh.workbook, differences)
     compare_charts(match, fresh.workbook, held.views, differences)
     differences.enter(report)

@@ -9,11 +9,11 @@ from openpyxl.formula.translate import Translator
 from pydantic import BaseModel
 
 from workbook.book.address import Address
-from workbook.book.declare import Book
+from workbook.book.declare import Block, Book, Quantity
 from workbook.book.quantity import OK
-from workbook.judging.display.differences import Differences, Subject
-from workbook.judging.display.flat import Flat, flatten, in_words
-from workbook.judging.display.formats import format_by_number, format_sections, plain_number, shows_same
+from workbook.judging.display.differences import VERDICTS, Differences, Subject
+from workbook.judging.display.flat import Flat, Shown, flatten, in_words
+from workbook.judging.display.formats import format_by_number, format_sections, plain_number, text_section
 from workbook.judging.display.sheets import SheetView
 from workbook.judging.display.texts import QUIET, Label
 from workbook.judging.matching import Match, Pair
@@ -26,7 +26,7 @@ from workbook.writing.write import make_workbook
 WHITE, BLACK = "#FFFFFF", "#000000"
 OVERALL = ("overall", "status")  # verdicts of the book and of each sheet, always to be in sight
 NOTHING: Mapping[str, Any] = MappingProxyType({})
-NO_RULE = "no such rule"
+NO_RULE, IN_SIGHT = "no such rule", "in sight"
 LIKE_CELLS = {"font name val": "Calibri", "font sz val": "11", "font color": BLACK}  # as .ods has it in each rule
 UNSHOWN = ("priority", "dxfId", "sqref")  # attributes of rules
 DEFAULTS = ("0", "between", "stop")  # values of attributes of rules, which some programs write
@@ -92,9 +92,11 @@ class BookLooks:
         rules = self.validations[at.sheet]
         return next((rule.words for rule in rules if rule.covers(at.column, at.row, at.row)), "")
 
-    def look(self, style: Any) -> Flat:
-        """Return the attributes of a style of openpyxl's, with its number format."""
-        look = Flat({"number format": format_by_number(self.workbook, style.numFmtId)})
+    def look(self, style: Any, is_text: bool, unit: str) -> Flat:
+        """Return the attributes of a style of openpyxl's, with its number format as it shows a text or a quantity."""
+        code = format_by_number(self.workbook, style.numFmtId)
+        look = Flat({"number format": Shown(text_section(code) if is_text else plain_number(code, unit), code)})
+        look |= {} if is_text else {"decimals": Shown(format_sections(code)[:3], code)}
         for name in ("font", "fill", "border", "alignment", "protection"):
             parts = getattr(self.workbook, f"_{name}s")
             look |= flatten(parts[getattr(style, f"{name}Id")].to_tree(name), name)
@@ -116,106 +118,82 @@ class Spot(NamedTuple):
 
     at: Address
     fresh: Address
+    subject: Subject
     value: Any
+    quantity: Quantity | None = None  # none of a text that says what a cell is
 
 
-class CellGroup(NamedTuple):
-    """Cells of a column, from top to bottom: the column of a block, or a text that says what a cell is."""
-
-    pairs: list[Pair]
-    label: Label | None = None
-
-    @property
-    def subject(self) -> Subject:
-        """The cells in words, and whether they say OK or FAIL."""
-        if self.label:
-            return Subject(self.label.what, "remark" if self.label.text.style in QUIET else "")
-        quantity, block = self.pairs[0].cell.quantity, self.pairs[0].cell.block
-        is_verdict = quantity.role == "check" or (block.name, quantity.name) == ("checks", "verdict")
-        name = f"{quantity.label} ({block.name})" if block.is_table else quantity.label
-        return Subject(name, "verdict" if is_verdict else "")
-
-    @property
-    def is_overall(self) -> bool:
-        """Whether the cells are verdicts of the book or of a sheet."""
-        return bool(self.pairs) and self.pairs[0].cell.block.name.rstrip("0123456789") in OVERALL
-
-    def spots(self) -> Iterator[Spot]:
-        """Yield the cells."""
-        if self.label:
-            text = self.label.text
-            yield Spot(self.label.at, Address(self.label.block.sheet.title, text.row, text.column), text.text)
-        for cell, at, held, has_formula in self.pairs:
+def find_spots(match: Match, labels: Iterable[Label]) -> Iterator[Spot]:
+    """Yield the declared cells, and the declared texts."""
+    for label in labels:
+        text, title = label.text, label.block.sheet.title
+        subject = Subject(label.what, "remark" if text.style in QUIET else "")
+        yield Spot(label.at, Address(title, text.row, text.column), subject, text.text)
+    for pairs in match.columns:
+        subject = subject_of(pairs[0])
+        for cell, at, held, has_formula in pairs:
             fresh = Address(cell.block.sheet.title, cell.row, cell.column)
-            yield Spot(at, fresh, cell.expected if has_formula else held)
+            yield Spot(at, fresh, subject, cell.expected if has_formula else held, cell.quantity)
+
+
+def subject_of(pair: Pair) -> Subject:
+    """Return the column of a cell in words, and whether it says OK or FAIL, of the book or a sheet always in sight."""
+    quantity, block = pair.cell.quantity, pair.cell.block
+    name = f"{quantity.label} ({block.name})" if block.is_table else quantity.label
+    if block.name.rstrip("0123456789") in OVERALL:
+        return Subject(name, "failing")
+    is_verdict = quantity.role == "check" or (block.name, quantity.name) == ("checks", "verdict")
+    return Subject(name, "verdict" if is_verdict else "")
 
 
 def compare_cells(
-    match: Match,
-    fresh: BookLooks,
-    held: BookLooks,
-    groups: Iterable[CellGroup],
-    computed: Cells,
-    differences: Differences,
+    match: Match, fresh: BookLooks, held: BookLooks, spots: Iterable[Spot], computed: Cells, differences: Differences
 ) -> None:
     """Enter which declared cells look otherwise than in a fresh build, are out of sight, or have another validation."""
     fonts, known = text_fonts(match), dict[tuple[Any, ...], Flat]()
-    for group in groups:
-        whole, quantity = group.subject, group.pairs[0].cell.quantity if group.pairs else None
-        for spot in group.spots():
-            at, cell, style = spot.at, match.file.cell(spot.at), fresh.style(spot.fresh)
-            theirs: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
-            key = (tuple(style), tuple(theirs), isinstance(spot.value, str), quantity.unit if quantity else "")
-            if key not in known:
-                known[key] = dict(name_formats(differences.differing(fresh.look(style), held.look(theirs)), *key[2:]))
-            is_wrong = whole.kind == "verdict" and computed.get(at, spot.value) != OK
-            subject = whole._replace(kind="failing") if is_wrong or group.is_overall else whole
-            for name, pair in known[key].items():
-                differences.add(at, subject, name, *pair)
-            if at in fonts:
-                differences.add(at, subject, "fonts of its parts", "", fonts[at])
-            if quantity and quantity.role == "input":
-                ours = {"validation": fresh.validation(spot.fresh)}
-                differences.compare(at, subject, ours, {"validation": held.validation(at)})
-            if cause := hiding_cause(fresh, held, spot, is_wrong):
-                differences.add(at, subject, "sight", "in sight", f"hidden by {cause}")
+    for spot in spots:
+        at, subject, cell, style = spot.at, spot.subject, match.file.cell(spot.at), fresh.style(spot.fresh)
+        theirs: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
+        how = isinstance(spot.value, str), spot.quantity.unit if spot.quantity else ""
+        key = (tuple(style), tuple(theirs), *how)
+        if key not in known:
+            known[key] = differences.differing(fresh.look(style, *how), held.look(theirs, *how))
+            if "number format" in known[key]:
+                known[key].pop("decimals", None)
+        is_wrong = subject.kind in VERDICTS and computed.get(at, spot.value) != OK
+        subject = subject._replace(kind="failing") if is_wrong else subject
+        for name, pair in known[key].items():
+            differences.add(at, subject, name, *pair)
+        ours = {"sight": IN_SIGHT}
+        looks = {"sight": sight(fresh, held, spot, is_wrong), "fonts of its parts": fonts.get(at, "")}
+        if spot.quantity and spot.quantity.role == "input":
+            ours["validation"], looks["validation"] = fresh.validation(spot.fresh), held.validation(at)
+        differences.compare(at, subject, ours, looks)
 
 
-def hiding_cause(fresh: BookLooks, held: BookLooks, spot: Spot, is_wrong: bool) -> str:
-    """Return the cause that hides a cell but in a fresh build; a hidden sheet hides verdicts that are ``is_wrong``."""
+def sight(fresh: BookLooks, held: BookLooks, spot: Spot, is_wrong: bool) -> str:
+    """Return what hides a cell, but in a fresh build; a hidden sheet hides verdicts that are ``is_wrong``."""
     view, page = held.views[spot.at.sheet], fresh.views[spot.fresh.sheet]
     cause = view.hidden_by(spot.at.row, spot.at.column) or ("a hidden sheet" if is_wrong and view.is_hidden else "")
-    return cause if cause and not page.hidden_by(spot.fresh.row, spot.fresh.column) else ""
+    return f"hidden by {cause}" if cause and not page.hidden_by(spot.fresh.row, spot.fresh.column) else IN_SIGHT
 
 
-def name_formats(looks: Flat, is_text: bool, unit: str) -> Iterator[tuple[str, tuple[Any, Any]]]:
-    """Yield differences of looks; of a number format that shows the same number under the name of its decimals."""
-    for name, (ours, theirs) in looks.items():
-        if name != "number format":
-            yield name, (ours, theirs)
-        elif not shows_same(ours, theirs, is_text):
-            is_other = is_text or plain_number(theirs, unit) != plain_number(ours)
-            yield "number format" if is_other else "decimals", (ours, theirs)
-
-
-def compare_rules(
-    match: Match, fresh: BookLooks, held: BookLooks, groups: Iterable[CellGroup], differences: Differences
-) -> None:
+def compare_rules(match: Match, fresh: BookLooks, held: BookLooks, differences: Differences) -> None:
     """Enter conditional formats of declared cells that a fresh build has not, and those that are gone."""
-    for group in (group for group in groups if group.pairs):
-        cell, first, last = group.pairs[0].cell, group.pairs[0].address, group.pairs[-1].address
+    for pairs in match.columns:
+        cell, first, last = pairs[0].cell, pairs[0].address, pairs[-1].address
         ours = fresh.rules[cell.block.sheet.title]
         declared = {rule.words: rule.rule for rule in ours if rule.covers(cell.column, cell.row, cell.row)}
         missing = set(declared)
         for rule in held.rules[first.sheet]:
             if not rule.covers(first.column, last.row, first.row):  # any of the cells
                 continue
-            if rule.words not in declared or not is_same_condition(match, declared[rule.words], rule, group):
-                differences.add(first, group.subject, "conditional format", "", rule.words)
+            if rule.words not in declared or not is_same_condition(match, declared[rule.words], rule, cell.block):
+                differences.add(first, subject_of(pairs[0]), "conditional format", "", rule.words)
             elif rule.covers(first.column, first.row, last.row):
                 missing.discard(rule.words)
         for words in sorted(missing):
-            differences.add(first, group.subject._replace(kind=""), "conditional format", words, NO_RULE)
+            differences.add(first, Subject(subject_of(pairs[0]).words), "conditional format", words, NO_RULE)
 
 
 def rule_words(rule: Any) -> str:
@@ -239,11 +217,10 @@ def attribute_words(rule: Any) -> str:
     return in_words(shown | ({"operator": ""} if rule.type == "list" else {}))
 
 
-def is_same_condition(match: Match, rule: Any, held: Overlay, group: CellGroup) -> bool:
+def is_same_condition(match: Match, rule: Any, held: Overlay, block: Block) -> bool:
     """Whether a rule of a file holds for the same values as a rule of a fresh build."""
     if rule.type != "expression" or not held.rule.formula:
         return bool(rule.formula == held.rule.formula)
-    block = group.pairs[0].cell.block
     place, declared = match.file.places[block.name], f"={rule.formula[0]}"
     first = f"A{min(top for _, top, *_ in held.ranges)}"  # the cell for which its formulas are written
     text = str(held.rule.formula[0]).removeprefix("=")

@@ -8,8 +8,8 @@ from xml.etree.ElementTree import Element
 from workbook.book.address import Address
 from workbook.book.declare import Sheet
 from workbook.book.formula import Area, FormulaError, reference
-from workbook.judging.display.differences import COPY, Differences, Source, Subject
-from workbook.judging.display.flat import Flat, flatten
+from workbook.judging.display.differences import COPY, Differences, Subject
+from workbook.judging.display.flat import Flat, Shown, flatten
 from workbook.judging.display.sheets import SheetView
 from workbook.judging.matching import Match
 from workbook.reading.rows import tag
@@ -47,7 +47,7 @@ class ChartReader(NamedTuple):
     named: Callable[[str, str], Area]
     shown: Callable[[Address], Any]
 
-    def source(self, element: Element) -> Source | str:
+    def source(self, element: Element) -> Shown | str:
         """Return the cells to which an element refers, or its text; LibreOffice quotes a text as if it referred."""
         text = next((part.text or "" for part in element.iter() if tag(part) == "f"), "")
         if not text or text.startswith('"'):
@@ -60,7 +60,7 @@ class ChartReader(NamedTuple):
         if area is None:
             return COPY if COPIED.fullmatch(text) else text
         words = str(self.shown(area.first)) if tag(element) == "tx" else f"{area.sheet}!{area.a1}"
-        return Source(area._replace(single=area.size == 1), words)
+        return Shown(area._replace(single=area.size == 1), words)
 
     def attributes(self, element: Element, path: str = "", leaving: Collection[str] = ()) -> Flat:
         """Return the attributes of an element, with the cells and texts that it names."""
@@ -145,7 +145,7 @@ def pair_alike(
 
 def drawn_areas(chart: ChartData) -> list[Area]:
     """Return the columns that a chart draws."""
-    return [value.area for line in chart.lines for value in (line["x"], line["y"]) if isinstance(value, Source)]
+    return [value.meaning for line in chart.lines for value in (line["x"], line["y"]) if isinstance(value, Shown)]
 
 
 def has_data(differences: Differences, fresh: Flat, held: Flat) -> bool:

@@ -6,8 +6,7 @@ from functools import cache
 from typing import Any, Literal, NamedTuple
 
 from workbook.book.address import Address
-from workbook.book.formula import Area
-from workbook.judging.display.flat import Flat, is_same, usual_value
+from workbook.judging.display.flat import Flat, Shown, is_same, usual_value
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, SHOWN, Report
 
@@ -28,17 +27,6 @@ TEXT = re.compile("(.* )?(text|title)")  # attributes that are read, and judged 
 COPY = "figures of its own"  # what LibreOffice has of a chart that it took off its cells
 TURNS = re.compile(r"^(U|Umdr|rev|tr|giri|Takte|c|cycles)\.?/min$")  # as our users say it
 TELLING = re.compile(r"[0-9]+|[%‰]|\b(?:OK|FAIL)\b")  # what a translation leaves as it is
-
-
-class Source(NamedTuple):
-    """Cells that a chart draws or names, with what they say."""
-
-    area: Area
-    words: str
-
-    def __str__(self) -> str:
-        """Return the words."""
-        return self.words
 
 
 class Subject(NamedTuple):
@@ -69,9 +57,9 @@ class Differences:
 
     def is_same(self, key: str, ours: Any, theirs: Any) -> bool:
         """Whether two values show the same; a text that follows a cell is written out as LibreOffice saves it."""
-        if not isinstance(ours, Source):
+        if not isinstance(ours, Shown):
             return is_same(key, ours, theirs)
-        return self._match.same(ours.area, theirs.area) if isinstance(theirs, Source) else ours.words == theirs
+        return self._match.same(ours.meaning, theirs.meaning) if isinstance(theirs, Shown) else ours.words == theirs
 
     def add(self, at: Address, subject: Subject, attribute: str, ours: Any, theirs: Any) -> None:
         """Enter a difference; what misleads a reader is a finding."""

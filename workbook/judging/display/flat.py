@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Collection, Mapping
 from math import isclose
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple
 from xml.etree.ElementTree import Element
 
 from workbook.judging.display.formats import format_sections
@@ -48,6 +48,17 @@ USUAL = {  # what programs take where it is not given, by the last names of its 
 }
 PLACE = re.compile(r".*manualLayout . val")  # of a plot: with its labels or without, as programs like it
 SHARE = 0.2  # of a chart's width or height, to which places of plots are the same
+
+
+class Shown(NamedTuple):
+    """A value with its words: what is compared are cells that a chart draws or names, or what a number format shows."""
+
+    meaning: Any
+    words: str
+
+    def __str__(self) -> str:
+        """Return the words."""
+        return self.words
 
 
 def flatten(
@@ -112,8 +123,8 @@ def usual_value(key: str) -> str:
 
 def is_same(key: str, ours: Any, theirs: Any) -> bool:
     """Whether two values of an attribute show the same."""
-    if ours == theirs or key == "number format":
-        return bool(ours == theirs)
+    if ours == theirs:
+        return True
     if key.endswith("formatCode"):
         return format_sections(ours)[:3] == format_sections(theirs)[:3]
     try:

@@ -65,10 +65,3 @@ def text_section(code: str) -> str:
     if len(parts) > 3:
         return parts[3]
     return parts[-1] if "@" in parts[-1] and len(parts[-1]) > 1 else "@"
-
-
-def shows_same(ours: str, theirs: str, is_text: bool) -> bool:
-    """Whether two number formats show a text, or all numbers, alike."""
-    if is_text:
-        return text_section(ours) == text_section(theirs)
-    return format_sections(ours)[:3] == format_sections(theirs)[:3]
