@@ -5,13 +5,13 @@ stand apart: an engineer reads how the sheet does it, without any Python; and no
 
 ===========  ====================================================================================================
 ``kind``     calc, result, given, constant or check (:mod:`workbook.book.quantity`); entry: given, with its value
-             from the part of a description that :meth:`CellTable.entries` is given
+             from the part of a description that :meth:`CellTable.entries` is given; key: an entry that has no cell
 ``cell``     its name
 ``formula``  in the notation of :mod:`workbook.book.declare`; of what is given its key in the description; of a
              check its condition, without =
 ``source``   the note beside it
 others       label, symbol, unit, format, align, choices; of a check its rule, and what it says where it fails; of
-             an entry an example, and what it is in variations (:mod:`workbook.entries.facts`)
+             an entry its meaning, an example, what it is in variations (:mod:`workbook.entries.facts`)
 ===========  ====================================================================================================
 
 A text may have ``{parts}``, which Python fills in, of other names than :data:`OWN`; braces of Excel are written twice.
@@ -19,6 +19,7 @@ Of a column whose formula has a part that is a list, each row has the formula wi
 """
 
 import re
+import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from operator import attrgetter
 from pathlib import Path
@@ -36,7 +37,7 @@ KINDS: dict[str, Callable[..., Quantity]] = {
     "check": check,
     "entry": given,
 }
-FORMULAS = {"given": "key", "entry": "key", "check": "condition"}
+FORMULAS = {"given": "key", "entry": "key", "key": "key", "check": "condition"}
 """by kind, the attribute that stands in the column of formulas"""
 OWN = {"formula", "source", "scale", "format", "align", "choices", "limit", "upper_limit", "wrap", "says"}
 """attributes that Python may give a cell"""
@@ -44,11 +45,12 @@ HEADING, BAR = re.compile(r"^## (.+)$", re.MULTILINE), re.compile(r"(?<!\\)\|")
 
 
 def value_of(text: str) -> Any:
-    """Return the number or word that a text of a table stands for; None of an empty text, and of the word empty."""
+    """Return the number, word or list (of TOML) that a text stands for; None of an empty one, and of the word empty."""
     try:
         return float(text)
     except ValueError:
-        return None if text in ("", "empty") else text
+        listed = text.startswith("[") or text == "true"
+        return tomllib.loads(f"value = {text}")["value"] if listed else None if text in ("", "empty") else text
 
 
 class CellWords(NamedTuple):
@@ -59,17 +61,19 @@ class CellWords(NamedTuple):
     parts: frozenset[str]  # names of what is to be filled in
     example: Any = None
     varies: tuple[Any, ...] = ()
+    meaning: str = ""
 
     @classmethod
     def of_row(cls, texts: dict[str, str]) -> "CellWords":
         """Return the words of a row, whose texts are given by the heads of their columns."""
         kind, name, formula = (texts.pop(head, "") for head in ("kind", "cell", "formula"))
-        example, varies = (texts.pop(head, "") for head in ("example", "varies"))
+        example, varies, meaning = (texts.pop(head, "") for head in ("example", "varies", "meaning"))
         empty = {"label": ""} if kind == "check" else {"label": "", "symbol": "", "unit": ""}
         texts = {"name": name} | empty | texts | ({FORMULAS.get(kind, "formula"): formula} if formula else {})
         fields = (field for text in texts.values() for _, field, _, _ in Formatter().parse(text) if field)
         parts = frozenset(re.split(r"[.\[]", field)[0] for field in fields)
-        return cls(kind, texts, parts, value_of(example), tuple(map(value_of, filter(None, varies.split(", ")))))
+        values = tuple(map(value_of, filter(None, varies.split(", "))))
+        return cls(kind, texts, parts, value_of(example), values, meaning)
 
     def filled(self, more: dict[str, Any]) -> dict[str, Any]:
         """Return the attributes of a cell: its words with their parts, and those attributes that are given.
@@ -149,4 +153,4 @@ def rows_of(text: str) -> Iterator[tuple[str, CellWords]]:
     heads, _, *rows = ([entry.strip() for entry in line] for line in lines)
     for row in rows:
         texts = {head: entry.strip("`").replace("\\|", "|") for head, entry in zip(heads, row, strict=True) if entry}
-        yield texts["cell"], CellWords.of_row(texts)
+        yield texts.get("cell") or texts["formula"], CellWords.of_row(texts)

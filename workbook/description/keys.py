@@ -11,6 +11,7 @@ from pydantic.fields import FieldInfo
 
 from workbook.book.cell_tables import CellWords
 from workbook.book.quantity import Quantity
+from workbook.entries.abscissa import PLACE
 from workbook.entries.facts import facts_of
 from workbook.entries.rules import KIND, either, expectation, is_table, kinds, tables, unwrap
 from workbook.fields.paths import get, spread
@@ -23,37 +24,6 @@ from workbook.templates import AnyTemplate
 
 ONE, PART = re.compile(r"\.\d+(?=\.|$)"), re.compile(r"\{\w+\}")
 SHOWN = CODES[1]  # the law whose page says what is entered on all of them
-WORDS = {
-    "template": "The kind of machine",
-    "sizes.cycle": "Intervals of the table over the cycle",
-    "sizes.law": "Intervals of the table of each law",
-    "sizes.export": "Intervals of the table of the sheet Export",
-    "sizes.phases": "Rows for phases of an axis or a motion",
-    "sizes.rotors": "Rows for rotating parts",
-    "sizes.pieces": "Rows for pieces of the own law",
-    "sizes.points": "Rows for points of a spline",
-    "sizes.motion_pieces": "Rows for pieces of a motion; without it a few more than the motion has",
-    "sizes.motors": "Rows for motors",
-    "sizes.reducers": "Rows for reducers",
-    "sizes.margins": "Intervals of the table of margins",
-    "sizes.lengths": "Intervals of the table of product lengths",
-    "axes.*.unit": "The unit of its lifts: of an axis that travels, or one that turns",
-    "axes.*.mechanism.kind": "What turns the motor's motion into the axis'",
-    "selection.motors": 'The motors to choose among; "committed": those that come with motionbook',
-    "selection.reducers": 'The reducers to choose among; "committed": those that come with motionbook',
-}
-"""what entries mean that no cell shows; an entry of another machine says it itself, as its field's description"""
-EXAMPLES: dict[str, Any] = {  # entries of a real machine that no committed description has
-    "number": "4711-02", "revision": "B", "author": "A. Rossi", "date": "2026-03-02", "export.axis": 1,
-    "axes.*.phases.*.velocity": 0.05, "axes.*.phases.*.acceleration": 0.2, "axes.*.parts.*.bore": 25.0,
-    "axes.*.mechanism.back_efficiency": 0.85, "axes.*.mechanism.belt_mass": 2.4,
-    "axes.*.mechanism.points": [{"angle": 30.0 * k, "position": y} for k, y in enumerate((0.0, 9.0, 26.0, 47.0))],
-    "axes.*.mechanism.points.*.angle": 30.0, "axes.*.mechanism.points.*.position": 9.0,
-    "selection.motors": "committed", "selection.reducers": "committed", "selection.falling": True,
-    "sizes.motion_pieces": 40, "laws.SPL.first_slope": 0.5, "laws.SPL.last_slope": 0.5,
-    "selection.motors.*.full_torque_to": 3000.0, "selection.motors.*.end_torque": 6.4,
-    "selection.motors.*.cost": 640.0, "overlap.tools.*.angle_out": 90.0,
-}  # fmt: skip
 PRODUCTS = {  # entries that name a product of a catalogue
     "axes.*.motor.name": "motors", "selection.motor": "motors",
     "axes.*.reducer.name": "reducers", "selection.reducer": "reducers",
@@ -121,11 +91,11 @@ class ModelWalk:
         below = [(name, tables_of(field)) for name, field in fields.items()]
         facts = {name: words for model in models for name, words in facts_of(model).items()}
         keys = [self._key(join(path, name), fields[name], facts.get(name)) for name, nested in below if not nested]
-        plain = tuple(key._replace(required=key.required and key.name in common) for key in keys)
-        if by_kind:
-            which = join(path, KIND)
-            kind_key = Key(which, WORDS[which], "", either(by_kind), True, None, self._example(which))
-            plain = (kind_key, *(key for key in plain if key.name != KIND))
+        expected = {KIND: either(by_kind)} if by_kind else {}
+        plain = tuple(
+            key._replace(required=key.required and key.name in common, expected=expected.get(key.name, key.expected))
+            for key in keys
+        )
         yield Section(path, about, models, plain)
         yield from (self._of_kind(kind, model, common, path) for kind, model in by_kind.items())
         for name, nested in below:
@@ -154,7 +124,7 @@ class ModelWalk:
                 kinds = {get(data, (*place[:k], KIND), kind) for k in range(len(place))} if kind else {kind}
                 if value is not None and kinds == {kind}:
                     return value
-        return getattr(COMMITTED[PRODUCTS[path]]()[0], "name", None) if path in PRODUCTS else EXAMPLES.get(path)
+        return getattr(COMMITTED[PRODUCTS[path]]()[0], "name", None) if path in PRODUCTS else None
 
     def _laws(self, path: str) -> Iterator[Section]:
         for code, model in ENTRIES.items():
@@ -174,6 +144,8 @@ class ModelWalk:
         ]
         examples = (listed_in, self._example(path, of), facts and facts.example, *(field.examples or []))
         shown = next((example for example in examples if example is not None), None)
+        if kind is int and shown is not None:
+            shown = int(shown)
         if shown is None and default in (None, "", []):
             raise LookupError(f"{path}{of and f' of a {of}'} has no example: its field has none, nor a committed file")
         return Key(
@@ -190,10 +162,8 @@ class ModelWalk:
     def _meaning(self, path: str, field: FieldInfo, table: type[BaseModel] | None) -> tuple[str, str]:
         """Return the meaning and the unit of a key: as its field says, else as its cell shows."""
         cell = self._cells.get(path) or self._of_law(path)
-        meaning = field.description or WORDS.get(path) or (cell.label if cell else "")
-        more = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}  # of what no cell shows
-        unit = str(more.get("unit", "")) or (cell.unit if cell else "")
-        return meaning or (doc_line(table) if table else list_meaning(path)), unit
+        meaning = field.description or (cell.label if cell else "")
+        return meaning or (doc_line(table) if table else list_meaning(path)), cell.unit if cell else ""
 
     def _of_law(self, path: str) -> Quantity | None:
         """Return a cell for an entry of a family of laws that the committed description has no law of."""
@@ -207,9 +177,13 @@ class ModelWalk:
 
 
 def in_words(facts: CellWords) -> tuple[str, str]:
-    """Return the label of an entry, with the note beside its cell, and its unit; ``*`` stands for any number."""
-    source = facts.texts.get("source", "")
-    return PART.sub("*", f"{facts.texts['label']} ({source})" if source else facts.texts["label"]), facts.texts["unit"]
+    """Return the meaning of an entry, else its label with the note beside its cell, and its unit.
+
+    ``*`` stands for any number.
+    """
+    label, source, unit = (facts.texts.get(name, "") for name in ("label", "source", "unit"))
+    meaning = facts.meaning or (f"{label} ({source})" if source else label)
+    return PART.sub("*", meaning), PART.sub("", unit.replace("{place}", PLACE))
 
 
 def first_value(rows: Any, name: str) -> Any:

@@ -1,7 +1,7 @@
 """Entries of descriptions about rotating parts, and of efficiencies."""
 
 from collections.abc import Iterator
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import Field
 
@@ -13,27 +13,16 @@ Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
 BackEfficiency = Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)]
 
 
-def in_unit(unit: str, description: str, default: Any = ..., title: str | None = None, example: Any = None) -> Any:
-    """Return the field of an entry in a unit; it is required where there is no default."""
-    shown = None if example is None else [example]
-    return Field(default, title=title, description=description, examples=shown, json_schema_extra={"unit": unit})
-
-
-def noted(default: Any, description: str) -> Any:
-    """Return the field of an optional entry."""
-    return Field(default, description=description)
-
-
 class RotatingParts(Model):
     """Rotating parts that turn alike: how many, the inertia of one or a cylinder's size, teeth if they are geared."""
 
     name: Text
     count: NotNegative
-    inertia: NotNegative | None = Field(default=None, description="Inertia of one, in kg cm²; empty of a cylinder")
-    diameter: NotNegative | None = Field(default=None, description="Of a cylinder: its diameter, in mm")
-    length: NotNegative | None = Field(default=None, description="Of a cylinder: its length, in mm")
-    density: NotNegative | None = Field(default=None, description="Of a cylinder: its density, in kg/m³; steel: 7800")
-    bore: NotNegative | None = Field(default=None, description="Of a hollow cylinder: its inner diameter, in mm")
+    inertia: NotNegative | None = None
+    diameter: NotNegative | None = None
+    length: NotNegative | None = None
+    density: NotNegative | None = None
+    bore: NotNegative | None = None
     teeth_driver: Positive | None = None
     teeth_driven: Positive | None = None
 

@@ -1,16 +1,20 @@
 """The facts of entries, in a table in Markdown beside the module of their models, under the name of each model.
 
-``drive_entries.md`` has those of ``drive_entries.py``, a row for each entry that has a cell: its name, label, symbol,
-unit, note and format as in :mod:`workbook.book.cell_tables`, and two columns more. The cell, the reference, the schema,
-the form, the variations of ``verify`` and random machines read them there.
+``drive_entries.md`` has those of ``drive_entries.py``, a row for each entry: the name of its cell, label, symbol, unit,
+note and format as in :mod:`workbook.book.cell_tables`, and three columns more. The cell, the reference, the schema, the
+form, the variations of ``verify`` and random machines read them there.
 
 ===========  ===========================================================================================
+``meaning``  what the reference says of it, where label and note say too little beside nothing else
 ``example``  an entry of a real machine, where no committed description has it
 ``varies``   the entry in the variations, in turn: numbers and words, ``empty`` where it is left out
 ===========  ===========================================================================================
+
+The part ``{place}`` in a unit is that of places in the cycle. A model has its base's facts too.
 """
 
 import sys
+from collections import ChainMap
 from collections.abc import Container, Iterator, Sequence
 from functools import cache
 from pathlib import Path
@@ -26,9 +30,12 @@ from workbook.entries.rules import tables, unwrap
 @cache
 def table_of(model: type[BaseModel]) -> CellTable:
     """Return the facts of a model's entries by the names of their cells; none where no Markdown has its name."""
+    if model is BaseModel:
+        return CellTable()
     path = Path(str(sys.modules[model.__module__].__file__))
     known = cell_tables(str(path)) if path.with_suffix(".md").exists() else {}
-    return known.get(model.__name__, CellTable())
+    bases = [table_of(base) for base in model.__bases__ if issubclass(base, BaseModel)]
+    return CellTable(ChainMap(known.get(model.__name__, {}), *bases))
 
 
 def facts_of(model: type[BaseModel]) -> dict[str, CellWords]:
@@ -42,10 +49,11 @@ def entry_cells(entries: BaseModel, place: str, leaving: Container[str] = (), **
     ``parts`` are filled into the texts of its facts; entries that are named in ``leaving`` have no cell.
     """
     facts, cell = facts_of(type(entries)), table_of(type(entries)).entries(entries, place)
-    for name in type(entries).model_fields:
+    for name, field in type(entries).model_fields.items():
         below = getattr(entries, name)
-        if name in facts and name not in leaving:
-            yield cell(facts[name].texts["name"], **parts)
+        if name in facts and facts[name].kind == "entry" and name not in leaving:
+            word = {"format": ""} if get_origin(unwrap(field.annotation, [])[0]) is Literal else {}
+            yield cell(facts[name].texts["name"], **parts, **word)
         elif isinstance(below, BaseModel):
             yield from entry_cells(below, f"{place}.{name}")
 

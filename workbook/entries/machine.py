@@ -106,9 +106,7 @@ class Machine(Model):
 class ExportEntry(Model):
     """The sheet Export: one axis as a table of x, y, y', y'', live in cells, for those who copy and paste."""
 
-    axis: Annotated[int, Field(ge=1)] = Field(
-        description="The axis, by its name or by its number", json_schema_extra={"type": ["integer", "string"]}
-    )
+    axis: Annotated[int, Field(ge=1, json_schema_extra={"type": ["integer", "string"]})]
 
 
 class Exporting(Machine):

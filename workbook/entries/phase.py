@@ -4,8 +4,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from pydantic import Field
-
 from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
 from workbook.fields.types import Angle, DesignError, EntryError, Model, Number
@@ -17,8 +15,8 @@ TURN = 360.0  # degrees
 class Passing(Model):
     """The rates with which a phase passes its begin, between two curved phases, in the units of the motion; else 0."""
 
-    velocity: Number | None = Field(None, description="y' with which two curved phases meet at its start; else 0")
-    acceleration: Number | None = Field(None, description="y'' with which two curved phases meet at its start; else 0")
+    velocity: Number | None = None
+    acceleration: Number | None = None
 
     @property
     def passes(self) -> bool:

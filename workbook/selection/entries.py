@@ -6,7 +6,6 @@ from typing import Annotated, Any, Self
 from pydantic import Field, model_validator
 
 from engine.selection.pair_matrix import Rank
-from workbook.drive.entries import noted
 from workbook.entries.machine import Sizes
 from workbook.fields.texts import nearest_names, place_of, require_distinct
 from workbook.fields.types import EntryError, Model, Positive
@@ -82,16 +81,16 @@ class OwnLimits(Model):
 class Ranked(Products):
     """The catalogues, what usable pairs of them are ranked by, and beyond which margin a motor is too large."""
 
-    rank: Rank = noted("smallest motor", "What the sheet Selection ranks usable pairs by")
-    greatest_margin: Positive = noted(10.0, "Greatest continuous torque over RMS torque of a usable pair")
+    rank: Rank = "smallest motor"
+    greatest_margin: Positive = 10.0
 
 
 class Selection(Ranked):
     """The catalogues, what their pairs are ranked by, and the motor and reducer in use: the proposed where none is."""
 
-    motor: Name | None = noted(None, "Motor in use; that of the proposed pair if empty")
-    reducer: Name | None = noted(None, "Reducer in use; that of the proposed pair if empty")
-    efficiency: Efficiency = noted(1.0, "Efficiency in the range of ratios, before a reducer is known")
+    motor: Name | None = None
+    reducer: Name | None = None
+    efficiency: Efficiency = 1.0
 
     @model_validator(mode="after")
     def _named(self) -> Self:

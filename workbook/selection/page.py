@@ -3,9 +3,9 @@
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import FIRST, Book, Sheet
 from workbook.book.sentence import CheckSentence
-from workbook.entries.facts import entry_cells
+from workbook.entries.facts import entry_cells, table_of
 from workbook.selection.best import best_table, chart, order_table, points_of_pairs
-from workbook.selection.catalogue import FALLING, HALF
+from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
 from workbook.selection.drives import every_drive, motors_by_drives, named_drive, points_table
 from workbook.selection.entries import UNCHOSEN, Limits, Products, SelectionSizes
 from workbook.selection.grids import grids, products
@@ -121,8 +121,8 @@ MESSAGE = '=IF(SUM([@best.holds])>0,"{}",IF(@count>0,"{}",IF(@usable>0,"{}","{}"
 
 def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> None:
     """Declare the sheet of motors and reducers, from which drives take theirs by name."""
-    motor = CELLS["motors"].columns(products.motors, "selection.motors", sizes.motors)
-    reducer = CELLS["reducers"].columns(products.reducers, "selection.reducers", sizes.reducers)
+    motor = table_of(MotorRow).columns(products.motors, "selection.motors", sizes.motors)
+    reducer = table_of(ReducerRow).columns(products.reducers, "selection.reducers", sizes.reducers)
     sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
     sheet.one_page = True
     sheet.heading("Motors and reducers", "No empty row in between. A limit that is not given is none.")
@@ -131,7 +131,7 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> No
         "motors",
         "Motors",
         sizes.motors,
-        *map(motor, CELLS["motors"]),
+        *map(motor, table_of(MotorRow)),
         rules=[HALF, FALLING],
     )
     sheet.row += 1
@@ -139,7 +139,7 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> No
         "reducers",
         "Reducers",
         sizes.reducers,
-        *map(reducer, CELLS["reducers"]),
+        *map(reducer, table_of(ReducerRow)),
     )
     source = sheet.blocks[0].columns["source"]
     sheet.widths, sheet.print_columns = {source: SOURCE}, source - 1

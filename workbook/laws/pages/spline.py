@@ -38,8 +38,8 @@ class Points(LawSheet):
     """Points that a cubic spline passes through, and what it does at its ends."""
 
     points: list[Point] = Field(default=ORIGINAL, description="The points, from (0, 0) to (1, 1), in order")
-    first_slope: Number | None = Field(default=None, description=SLOPE.format("begins"))
-    last_slope: Number | None = Field(default=None, description=SLOPE.format("ends"))
+    first_slope: Number | None = Field(default=None, description=SLOPE.format("begins"), examples=[0.5])
+    last_slope: Number | None = Field(default=None, description=SLOPE.format("ends"), examples=[0.5])
     natural: Literal["none", "begin", "end", "both"] = Field(
         default="none", description="The ends that are natural, without acceleration, where no slope is entered"
     )

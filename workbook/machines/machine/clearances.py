@@ -7,10 +7,11 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, amount
+from workbook.entries.facts import table_of
 from workbook.entries.phase import TURN
 from workbook.fields.units import shown
 from workbook.machines.machine.clearance_points import gap_workings
-from workbook.machines.machine.entries_beside import PAIRS
+from workbook.machines.machine.entries_beside import PAIRS, ClearanceEntry, FreePosition
 from workbook.machines.machine.gap import ClearanceView, FreePositions
 
 CELLS = cell_tables(__file__)
@@ -55,7 +56,7 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
     """Declare what is entered, and the least gaps."""
     cell, over, units = CELLS["clearances"], gaps[0].over, {gap.unit for gap in gaps}
     unit = units.pop() if len(units) == 1 else "mm, °"
-    entry = cell.columns([gap.given for gap in gaps], "clearances", len(gaps))
+    entry = table_of(ClearanceEntry).columns([gap.given for gap in gaps], "clearances", len(gaps))
     size, least = max(gap.size for gap in gaps), [f"=MIN([clear{gap.number}_least.gap])" for gap in gaps]
     entered = sheet.table(
         "clearances",
@@ -128,7 +129,7 @@ def pairs(sheet: Sheet, gap: ClearanceView, table: FreePositions) -> None:
     """Declare the pairs of a clearance: what is entered, and the lines between them."""
     cell = CELLS["pairs"]
     n, units = gap.number, [rows.axis.given.unit for rows in gap.rows]
-    column = CELLS["pairs"].columns(gap.given.pairs, f"clearances.{n - 1}.pairs", PAIRS)
+    column = table_of(FreePosition).columns(gap.given.pairs, f"clearances.{n - 1}.pairs", PAIRS)
     after = [(f"[clear{n}_pairs.at.{k}]", f"[clear{n}_pairs.free.{k}]") for k in range(2, PAIRS + 1)]
     slopes = [f"=IF(COUNT({at})=1,({free}-[free])/({at}-[at]),0)" for at, free in after]
     sheet.row += 1

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any
 
-from pydantic import Field, ValidatorFunctionWrapHandler
+from pydantic import ValidatorFunctionWrapHandler
 
 from workbook.entries.abscissa import ANGLE, Abscissa, Unit, measured
 from workbook.entries.phase import TURN
@@ -18,9 +18,7 @@ class Master(CycleEntry):
     """The master shaft, a cycle a turn: all places are in degrees of it."""
 
     rate: Positive  # cycles/min
-    compare_rate: Annotated[NotNegative, MakesCells(0.0)] | None = Field(
-        default=None, description="Rate in cycles/min at which the sheet Timing shows each axis' extremes too"
-    )
+    compare_rate: Annotated[NotNegative, MakesCells(0.0)] | None = None
 
     @property
     def over(self) -> Abscissa:
@@ -39,10 +37,8 @@ class Cycle(CycleEntry):
     Over °, rad or mm nothing tells how time passes: rates are geometric, in lift by abscissa, and there are no drives.
     """
 
-    cycle: Annotated[Positive, CountsAs(TURN), MakesCells(TURN)] = Field(
-        description="Length of a cycle without a master shaft, in place of a rate: its time in s, or in the unit"
-    )
-    unit: Unit = Field("s", description="What the cycle is over: time, an angle, the travel of a product")
+    cycle: Annotated[Positive, CountsAs(TURN), MakesCells(TURN)]
+    unit: Unit = "s"
 
     @property
     def over(self) -> Abscissa:

@@ -6,8 +6,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, model_validator
 
 from workbook.book.sentence import figure
-from workbook.drive.entries import BackEfficiency, Efficiency, RotatingParts, in_unit, noted
-from workbook.entries.abscissa import PLACE
+from workbook.drive.entries import BackEfficiency, Efficiency, RotatingParts
 from workbook.fields.texts import LOOKED_UP
 from workbook.fields.types import (
     DesignError,
@@ -45,10 +44,10 @@ class PowerEntry(Model):
 class ForceWindow(Model):
     """A process force, N or Nm, between two places of the cycle, across its end where it ends before it begins."""
 
-    start: NotNegative = in_unit(PLACE, "From where it acts")
-    stop: NotNegative = in_unit(PLACE, "To where it acts")
+    start: NotNegative
+    stop: NotNegative
     force: Number
-    resists: Literal["always", "moving"] = noted("always", "Against positive motion always, or against any motion")
+    resists: Literal["always", "moving"] = "always"
 
 
 class SwingingArm(Model):
@@ -70,7 +69,7 @@ class AxisLoad(Model):
     torque: Number = 0.0
     friction_torque: NotNegative = 0.0
     viscous: Annotated[NotNegative, MakesCells(0.0)] | None = None  # with it the axis' sheet has an entry for it
-    arm: SwingingArm | None = noted(None, "The weight of an arm that swings with a turning axis")
+    arm: SwingingArm | None = None
     windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 
 
@@ -99,7 +98,7 @@ class AxisMotor(Model):
     max_speed: Positive | None = None
     copper_losses: NotNegative | None = None
     holding: Literal["motor", "brake"] = "motor"
-    brake: MotorBrake | None = noted(None, "Its brake; with it the axis' sheet has entries and a check of the brake")
+    brake: MotorBrake | None = None  # with it the axis' sheet has entries and a check of the brake
     temperature: Temperature | None = None
     rated_at: Temperature = 40.0
     limit: Temperature = 155.0
@@ -161,9 +160,6 @@ class StageEntry(Model):
             yield DesignError("", STAGED, "staged", settled)
 
 
-BELT = {"teeth_driver": 20.0, "teeth_driven": 40.0, "driver_inertia": 1.3, "driven_inertia": 6.5, "efficiency": 0.95}
-
-
 class AxisPart(RotatingParts):
     """Rotating parts on the motor's shaft, or on the mechanism's, behind the reducer; or geared to it."""
 
@@ -176,14 +172,8 @@ class Choice(Ranked):
     With an axis, a sheet Selection looks for its motor and reducer.
     """
 
-    axis: Annotated[Name, MakesCells("A")] | None = noted(
-        None, "Axis with a drive that the sheet Selection looks at; or none"
-    )
-    falling: bool | None = noted(
-        None,
-        "Whether the sheets of drives know motors whose peak torque falls beyond a speed; as the catalogue has "
-        "such motors if empty",
-    )
+    axis: Annotated[Name, MakesCells("A")] | None = None
+    falling: bool | None = None
 
     @model_validator(mode="after")
     def _as_catalogued(self) -> Self:

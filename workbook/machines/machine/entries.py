@@ -5,8 +5,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, PrivateAttr, WrapValidator, model_validator
 
-from workbook.drive.entries import in_unit
-from workbook.entries.abscissa import ANGLE, PLACE, Abscissa
+from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.machine import Exporting
 from workbook.entries.phase import TURN, Passing, TurnPhase, require_straight
 from workbook.fields.texts import Text, place_of, require_distinct
@@ -40,8 +39,8 @@ OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected positi
 class AxisPhase(TurnPhase, Passing):
     """A phase, its lift in the axis' unit, and what it passes its begin with, in lift by rad, or as rates are shown."""
 
-    start: NotNegative = in_unit(PLACE, "From where it moves")
-    stop: NotNegative = in_unit(PLACE, "To where it moves")
+    start: NotNegative
+    stop: NotNegative
 
 
 class Axis(Model):
@@ -52,29 +51,18 @@ class Axis(Model):
     unit: Unit = "mm"
     closes: Closes = "position"
     smoothness: Smoothness = "acceleration"
-    shift: Number = in_unit(PLACE, "By how much it is later than its phases say", 0.0)
-    position: Number = 0.0  # where it begins, in its unit
+    shift: Number = 0.0
+    position: Number = 0.0
     stops: beside.HardStops | None = None
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
-    rate: Positive | None = Field(
-        default=None,
-        examples=[100.0],
-        description="Rate that its drive is sized at, in cycles/min, if not the machine's",
-    )
-    printed: Literal["S4"] | None = Field(
-        default=None, description="A document whose printed figures a sheet of its own has beside those of the drive"
-    )
+    rate: Positive | None = None
+    printed: Literal["S4"] | None = None
     mechanism: Mechanism | None = None
     load: drive_entries.AxisLoad = drive_entries.AxisLoad()
     parts: list[drive_entries.AxisPart] = []  # noqa: RUF012 - frozen
     motor: drive_entries.AxisMotor | None = None
     reducer: drive_entries.Reducer = drive_entries.Reducer()
-    stages: Annotated[list[drive_entries.StageEntry], MakesCells()] = Field(
-        default=[],
-        max_length=drive_entries.STAGES,
-        examples=[[drive_entries.BELT]],
-        description="Stages between reducer and mechanism, such as a toothed belt, from the motor on",
-    )
+    stages: Annotated[list[drive_entries.StageEntry], MakesCells(), Field(max_length=drive_entries.STAGES)] = []  # noqa: RUF012 - frozen
     limits: OwnLimits = OwnLimits()
     _built: str | None = PrivateAttr(default=None)
 
@@ -130,10 +118,8 @@ class Axis(Model):
 class MachineSizes(SelectionSizes):
     """The sizes of the tables: also the points of a mechanism that is given by a table."""
 
-    positions: int = Field(
-        default=12, ge=3, le=40, description="Rows for the points of a mechanism that is told by a table"
-    )
-    turns: int = Field(default=4, ge=1, le=60, description="Rows for turns of a drive inside pieces of its motion")
+    positions: Annotated[int, Field(ge=3, le=40)] = 12
+    turns: Annotated[int, Field(ge=1, le=60)] = 4
 
 
 class AnyMachine(Exporting):
@@ -148,11 +134,8 @@ class AnyMachine(Exporting):
         default=[], max_length=beside.MOST_CLEARANCES
     )
     power: drive_entries.PowerEntry = drive_entries.PowerEntry()
-    gravity: NotNegative = Field(default=9.81, description="Acceleration of free fall, in m/s²")
-    creep_forces: Literal["off", "on"] = Field(
-        default="off",
-        description="Process forces while the drives creep at 1 cycle/min: off, as a machine starts up empty",
-    )
+    gravity: NotNegative = 9.81
+    creep_forces: Literal["off", "on"] = "off"
     limits: Limits = Limits()
     selection: drive_entries.Choice = drive_entries.Choice()
     sizes: MachineSizes = MachineSizes()

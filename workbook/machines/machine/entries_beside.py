@@ -9,8 +9,6 @@ from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
-from workbook.drive.entries import in_unit
-from workbook.entries.abscissa import PLACE
 from workbook.fields.paths import spread
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
 from workbook.fields.types import DesignError, EntryError, MakesCells, Model, NotNegative, Number
@@ -38,8 +36,8 @@ def without_empty_end(rows: Any) -> Any:
 class TimeOn(Model):
     """A time of being on, across the cycle's end where it ends before it begins."""
 
-    start: NotNegative | None = in_unit(PLACE, "From where it is on", None, example=20.0)
-    stop: NotNegative | None = in_unit(PLACE, "To where it is on", None, example=95.0)
+    start: NotNegative | None = None
+    stop: NotNegative | None = None
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -56,10 +54,7 @@ class SwitchEntry(Model):
     """A lane that is on or off over the cycle: a cylinder, a valve, a sensor, a cam switch."""
 
     name: Name
-    on: Annotated[list[TimeOn], Field(max_length=TIMES)] = Field(
-        default=[],
-        description="When it is on: [from, to] each, or { start, stop }; past the end of the cycle where to is less",
-    )
+    on: Annotated[list[TimeOn], Field(max_length=TIMES)] = []  # noqa: RUF012 - frozen
 
     @field_validator("on", mode="before")
     @classmethod
@@ -75,8 +70,8 @@ class SwitchEntry(Model):
 class HardStops(Model):
     """The hard stops of an axis, in its unit: [low, high], or { low } or { high } alone; it stays between them."""
 
-    low: Number | None = Field(default=None, description="Position of its lower stop", examples=[-5.0])
-    high: Number | None = Field(default=None, description="Position of its upper stop", examples=[325.0])
+    low: Number | None = None
+    high: Number | None = None
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -87,8 +82,8 @@ class HardStops(Model):
 class FreePosition(Model):
     """The free position of the second axis of a clearance at a position of the first, each in its axis' unit."""
 
-    at: Number = Field(description="Position of the first axis, in its unit", examples=[20.0])
-    free: Number = Field(description="Position up to which the second axis is free, in its unit", examples=[45.0])
+    at: Number
+    free: Number
 
     @classmethod
     def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
@@ -104,17 +99,13 @@ class ClearanceEntry(Model):
     """
 
     name: Name
-    first: Name = Field(description="Name of an axis")
-    first_factor: Number = Field(default=1.0, description="By what its position is multiplied")
-    second: Name = Field(description="Name of another axis")
-    second_factor: Number = Field(default=-1.0, description="By what its position is multiplied, into the first's unit")
-    offset: Number = Field(default=0.0, description="The gap where both are at 0, in the unit of the first axis")
-    least: Number = Field(default=0.0, description="The gap that must be left, in the unit of the first axis")
-    pairs: Annotated[list[FreePosition], Field(max_length=PAIRS), MakesCells([[0.0, 0.0], [1.0, 0.0]])] = Field(
-        default=[],
-        examples=[[[0.0, 45.0], [20.0, 30.0]]],
-        description="[position of the first axis, free position of the second] each, rising; lines between",
-    )
+    first: Name
+    first_factor: Number = 1.0
+    second: Name
+    second_factor: Number = -1.0
+    offset: Number = 0.0
+    least: Number = 0.0
+    pairs: Annotated[list[FreePosition], Field(max_length=PAIRS), MakesCells([[0.0, 0.0], [1.0, 0.0]])] = []  # noqa: RUF012 - frozen
 
     @field_validator("pairs", mode="before")
     @classmethod

@@ -5,17 +5,12 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import Field
 
-from workbook.drive.entries import BackEfficiency, Efficiency, in_unit, noted
+from workbook.drive.entries import BackEfficiency, Efficiency
 from workbook.fields.types import DesignError, MakesCells, Model, NotNegative, Number, Positive
 
 ON_BED = "more of the belt lies on the bed than the whole belt"
 UNSIZED = "a size of the mechanism is empty"
 LEAST_POINTS = 2
-
-
-def size(label: str, note: str = "", default: Any = None, example: float | None = None) -> Any:
-    """Return the field of a size in mm, which the sheet calls so; ``example`` if no committed description has it."""
-    return in_unit("mm", f"{label}{note}", default, label, example)
 
 
 class MechanismEntry(Model):
@@ -29,15 +24,9 @@ class MechanismEntry(Model):
     SLIDES: ClassVar[bool] = False  # whether its load travels while its axis turns
 
     kind: str
-    efficiency: Efficiency = Field(description="Efficiency of the mechanism")
-    back_efficiency: BackEfficiency | None = noted(
-        None,
-        "Efficiency where the load drives it; 0 or less: it locks itself. If empty, 2 - 1/efficiency of a screw, "
-        "and the efficiency of all else",
-    )
-    method: Literal["physical", "document"] = noted(
-        "physical", "Losses: by the flow of power through each stage, or over the efficiency always, as S4 has it"
-    )
+    efficiency: Efficiency
+    back_efficiency: BackEfficiency | None = None
+    method: Literal["physical", "document"] = "physical"
 
     @property
     def size(self) -> float:
@@ -53,13 +42,8 @@ class MechanismEntry(Model):
 class Belted(MechanismEntry):
     """A mechanism of which a belt moves with the load."""
 
-    belt_mass: NotNegative | None = in_unit("kg", "Mass of the belt; it moves with the load", None)
-    belt_on_bed: Annotated[NotNegative, MakesCells(0.0)] | None = in_unit(
-        "kg",
-        "Mass of the belt that slides over a bed, with the load on it; with it the axis' sheet has an entry for it",
-        None,
-        example=3.0,
-    )
+    belt_mass: NotNegative | None = None
+    belt_on_bed: Annotated[NotNegative, MakesCells(0.0)] | None = None
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield more of the belt on the bed than there is of it."""
@@ -73,7 +57,7 @@ class LeadScrew(MechanismEntry):
 
     SIZE: ClassVar[str] = "lead"
     kind: Literal["lead screw"]
-    lead: Positive = size("Lead of the screw", default=...)
+    lead: Positive
 
 
 class Conveyor(Belted):
@@ -81,7 +65,7 @@ class Conveyor(Belted):
 
     SIZE: ClassVar[str] = "roller_diameter"
     kind: Literal["conveyor"]
-    roller_diameter: Positive = size("Diameter of the roller", default=...)
+    roller_diameter: Positive
 
 
 class RackAndPinion(MechanismEntry):
@@ -89,7 +73,7 @@ class RackAndPinion(MechanismEntry):
 
     SIZE: ClassVar[str] = "pinion_diameter"
     kind: Literal["rack and pinion"]
-    pinion_diameter: Positive = size("Pitch diameter of the pinion", default=..., example=63.66)
+    pinion_diameter: Positive
 
 
 class Belt(Belted):
@@ -97,7 +81,7 @@ class Belt(Belted):
 
     SIZE: ClassVar[str] = "pulley_diameter"
     kind: Literal["belt"]
-    pulley_diameter: Positive = size("Pitch diameter of the pulley", default=...)
+    pulley_diameter: Positive
 
 
 class FeedRollers(MechanismEntry):
@@ -105,7 +89,7 @@ class FeedRollers(MechanismEntry):
 
     SIZE: ClassVar[str] = "roller_radius"
     kind: Literal["feed rollers"]
-    roller_radius: Positive = size("Radius of the rollers", default=...)
+    roller_radius: Positive
 
 
 class RotaryTable(MechanismEntry):
@@ -130,12 +114,10 @@ class PressCrank(MechanismEntry):
     APART: ClassVar[str] = "the rod is not longer than crank and offset: the crank cannot turn round"
     SLIDES: ClassVar[bool] = True
     kind: Literal["press crank"]
-    crank_radius: Positive = size("Radius of the crank", default=...)
-    rod_length: Positive = size("Length of the connecting rod", default=...)
-    offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
-    start_angle: Number | None = in_unit(
-        "°", "Angle of the crank from the line of the slide, outwards, where the axis is at 0; 0 if empty", None
-    )
+    crank_radius: Positive
+    rod_length: Positive
+    offset: Number | None = None
+    start_angle: Number | None = None
 
 
 class CrankSlider(MechanismEntry):
@@ -145,17 +127,12 @@ class CrankSlider(MechanismEntry):
     LARGE: ClassVar[dict[str, Any]] = {"crank_radius": 1e4, "rod_length": 5e4, "start": 1e4}
     APART: ClassVar[str] = PressCrank.APART
     kind: Literal["crank-slider"]
-    crank_radius: Positive | None = size("Radius of the crank")
-    rod_length: Positive | None = size(
-        "Length of the connecting rod",
-        "; its mass counts as two point masses at its pins: add the slide's to the load, the crank's to the parts",
-    )
-    offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
-    zero: Literal["inner", "outer"] | None = noted(None, "The dead centre that positions grow from; inner if empty")
-    branch: Literal["ahead", "behind"] | None = noted(
-        None, "Whether the crank is ahead of the line from shaft to slide, or behind; ahead if empty"
-    )
-    start: NotNegative | None = size("Distance from that dead centre where the motion begins", "; 0 if empty")
+    crank_radius: Positive | None = None
+    rod_length: Positive | None = None
+    offset: Number | None = None
+    zero: Literal["inner", "outer"] | None = None
+    branch: Literal["ahead", "behind"] | None = None
+    start: NotNegative | None = None
 
 
 class Rocker(MechanismEntry):
@@ -167,25 +144,19 @@ class Rocker(MechanismEntry):
         "where the motion begins, the link does not reach from the lever to the slide, or is in line with it"
     )
     kind: Literal["rocker"]
-    lever_length: Positive | None = size("Length of the lever")
-    link_length: Positive | None = size("Length of the link")
-    offset: Number | None = size("Offset of the slide's line from the shaft", "; 0 if empty")
-    start_angle: Number | None = in_unit(
-        "°", "Angle of the lever from the direction of the slide's line where the motion begins", None
-    )
-    slide: Literal["ahead", "behind"] | None = noted(
-        None, "Whether the slide is ahead of the lever's end, or behind; ahead if empty"
-    )
-    direction: Literal["forward", "backward"] | None = noted(
-        None, "Whether positions grow along the line's direction; forward if empty"
-    )
+    lever_length: Positive | None = None
+    link_length: Positive | None = None
+    offset: Number | None = None
+    start_angle: Number | None = None
+    slide: Literal["ahead", "behind"] | None = None
+    direction: Literal["forward", "backward"] | None = None
 
 
 class TablePoint(Model):
     """A point of a table: an angle of the shaft in °, and the position of the load there, in mm or °."""
 
-    angle: Number = in_unit("°", "Angle of the shaft")
-    position: Number = Field(description="Position of the load there, in the axis' unit")
+    angle: Number
+    position: Number
 
 
 class Table(MechanismEntry):
@@ -194,9 +165,7 @@ class Table(MechanismEntry):
     UNITS: ClassVar[tuple[str, ...]] = ("mm", "°")
     LARGE: ClassVar[dict[str, Any]] = {"points": [{"angle": end, "position": end} for end in (-1e4, 1e4)]}
     kind: Literal["table"]
-    points: list[TablePoint] = Field(
-        default=[], description="The load's position over the shaft's angle, both strictly rising"
-    )
+    points: list[TablePoint] = []  # noqa: RUF012 - frozen
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield points of which there are too few."""

@@ -19,8 +19,8 @@ from workbook.machines.machine.drive_entries import (
     lacking,
 )
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.entries_beside import TIMES
-from workbook.machines.machine.mechanism import BELTED, MECHANISMS, SLIDING
+from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops
+from workbook.machines.machine.mechanism import MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units
 from workbook.motion.requirements import dwells_for_room, smoothness_for
 from workbook.selection.entries import Limits, OwnLimits
@@ -69,7 +69,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
             "phases": dwells_for_room(rows, laws, sizes["motion_pieces"] - len(rows) - 1 - cuts),
         }
-        axis["stops"] = axis["stops"] and {"low": (None, -200.0, 30.0)[(i + k) % 3], "high": (60.0, None, 500.0)[k % 3]}
+        vary(axis["stops"] or {}, HardStops, i + k)
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])
@@ -79,7 +79,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
                 phase |= passing(k, n, laws, 0.01)
     vary_drives_together(data, k)
     for i, clearance in enumerate(data["clearances"]):
-        vary_clearance(clearance, i, k)
+        vary(clearance, ClearanceEntry, i + k)
+        for n, pair in enumerate(clearance["pairs"]):
+            pair |= {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     if pace == "cycle":
@@ -94,20 +96,6 @@ def vary_drives_together(data: dict[str, Any], k: int) -> None:
         vary(data["power"], PowerEntry, k)
         data["creep_forces"] = ("off", "on")[k % 2]
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
-
-
-def vary_clearance(clearance: dict[str, Any], i: int, k: int) -> None:
-    """Give a clearance other factors, another offset, and other pairs where it has some."""
-    clearance |= {
-        "first_factor": (1.0, -1.0, 0.37)[(i + k) % 3],
-        "second_factor": (-0.8, 1.3, 0.0)[k % 3],
-        "offset": 11.0 * k,
-        "least": -1e4 if (i + k) % 2 else 3.0,
-    }
-    clearance["pairs"] = [
-        {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
-        for n, pair in enumerate(clearance["pairs"])
-    ]
 
 
 def choose(data: dict[str, Any], k: int) -> None:
@@ -145,25 +133,21 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
 def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products: dict[str, Any]) -> None:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
     motors, reducers = products["motors"], products["reducers"]
-    kind, load = axis["mechanism"]["kind"], axis["load"]
-    sized = MECHANISMS[kind].SIZE
-    axis["mechanism"] |= ({sized: 7.0 + 11 * k} if sized else {}) | {
-        "efficiency": 0.55 + 0.07 * ((i + k) % SIX),
-        "method": ("physical", "document")[(i + k) % 4 == 3],
-    }
-    if kind in BELTED:
-        axis["mechanism"]["belt_mass"] = 4.0 * k or None
-        axis["mechanism"]["belt_on_bed"] = None if axis["mechanism"]["belt_on_bed"] is None else 1.5 * k
+    mechanism, load = axis["mechanism"], axis["load"]
+    kind = mechanism["kind"]
+    vary(mechanism, MECHANISMS[kind], i + k)
+    if mechanism.get("belt_on_bed") is not None:
+        mechanism["belt_on_bed"] = 0.375 * (mechanism["belt_mass"] or 0.0)
     if kind in LINKAGES:
         other, low, high = LINKAGES[kind].varied(i, k, sizes["positions"])
-        axis["mechanism"] |= other
+        mechanism |= other
         moving, at = [phase for phase in axis["phases"] if phase["lift"]], 0.0
         for n, phase in enumerate(moving):  # between both positions, from 0 and, but once, back to it
             goal = low + (high - low) * (1.0 if n == 0 else (0.45 * n + 0.1 * k) % 1.0)
             phase["lift"] = (0.0 if n == len(moving) - 1 and k != 3 else goal) - at
             at += phase["lift"]
     if kind in SLIDING:
-        axis["mechanism"] |= by_angle.varied(i, k)
+        mechanism |= by_angle.varied(i, k)
     travels = axis["unit"] == "mm" or kind in SLIDING
     vary(load, AxisLoad, i + k, lacking(travels, load["viscous"]))
     load["windows"] = forces(i, k, 400.0 if travels else 6.0)

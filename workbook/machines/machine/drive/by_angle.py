@@ -22,13 +22,6 @@ CELLS = cell_tables(__file__)
 NEAR = 1e-9  # of a turn, and of the sheet's check_zero: how near to whole turns a cycle must end
 
 
-def crank_entries(driven: Driven, key: str) -> list[Quantity]:
-    """Return the rows of what is entered of a press crank."""
-    e = of_kind(PressCrank, driven.given)
-    entry = CELLS["crank"].entries(e, f"{key}.mechanism")
-    return [*slides.crank(e, key, "slide"), entry("@start_angle")]
-
-
 def crank_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios, and of the crank in m and rad."""
     cell = CELLS["crank_sizes"]
@@ -42,16 +35,12 @@ def crank_sizes(driven: Driven) -> list[Quantity]:
     ]
 
 
-ROWS = crank_entries, crank_sizes
-
-
 def varied(i: int, k: int) -> dict[str, Any]:
     """Return other sizes for the i-th axis in the k-th variation."""
     crank = 20.0 + 9 * k + i
     return {
         "crank_radius": crank,
         "rod_length": crank * (5.0 - 0.5 * k),
-        "start_angle": 50.0 * k,
         "offset": (None, 0.2 * crank, -0.3 * crank)[k % 3],
     }
 

@@ -4,11 +4,11 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
-from workbook.entries.facts import entry_cells
+from workbook.entries.facts import entry_cells, table_of
 from workbook.fields.units import DEGREE, KG_CM2, shown
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.drive_entries import WINDOWS, lacking
+from workbook.machines.machine.drive_entries import WINDOWS, AxisPart, ForceWindow, lacking
 from workbook.machines.machine.timing.phases import beyond, no_fault
 
 CELLS = cell_tables(__file__)
@@ -19,7 +19,7 @@ TITLE = "Rotating parts: an inertia, or a cylinder's diameter, length and densit
 def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the rotating parts."""
     cell = CELLS["parts"]
-    column = cell.columns(driven.entered.parts, f"axes.{driven.number - 1}.parts", rows)
+    column = table_of(AxisPart).columns(driven.entered.parts, f"axes.{driven.number - 1}.parts", rows)
     turned = driven.parts
     sheet.row += 1
     sheet.table(
@@ -28,15 +28,7 @@ def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
         rows,
         column("name"),
         cell("k", list(range(1, rows + 1))),
-        column("count"),
-        column("inertia"),
-        column("shaft"),
-        column("driver"),
-        column("driven"),
-        column("diameter"),
-        column("length"),
-        column("density"),
-        column("bore"),
+        *map(column, ("count", "inertia", "shaft", "driver", "driven", "diameter", "length", "density", "bore")),
         cell("one", filled([shown(p.inertia, KG_CM2) for p in turned], rows)),
         cell("speed", filled([p.speed_ratio for p in turned], rows, 1.0)),
         cell("all", filled([shown(p.reflected, KG_CM2) for p in turned], rows)),
@@ -67,7 +59,7 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
     found, unit = driven.windows, "N" if driven.travels else "Nm"
     start = over.degrees_formula("[start]")
     stop = f"MIN(360,{over.degrees_formula('[stop]')})" if over.measured else "[stop]"
-    column = cell.columns(driven.axis.typed.load.windows, f"{key}.load.windows", WINDOWS)
+    column = table_of(ForceWindow).columns(driven.axis.typed.load.windows, f"{key}.load.windows", WINDOWS)
     late = f"[axes_taken.late.{driven.number}]"
     spans = [shown((w.end - w.begin), DEGREE) for w in found]
     sheet.row += 1
@@ -76,8 +68,8 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
         "Process forces over the cycle: leave spare rows empty",
         WINDOWS,
         cell("k", list(range(1, WINDOWS + 1))),
-        column("start", unit=over.unit, format=over.format, upper_limit=over.upper_limit),
-        column("stop", unit=over.unit, source=over.entered_of, format=over.format, upper_limit=over.upper_limit),
+        column("start", place=over.unit, format=over.format, upper_limit=over.upper_limit),
+        column("stop", place=over.unit, source=over.entered_of, format=over.format, upper_limit=over.upper_limit),
         column("force", unit=unit),
         column("resists"),
         cell(

@@ -16,6 +16,7 @@ from workbook.drive.motor import (
     rms_point,
     within_reducer,
 )
+from workbook.entries.facts import table_of
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine.drive import (
@@ -43,6 +44,7 @@ from workbook.machines.machine.drive.reach import linkage_checks, reach_table
 from workbook.machines.machine.drive.turns import turns_check, turns_table
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive.workings import peaks_table, top, workings
+from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.mechanism import SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
 
@@ -62,15 +64,14 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet."""
     driven, sizes = view.driven, view.tables.machine.given.sizes
     linkage = LINKAGES.get(driven.given.kind)
-    turning = by_angle.ROWS if view.slides else page.ROWS
-    entered, sized = linkage[:2] if linkage else turning
+    sized = linkage.sizes if linkage else by_angle.crank_sizes if view.slides else page.constant_sizes
     title = sheet_title(driven.called, [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
         sheet.heading("Motor and reducer in use", USED)
         sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left, driven.limits), *at_rate(view))
-        entries(sheet, driven, entered(driven, f"axes.{driven.number - 1}"))
+        entries(sheet, driven)
         outcome(sheet, view)
         sheet.checks(*checks(view))
         charts(sheet, view)
@@ -105,22 +106,21 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet.print_columns = 18
 
 
-def entries(sheet: Sheet, driven: Driven, size: list[Quantity]) -> None:
+def entries(sheet: Sheet, driven: Driven) -> None:
     """Declare what is entered of this mechanism, its load, reducer and motor.
 
     They are watched by two checks: the sentence of one would be too long for a cell.
     """
     cell = CELLS["entries"]
     m, key = driven.given, f"axes.{driven.number - 1}"
-    entry = CELLS["mechanism"].entries(m, f"{key}.mechanism")
-    own = CELLS["rate"].entries(driven.entered, key)
+    entry, own = table_of(type(m)).entries(m, f"{key}.mechanism"), table_of(Axis).entries(driven.entered, key)
     none = f"empty: {'2 − 1/η_2, of its friction' if m.kind in SCREWS else 'η_2'}; 0 or less: self-locking"
     sheet.heading("Enter")
     sheet.rows(
         cell("@axis", driven.entered.name, number=driven.number),
         cell("@{kind}", m.kind, kind=re.sub("[ -]", "_", m.kind)),
         own("@own_rate"),
-        *size,
+        *page.entered_sizes(driven, key),
         entry("@eta2"),
         entry("@eta2_back", source=none),
         entry("@method"),

@@ -5,7 +5,9 @@ from typing import Any
 
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import FIRST, Quantity, Sheet, given
+from workbook.entries.facts import table_of
 from workbook.fields.units import PER_MINUTE, shown, si
+from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.view import MachineView, MovingAxis
 
 CELLS = cell_tables(__file__)
@@ -21,7 +23,7 @@ def units(machine: MachineView, order: int = 0) -> str:
 def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
     """Declare the names of the axes, what each must do and what it comes to; shifts as taken behind so many columns."""
     cell, axes, over, unit = CELLS["axes"], machine.axes, machine.over, units(machine)
-    entry = cell.columns([axis.typed for axis in axes], "axes", len(axes))
+    entry = table_of(Axis).columns([axis.typed for axis in axes], "axes", len(axes))
     size = max(shown(axis.motion.size(0), axis.unit) for axis in axes)
     lows, highs = ([shown(axis.motion.reach[end], axis.unit) for axis in axes] for end in (0, 1))
     travels = [shown(axis.motion.lifts_sum, axis.unit) for axis in axes]
@@ -37,7 +39,7 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
         entry("name"),
         entry("closes"),
         entry("smooth"),
-        entry("shift", unit=over.unit, format=over.format),
+        entry("shift", place=over.unit, format=over.format),
         entry("position", unit=unit),
         cell("travel", travels, unit=unit, scale=max(greatest_lifts(axes)) or 1.0, **parts),
         cell("low", lows, unit=unit, scale=size, **parts),

@@ -7,8 +7,9 @@ from engine.laws.base import Array
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import quoted
+from workbook.entries.facts import entry_cells
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.mechanism import ON_BED, Belted
+from workbook.machines.machine.mechanism import ON_BED, Belted, MechanismEntry
 
 CELLS = cell_tables(__file__)
 
@@ -19,7 +20,6 @@ Table = Callable[[Sheet, Driven, int], None]  # declares a table of as many rows
 class LinkagePage(NamedTuple):
     """The part of a sheet for a mechanism whose ratio depends on the position; formulas in the scope of the drive."""
 
-    entries: Callable[[Driven, str], list[Quantity]]  # the rows of what is entered, by the key of the axis
     sizes: Callable[[Driven], list[Quantity]]  # the rows of its sizes in m, and of where it can bring its load to
     ratios: Callable[[Driven, Array, Column], list[Quantity]]
     """the columns of φ' (``g``), φ'' (``h``) and the shaft's angle at the position in the column ``y``"""
@@ -37,30 +37,19 @@ class LinkagePage(NamedTuple):
 
 
 RATIOS = {
-    "lead": ("P_h", "2*PI()/(@lead/1000)", "2π/P_h"),
-    "roller_radius": ("R", "1/(@roller_radius/1000)", "1/R"),
-    "": ("", "1", "the load turns with it"),
+    "lead": ("2*PI()/(@lead/1000)", "2π/P_h"),
+    "roller_radius": ("1/(@roller_radius/1000)", "1/R"),
+    "": ("1", "the load turns with it"),
 }
-"""of the entry that sets a constant ratio: its symbol, the ratio in cells and in words; of all others 2/D"""
+"""of the entry that sets a constant ratio: the ratio in cells and in words; of all others 2/D"""
 
 
-def ratio_of(size: str) -> tuple[str, str, str]:
-    """Return the symbol, the formula and the equation of a ratio by the entry that sets it."""
-    return RATIOS.get(size, ("D", f"2/(@{size}/1000)", "2/D"))
-
-
-def constant_entries(driven: Driven, key: str) -> list[Quantity]:
-    """Return the row of the size of a mechanism of constant ratio, if it has one, and of its belt."""
-    m, rows = driven.given, []
-    entry = CELLS["constant_entries"].entries(m, f"{key}.mechanism")
-    if m.SIZE:
-        label = type(m).model_fields[m.SIZE].title or ""
-        rows = [entry("@{size}", size=m.SIZE, label=label, symbol=ratio_of(m.SIZE)[0])]
-    if isinstance(m, Belted):
-        rows.append(entry("@belt_mass"))
-        if m.belt_on_bed is not None:
-            rows.append(entry("@belt_on_bed"))
-    return rows
+def entered_sizes(driven: Driven, key: str) -> list[Quantity]:
+    """Return the rows of what is entered of a mechanism's own sizes, that of a constant ratio first."""
+    m = driven.given
+    unasked = () if getattr(m, "belt_on_bed", None) is not None else ("belt_on_bed",)
+    rows = entry_cells(m, f"{key}.mechanism", {*MechanismEntry.model_fields, *unasked})
+    return sorted(rows, key=lambda row: row.name != f"@{m.SIZE}")
 
 
 def on_bed(driven: Driven) -> list[Quantity]:
@@ -76,12 +65,10 @@ def constant_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of the ratios."""
     cell, m = CELLS["constant_sizes"], driven.mechanism
     unit = "rad/m" if driven.axis.base == "m" else ""
-    _, ratio, equation = ratio_of(driven.given.SIZE)
+    size = driven.given.SIZE
+    ratio, equation = RATIOS.get(size, (f"2/(@{size}/1000)", "2/D"))
     stages, stages_symbol = ("*@is", "i_s ") if driven.entered.stages else ("", "")
     return [
         cell("@i2", m.ratio_from(m.last - 1), unit=unit, ratio=ratio, equation=equation),
         cell("@i", m.ratio, unit=unit, stages=stages, stages_symbol=stages_symbol),
     ]
-
-
-ROWS = constant_entries, constant_sizes

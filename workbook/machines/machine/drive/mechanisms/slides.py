@@ -19,7 +19,7 @@ from workbook.book.sentence import quoted
 from workbook.fields.units import DEGREE, si
 from workbook.machines.machine.drive.driven import Driven, of_kind
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
-from workbook.machines.machine.mechanism import CrankSlider, PressCrank, Rocker
+from workbook.machines.machine.mechanism import CrankSlider, Rocker
 
 CELLS = cell_tables(__file__)
 
@@ -94,19 +94,6 @@ def travel(lever: float, offset: float, psi: Array, x: Array, of: Column) -> lis
     ]
 
 
-def crank(e: CrankSlider | PressCrank, key: str, moved: str) -> list[Quantity]:
-    """Return the rows of crank, rod and offset as they are entered; ``moved`` is what has a share of the rod's mass."""
-    entry = CELLS["crank"].entries(e, f"{key}.mechanism")
-    return [entry("@crank_radius"), entry("@rod_length", moved=moved), entry("@offset")]
-
-
-def crank_entries(driven: Driven, key: str) -> list[Quantity]:
-    """Return the rows of what is entered of a crank-slider."""
-    e = of_kind(CrankSlider, driven.given)
-    entry = CELLS["crank-slider"].entries(e, f"{key}.mechanism")
-    return [*crank(e, key, "load"), entry("@zero", format=""), entry("@branch", format=""), entry("@start")]
-
-
 def crank_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of a crank-slider in m, and of where it can bring its load to."""
     cell = CELLS["crank_sizes"]
@@ -126,28 +113,8 @@ def crank_sizes(driven: Driven) -> list[Quantity]:
 def crank_varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, float]:
     """Return other sizes for the i-th axis in the k-th variation, and how far its slide then moves (mm)."""
     radius = 31.0 + 7 * k + i
-    made = {
-        "crank_radius": radius,
-        "rod_length": radius * (2.6 + 0.4 * k),
-        "start": 0.3 * radius,
-        "offset": (0.0, 9.0, -14.0, None, 5.5, 0.0)[(i + k) % 6],
-        "zero": ("inner", "outer", None)[k % 3],
-        "branch": ("behind", "ahead", None)[(i + k) % 3],
-    }
+    made = {"crank_radius": radius, "rod_length": radius * (2.6 + 0.4 * k), "start": 0.3 * radius}
     return made, 0.0, 1.3 * radius
-
-
-def rocker_entries(driven: Driven, key: str) -> list[Quantity]:
-    """Return the rows of what is entered of a rocker."""
-    entry = CELLS["rocker"].entries(driven.given, f"{key}.mechanism")
-    return [
-        entry("@lever_length"),
-        entry("@link_length"),
-        entry("@offset"),
-        entry("@start_angle"),
-        entry("@slide", format=""),
-        entry("@direction", format=""),
-    ]
 
 
 def rocker_sizes(driven: Driven) -> list[Quantity]:
@@ -212,8 +179,6 @@ def rocker_varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, flo
         "link_length": lever * (2.1 + 0.3 * k),
         "offset": lever * (0.9, 1.05, 0.7, 1.2, 0.95, 1.0)[k],
         "start_angle": 70.0 + 7 * k,
-        "slide": ("behind", "ahead", None)[(i + k) % 3],
-        "direction": ("forward", "backward", None)[k % 3],
     }
     return made, -0.15 * lever, 0.35 * lever
 
@@ -225,7 +190,6 @@ CRANK_ENDS = {
     "high": 'IF(@zero="outer","inner dead centre","outer dead centre")',
 }
 CRANK_SLIDER = LinkagePage(
-    crank_entries,
     crank_sizes,
     ratios,
     crank_varied,
@@ -241,7 +205,6 @@ BELOW, ABOVE = (
     for most, side in (("MAX", "below"), ("MIN", "above"))
 )
 ROCKER = LinkagePage(
-    rocker_entries,
     rocker_sizes,
     ratios,
     rocker_varied,

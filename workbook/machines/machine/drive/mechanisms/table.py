@@ -14,9 +14,10 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import NOT_ZERO, filled
 from workbook.book.sentence import quoted
+from workbook.entries.facts import table_of
 from workbook.machines.machine.drive.driven import FALLS, Driven, of_kind
 from workbook.machines.machine.drive.mechanisms.page import Column, LinkagePage
-from workbook.machines.machine.mechanism import Table
+from workbook.machines.machine.mechanism import Table, TablePoint
 
 CELLS = cell_tables(__file__)
 
@@ -26,7 +27,7 @@ LEVEL = 1e-4  # of a ratio over the narrowest part; a smaller change of it is ro
 def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the points."""
     cell, given = CELLS["entered"], of_kind(Table, driven.given).points
-    column = cell.columns(given, f"axes.{driven.number - 1}.mechanism.points", rows)
+    column = table_of(TablePoint).columns(given, f"axes.{driven.number - 1}.mechanism.points", rows)
     sheet.row += 1
     sheet.table(
         "@points",
@@ -164,7 +165,6 @@ def varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, float]:
 
 
 TABLE = LinkagePage(
-    lambda driven, key: [],
     sizes,
     ratios,
     varied,
