@@ -7,6 +7,7 @@ from typing import Any
 from tests.laws import MOVING
 from tests.mutation.draw_selection import vary_selection
 from tests.mutation.machines import draw, vary_laws
+from workbook.machines.flying.entries import CutterEntry
 from workbook.selection.entries import Limits
 
 
@@ -19,30 +20,22 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
         data["laws"]["OWN"]["pieces"] = hump(drawn)
     vary_selection(data["selection"], data["sizes"], drawn)
     draw(data["limits"], Limits, drawn)
-    drum = {"tools": float(drawn.randint(1, 8)), "radius": drawn.uniform(30, 400)}
+    draw(entries, CutterEntry, drawn)
+    drum, saw = entries["drum"], entries["saw"]
+    drum["tools"] = float(drawn.randint(1, 8))
     drum["tool_angle"] = drawn.choice((0.0, drawn.uniform(0.02, 0.9))) * 360 / drum["tools"]
-    saw = {"tool_length": drawn.uniform(20, 900), "lead": drawn.uniform(5, 300), "stroke": 10 ** drawn.uniform(1, 5)}
-    kind = drawn.choice(("drum", "drum", "saw"))
-    whole = 2 * pi / drum["tools"] * drum["radius"] if kind == "drum" else drawn.uniform(1.2, 8) * saw["tool_length"]
-    least = radians(drum["tool_angle"]) * drum["radius"] if kind == "drum" else saw["tool_length"]
-    entries.update(
-        kind=kind, line_speed=drawn.uniform(1, 400), law=law, beyond=drawn.choice(("standstill", "reversal")),
-        product_length=least + drawn.choice((drawn.uniform(0.2, 0.9), drawn.uniform(1.1, 12))) * (whole - least),
-        drum=drum, saw=saw, load=load(drawn),
-        limits={"speed": 10 ** drawn.uniform(0, 5), "acceleration": 10 ** drawn.uniform(0, 6)},
-        lengths={"shortest": least + drawn.uniform(0.2, 0.8) * (whole - least),
-                 "longest": least + drawn.uniform(1, 14) * (whole - least)},
-    )  # fmt: skip
-    return data
-
-
-def load(drawn: random.Random) -> dict[str, float]:
-    """Return a load with or without a mass that moves with the tool, and a torque."""
-    return {
-        "inertia": 10 ** drawn.uniform(0, 5),
-        "mass": drawn.choice((0.0, drawn.uniform(0.1, 200))),
-        "torque": drawn.choice((0.0, drawn.uniform(-40, 40))),
+    rotates = entries["kind"] == "drum"
+    whole = 2 * pi / drum["tools"] * drum["radius"] if rotates else drawn.uniform(1.2, 8) * saw["tool_length"]
+    least = radians(drum["tool_angle"]) * drum["radius"] if rotates else saw["tool_length"]
+    entries |= {
+        "law": law,
+        "product_length": least + drawn.choice((drawn.uniform(0.2, 0.9), drawn.uniform(1.1, 12))) * (whole - least),
+        "lengths": {
+            "shortest": least + drawn.uniform(0.2, 0.8) * (whole - least),
+            "longest": least + drawn.uniform(1, 14) * (whole - least),
+        },
     }
+    return data
 
 
 def hump(drawn: random.Random) -> list[dict[str, Any]]:

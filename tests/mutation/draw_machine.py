@@ -10,8 +10,8 @@ from tests.mutation.machines import draw, shares, vary_laws
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive_entries import AxisLoad, AxisMotor, PowerEntry, Reducer, StageEntry, lacking
 from workbook.machines.machine.entries import Closes
-from workbook.machines.machine.entries_beside import STOPS, TIMES
-from workbook.machines.machine.mechanism import BELTED, LINKED, MECHANISMS, SLIDING
+from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops
+from workbook.machines.machine.mechanism import LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units
 from workbook.motion.requirements import Smoothness, dwells_for_room
 from workbook.selection.entries import Limits, OwnLimits
@@ -43,9 +43,8 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
             "axis": drawn.choice([axis["name"] for axis in data["axes"] if axis["motor"]]),
             "rank": drawn.choice(get_args(Rank)), "greatest_margin": 10 ** drawn.uniform(0, 6),
         }  # fmt: skip
-    for one in data["clearances"]:
-        one |= {name: drawn.uniform(-2, 2) for name in ("first_factor", "second_factor")}
-        one |= {name: drawn.uniform(-200, 200) for name in ("offset", "least")}
+    for clearance in data["clearances"]:
+        draw(clearance, ClearanceEntry, drawn)
     for switch in data["switches"]:
         switch["on"] = times(drawn)
     for axis in data["axes"]:
@@ -58,7 +57,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
 def place(axis: dict[str, Any], drawn: random.Random) -> None:
     """Draw where an axis begins, but of what only reaches so far, and whether one without a drive is open."""
     begin = drawn.choice((0.0, drawn.uniform(-300, 300)))
-    axis["stops"] = axis["stops"] and {end: drawn.choice((None, drawn.uniform(-400, 400))) for end in STOPS}
+    draw(axis["stops"] or {}, HardStops, drawn)
     axis["position"] = 0.0 if axis["motor"] and axis["mechanism"]["kind"] in LINKED else begin
     if axis["motor"] is None:
         axis["closes"] = drawn.choice(get_args(Closes))
@@ -80,15 +79,10 @@ def drive(axis: dict[str, Any], drawn: random.Random, room: int, positions: int)
     kind = axis["mechanism"]["kind"]
     travels = axis["unit"] == "mm" or kind in SLIDING
     axis["rate"] = drawn.choice((None, drawn.uniform(5, 600)))
-    sized = MECHANISMS[kind].SIZE
-    axis["mechanism"] |= ({sized: drawn.uniform(2, 300)} if sized else {}) | {
-        "efficiency": drawn.uniform(0.3, 1),
-        "method": drawn.choice(("physical", "physical", "document")),
-    }  # fmt: skip
-    if kind in BELTED:
-        axis["mechanism"]["belt_mass"] = drawn.choice((None, drawn.uniform(0, 30)))
-        if axis["mechanism"]["belt_on_bed"] is not None:
-            axis["mechanism"]["belt_on_bed"] = drawn.uniform(0, 1) * (axis["mechanism"]["belt_mass"] or 0.0)
+    mechanism = axis["mechanism"]
+    draw(mechanism, MECHANISMS[kind], drawn)
+    if mechanism.get("belt_on_bed") is not None:
+        mechanism["belt_on_bed"] = drawn.uniform(0, 1) * (mechanism["belt_mass"] or 0.0)
     if kind in LINKED:
         linked(axis, drawn, kind, positions)
     if kind in SLIDING:

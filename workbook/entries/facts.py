@@ -46,16 +46,19 @@ def facts_of(model: type[BaseModel]) -> dict[str, CellWords]:
 def entry_cells(entries: BaseModel, place: str, leaving: Container[str] = (), **parts: Any) -> Iterator[Quantity]:
     """Yield the inputs of a table of a description, and of the tables in it, in the order of their fields.
 
-    ``parts`` are filled into the texts of its facts; entries that are named in ``leaving`` have no cell.
+    ``parts`` are filled into those texts of its facts that have them; entries named in ``leaving`` have no cell.
     """
     facts, cell = facts_of(type(entries)), table_of(type(entries)).entries(entries, place)
     for name, field in type(entries).model_fields.items():
         below = getattr(entries, name)
-        if name in facts and facts[name].kind == "entry" and name not in leaving:
+        if name in leaving:
+            continue
+        if name in facts and facts[name].kind == "entry":
             word = {"format": ""} if get_origin(unwrap(field.annotation, [])[0]) is Literal else {}
-            yield cell(facts[name].texts["name"], **parts, **word)
+            own = {part: parts[part] for part in facts[name].parts}
+            yield cell(facts[name].texts["name"], **own, **word)
         elif isinstance(below, BaseModel):
-            yield from entry_cells(below, f"{place}.{name}")
+            yield from entry_cells(below, f"{place}.{name}", **parts)
 
 
 def varying_entries(

@@ -21,24 +21,24 @@ class DrumEntry(Model):
     """A drum of tools that goes round."""
 
     tools: Annotated[float, Field(ge=1, le=100, allow_inf_nan=False)]
-    radius: Positive  # mm
-    tool_angle: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
+    radius: Positive
+    tool_angle: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]
 
 
 class SawEntry(Model):
     """A saw on a slide that comes back."""
 
-    tool_length: NotNegative  # mm
-    lead: Positive  # mm of the slide a turn of its shaft
-    stroke: Positive  # mm that the slide has
+    tool_length: NotNegative
+    lead: Positive
+    stroke: Positive
 
 
 class LoadEntry(Model):
     """The load that the shaft moves."""
 
-    inertia: NotNegative  # kg cm²
-    mass: NotNegative = 0.0  # kg, in step with the tool
-    torque: Number = 0.0  # Nm, against the line's direction
+    inertia: NotNegative
+    mass: NotNegative = 0.0
+    torque: Number = 0.0
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a load that nothing has to move."""
@@ -49,15 +49,15 @@ class LoadEntry(Model):
 class LimitEntry(Model):
     """The limits of the shaft."""
 
-    speed: Positive  # rpm
-    acceleration: Positive  # rad/s²
+    speed: Positive
+    acceleration: Positive
 
 
 class LengthsEntry(Model):
     """The product lengths that the machine is compared over."""
 
-    shortest: Positive  # mm
-    longest: Positive  # mm
+    shortest: Positive
+    longest: Positive
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a range of lengths that does not rise."""
@@ -70,13 +70,13 @@ class LengthsEntry(Model):
 class CutterEntry(Model):
     """The product and its line, the tool, the law of the superimposed motion."""
 
-    kind: Literal["drum", "saw"] = "drum"
-    line_speed: Positive  # m/min
-    product_length: Positive  # mm
+    product_length: Positive
+    line_speed: Positive
     law: RisingLaw
     smoothness: Smoothness = "acceleration"
-    beyond: Literal["standstill", "reversal"] = "standstill"
+    kind: Literal["drum", "saw"] = "drum"
     drum: DrumEntry
+    beyond: Literal["standstill", "reversal"] = "standstill"
     saw: SawEntry
     load: LoadEntry
     limits: LimitEntry

@@ -6,6 +6,7 @@ from engine.flying.cut import Beyond, Cut
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet
+from workbook.entries.facts import entry_cells
 from workbook.fields.units import MM, shown
 from workbook.machines.flying.entries import DRUM
 from workbook.machines.flying.view import CutterView, does
@@ -48,12 +49,9 @@ def lengths_columns(machine: CutterView, cuts: Sequence[Cut], length: str, way: 
 def lengths_sheet(book: Book, machine: CutterView) -> None:
     """Declare the sheet: charts, then the table of product lengths."""
     sheet = book.sheet("Lengths", "Speeds, accelerations and load factor over the product length, at this line speed.")
-    e, n = machine.given.lengths, machine.sizes.lengths
+    n = machine.sizes.lengths
     sheet.heading("Enter", "Everything else is taken from the sheet Cutter.")
-    sheet.rows(
-        CELLS["lengths_sheet"]("fly_short", e.shortest),
-        CELLS["lengths_sheet"]("fly_long", e.longest),
-    )
+    sheet.rows(*entry_cells(machine.given.lengths, "cutter.lengths"))
     sheet.heading("Results")
     charts = [
         ("Speed of the tool", "speed [m/s]", (("lowest", "low"), ("highest", "high")), "speed"),

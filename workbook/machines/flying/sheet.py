@@ -9,12 +9,12 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.sentence import amount
+from workbook.entries.facts import entry_cells
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown, si
 from workbook.law_sheets.library import NamedLaw
 from workbook.machines.flying.lengths import IS_DRUM, cases, waits
 from workbook.machines.flying.view import LEAST_CV, CutterView, does
 from workbook.motion.pieces import ROOM
-from workbook.motion.requirements import ABOUT as CONTINUOUS
 from workbook.motion.smooth import Joints
 
 CELLS = cell_tables(__file__)
@@ -57,27 +57,8 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
 
 def entries(sheet: Sheet, machine: CutterView) -> None:
     """Declare what the engineer enters."""
-    entry = CELLS["entries"].entries(machine.given, "cutter")
     sheet.heading("Enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft.")
-    sheet.rows(
-        entry("fly_length"),
-        entry("fly_line"),
-        entry("fly_law"),
-        entry("fly_smooth", source=CONTINUOUS),
-        entry("fly_kind"),
-        entry("fly_tools"),
-        entry("fly_radius"),
-        entry("fly_angle"),
-        entry("fly_beyond"),
-        entry("fly_saw"),
-        entry("fly_lead"),
-        entry("fly_room"),
-        entry("fly_inertia"),
-        entry("fly_mass"),
-        entry("fly_torque"),
-        entry("fly_rpm_max"),
-        entry("fly_dw_max"),
-    )
+    sheet.rows(*entry_cells(machine.given, "cutter", ["lengths"]))
 
 
 def cycle(sheet: Sheet, machine: CutterView) -> None:

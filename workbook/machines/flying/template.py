@@ -15,13 +15,12 @@ from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, single_humped, vary_laws, varying
 from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
-from workbook.machines.flying.entries import DRUM, FlyingCutter
+from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 from workbook.machines.flying.lengths import lengths_sheet
 from workbook.machines.flying.ratios import RatiosSheet
 from workbook.machines.flying.sheet import cutter_sheet
 from workbook.machines.flying.view import CutterView, ToolDrive, check
 from workbook.motion.exported import Exportable, export_sheet
-from workbook.motion.requirements import smoothness_for
 from workbook.selection.entries import Limits
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.variations import vary_selection
@@ -99,32 +98,22 @@ def judgement(given: FlyingCutter) -> ExactJudgement:
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
     k = turn % SIX
-    entries, scale = data["cutter"], factors(k)
-    vary_laws(data["laws"], k, scale, data["sizes"]["pieces"])
+    entries = data["cutter"]
+    vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
     law = law_for(turn + 4, single_humped(data["laws"]))
     if law in own_in(data["laws"]):
         data["laws"][law]["pieces"] = RISING
-    drum, saw, load = entries["drum"], entries["saw"], entries["load"]
-    drum |= {"tools": 1.0 + k, "radius": 90.0 + 17 * k, "tool_angle": (47.0, 0.0, 31.0, 22.0, 29.0, 17.0)[k]}
-    saw |= {"tool_length": 210.0 + 40 * k, "lead": 25.0 + 6 * k, "stroke": (60.0, 2000.0)[k % 2] * next(scale)}
-    load |= {"inertia": 100.0 * next(scale), "mass": 3.0 * k, "torque": (0.0, 2.5, -1.5, 0.0, 4.0, 0.7)[k]}
-    if k == 2:
-        whole, least = 3.0 * saw["tool_length"], saw["tool_length"]
-    else:
+    vary(entries, CutterEntry, k)
+    drum, saw = entries["drum"], entries["saw"]
+    if entries["kind"] == DRUM:
         whole, least = 2 * pi * drum["radius"] / drum["tools"], radians(drum["tool_angle"]) * drum["radius"]
+    else:
+        whole, least = 3.0 * saw["tool_length"], saw["tool_length"]
     share, span = (0.7, 9.0, 1.0, 1.0, 8.0, 1.7)[k], whole - least  # shorter, far too long, as long as designed, longer
     entries |= {
-        "kind": "saw" if k == 2 else DRUM,
-        "line_speed": 35.0 + 21 * k,
         "product_length": least + share * span if share != 1.0 else whole,
-        "beyond": ("standstill", "standstill", "reversal", "reversal", "reversal", "standstill")[k],
         "lengths": {"shortest": least + 0.3 * span, "longest": least + (4.0 + 2 * k) * span},
-        "limits": {  # of the shaft: met or not, each in turn
-            "speed": (1e5, 3.0)[k % 2] * next(scale),
-            "acceleration": (1e6, 1e6, 2.0)[k % 3] * next(scale),
-        },
         "law": law,
-        "smoothness": smoothness_for(turn),
     }
     vary_selection(data["selection"], k, data["sizes"])
     vary(data["limits"], Limits, k)

@@ -25,18 +25,18 @@ class TransferEntry(Model):
 
     name: Name
     law: RisingLaw
-    stroke: Positive  # mm
-    angle: PartAngle  # degrees of the master shaft
+    stroke: Positive
+    angle: PartAngle
     smoothness: Smoothness = "acceleration"
 
 
 class PassageEntry(Model):
     """The room that a part leaves to the other."""
 
-    remaining: Annotated[float, Field(ge=0, lt=50, allow_inf_nan=False)]  # % of the transfer's stroke
-    clearance: NotNegative  # mm
-    margin: NotNegative  # mm
-    allowance: NotNegative  # degrees
+    remaining: Annotated[float, Field(ge=0, lt=50, allow_inf_nan=False)]
+    clearance: NotNegative
+    margin: NotNegative
+    allowance: NotNegative
     split: Annotated[float, Field(gt=0, lt=1, allow_inf_nan=False)] = 0.5
 
     def design_faults(self) -> Iterator[DesignError]:
@@ -52,21 +52,21 @@ class ToolEntry(Model):
     name: Name
     law_in: RisingLaw
     law_out: RisingLaw
-    stroke: Positive  # mm
-    dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]  # degrees
+    stroke: Positive
+    dwell: Annotated[float, Field(ge=0, lt=360, allow_inf_nan=False)]
     smoothness: Smoothness = "acceleration"
-    angle_in: PartAngle | None = None  # degrees; empty: the longest that the passage allows, less the allowance
-    angle_out: PartAngle | None = None
     passage: PassageEntry
+    angle_in: PartAngle | None = None
+    angle_out: PartAngle | None = None
 
 
 class OverlapEntry(Model):
     """The transfer, the tools that work at its stations, and the angle at which the picture shows them."""
 
-    rate: Positive  # pieces/h
+    rate: Positive
     transfer: TransferEntry
     tools: Annotated[list[ToolEntry], Field(min_length=1, max_length=MOST_TOOLS), MakesCells()]
-    view: Angle = 0.0  # degrees
+    view: Angle = 0.0
 
     @model_validator(mode="after")
     def _distinct(self) -> Self:

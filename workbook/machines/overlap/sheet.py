@@ -5,11 +5,11 @@ from engine.timing import FULL_TURN, shaft_speed
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet
+from workbook.entries.facts import entry_cells
 from workbook.fields.units import DEGREE, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap import tool
 from workbook.machines.overlap.view import BACKWARDS, OverlapView
-from workbook.motion.requirements import ABOUT as CONTINUOUS
 
 CELLS = cell_tables(__file__)
 
@@ -28,11 +28,7 @@ def overlap_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     sheet.heading("Enter", ONE if machine.alone else SEVERAL)
     if not machine.alone:
         sheet.note(APART)
-    entry = CELLS["overlap_sheet"].entries(machine.given, "overlap")
-    sheet.rows(
-        *(entry(f"overlap_{name}") for name in ("rate", "transfer", "law", "pitch", "angle")),
-        entry("overlap_smooth", source=CONTINUOUS),
-    )
+    sheet.rows(*entry_cells(machine.given, "overlap"))
     if machine.alone:
         timing_diagrams(sheet, machine, RIGHT)
         tool.declare(sheet, machine.stations[0], pieces, SECOND, BELOW_CHARTS, [rising()], workings(machine))

@@ -9,6 +9,7 @@ from engine.timing import FULL_TURN
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book
 from workbook.book.summary import summary_sheet
+from workbook.entries.facts import vary
 from workbook.entries.phase import TURN
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, shown
@@ -16,13 +17,12 @@ from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, vary_laws, varying
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import OF_TOOL, TRANSFER, cycle_sheets, rows_of
-from workbook.machines.overlap.entries import IndexingOverlap
+from workbook.machines.overlap.entries import IndexingOverlap, OverlapEntry, ToolEntry
 from workbook.machines.overlap.inverse import inverse_sheet
 from workbook.machines.overlap.picture import picture_sheet
 from workbook.machines.overlap.sheet import overlap_sheet
 from workbook.machines.overlap.view import OverlapView, check
 from workbook.motion.exported import Exportable, ShiftCells, export_sheet
-from workbook.motion.requirements import smoothness_for
 from workbook.template import Template, finish
 from workbook.template_outputs import CamAxis
 
@@ -107,33 +107,12 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
     k, entries = turn % SIX, data["overlap"]
     vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
-    entries["rate"] = 1700.0 + 310 * k
+    vary(entries, OverlapEntry, k)
     entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
-    entries["transfer"] |= {
-        "law": law_for(turn, data["laws"]),
-        "stroke": 80.0 + 13 * k,
-        "angle": 110.0 + 11 * k,
-        "smoothness": smoothness_for(turn),
-    }
-    for i, tool in enumerate(entries["tools"]):  # with strokes that no other tool has
-        k = (turn + i) % SIX
-        chosen = (None, (107.0, None), (None, 88.0), (200.0, 70.0), None, (130.0, 140.0))[k]
-        tool["angle_in"], tool["angle_out"] = chosen or (None, None)
-        clearance = (21.0, 13.0, 90.0, 17.0, 25.0, 9.0)[k]
-        tool |= {
-            "law_in": law_for(turn + 2 * i + 2, data["laws"]),
-            "law_out": law_for(turn + 2 * i + 5, data["laws"]),
-            "stroke": 40.0 + 7 * k + 3 * i,
-            "smoothness": smoothness_for(turn + 2 * i + 1),
-            "dwell": (60.0, 85.0, 0.0, 33.0, 71.0, 50.0)[k],
-        }
-        tool["passage"] |= {
-            "remaining": (0.4, 1.7, 3.0, 0.0, 7.0, 2.2)[k],
-            "clearance": clearance,
-            "margin": clearance * (0.1, 0.35, 0.02, 0.2, 1.0, 0.0)[k],
-            "allowance": (0.0, 3.0, 4.5, 1.0, 2.0, 6.0)[k],
-            "split": (0.5, 0.42, 0.61, 0.55, 0.37, 0.48)[k],
-        }
+    entries["transfer"]["law"] = law_for(turn, data["laws"])
+    for i, tool in enumerate(entries["tools"]):
+        vary(tool, ToolEntry, turn + i)
+        tool |= {f"law_{way}": law_for(turn + 2 * i + n, data["laws"]) for way, n in (("in", 2), ("out", 5))}
     codes = [entries["transfer"]["law"], *(tool[law] for tool in entries["tools"] for law in ("law_in", "law_out"))]
     for name in set(own_in(data["laws"])) & set(codes):
         data["laws"][name]["pieces"] = RISING

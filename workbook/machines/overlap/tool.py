@@ -11,12 +11,12 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import amount
+from workbook.entries.facts import entry_cells
 from workbook.fields.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import SCHEDULES, AtAngles
 from workbook.machines.overlap.entries import LEAST
 from workbook.machines.overlap.view import Station
-from workbook.motion.requirements import ABOUT as CONTINUOUS
 
 CELLS = cell_tables(__file__)
 
@@ -65,10 +65,7 @@ def quoting(station: Station, *quantities: Quantity) -> list[Quantity]:
 
 def entries(sheet: Sheet, station: Station) -> None:
     """Declare what the engineer enters."""
-    words = CELLS["entries"]
-    entry = words.entries(station.given, station.key)
-    more = {"@smooth": {"source": CONTINUOUS}}
-    sheet.rows(*quoting(station, *(entry(name, **more.get(name, {})) for name in words)))
+    sheet.rows(*quoting(station, *entry_cells(station.given, station.key)))
 
 
 def outcome(sheet: Sheet, station: Station) -> None:
