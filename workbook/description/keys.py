@@ -142,10 +142,8 @@ class ModelWalk:
             self._key(join(f"{path}.*", name), inner, facts_of(row).get(name), of, first_value(default, name))
             for name, inner in row.model_fields.items()
         ]
-        examples = (listed_in, self._example(path, of), facts and facts.example, *(field.examples or []))
+        examples = (listed_in, self._example(path, of), example_in(facts, kind), *(field.examples or []))
         shown = next((example for example in examples if example is not None), None)
-        if kind is int and shown is not None:
-            shown = int(shown)
         if shown is None and default in (None, "", []):
             raise LookupError(f"{path}{of and f' of a {of}'} has no example: its field has none, nor a committed file")
         return Key(
@@ -184,6 +182,12 @@ def in_words(facts: CellWords) -> tuple[str, str]:
     label, source, unit = (facts.texts.get(name, "") for name in ("label", "source", "unit"))
     meaning = facts.meaning or (f"{label} ({source})" if source else label)
     return PART.sub("*", meaning), PART.sub("", unit.replace("{place}", PLACE))
+
+
+def example_in(facts: CellWords | None, kind: Any) -> Any:
+    """Return the example in the facts of an entry, a whole number where the entry is; None where there is none."""
+    example = facts.example if facts else None
+    return int(example) if kind is int and example is not None else example
 
 
 def first_value(rows: Any, name: str) -> Any:

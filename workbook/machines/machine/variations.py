@@ -79,9 +79,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
                 phase |= passing(k, n, laws, 0.01)
     vary_drives_together(data, k)
     for i, clearance in enumerate(data["clearances"]):
-        vary(clearance, ClearanceEntry, i + k)
-        for n, pair in enumerate(clearance["pairs"]):
-            pair |= {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
+        vary_clearance(clearance, i, k)
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     if pace == "cycle":
@@ -96,6 +94,13 @@ def vary_drives_together(data: dict[str, Any], k: int) -> None:
         vary(data["power"], PowerEntry, k)
         data["creep_forces"] = ("off", "on")[k % 2]
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
+
+
+def vary_clearance(clearance: dict[str, Any], i: int, k: int) -> None:
+    """Give a clearance other factors, another offset, and other pairs where it has some."""
+    vary(clearance, ClearanceEntry, i + k)
+    for n, pair in enumerate(clearance["pairs"]):
+        pair |= {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
 
 
 def choose(data: dict[str, Any], k: int) -> None:
