@@ -21,7 +21,7 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     vary_selection(data["selection"], data["sizes"], drawn)
     draw(data["limits"], Limits, drawn)
     draw(entries, CutterEntry, drawn)
-    drum, saw = entries["drum"], entries["saw"]
+    drum, saw, entries["kind"] = entries["drum"], entries["saw"], drawn.choice(("drum", "drum", "saw"))
     drum["tools"] = float(drawn.randint(1, 8))
     drum["tool_angle"] = drawn.choice((0.0, drawn.uniform(0.02, 0.9))) * 360 / drum["tools"]
     rotates = entries["kind"] == "drum"

@@ -80,10 +80,10 @@ def own_pieces(drawn: random.Random, room: int) -> list[dict[str, Any]]:
 
 
 def draw(entries: dict[str, Any], model: type[BaseModel], drawn: random.Random, leaving: Container[str] = ()) -> None:
-    """Draw the entries of a table within those of the variations, by their logarithm where these differ much."""
+    """Draw the entries of a table: of the variations, or within them, by their logarithm where these differ much."""
     for table, name, values in varying_entries(entries, model, leaving):
         numbers, table[name] = [value for value in values if isinstance(value, float)], drawn.choice(values)
-        if isinstance(table[name], float):
+        if isinstance(table[name], float) and drawn.random() < 0.8:
             low, high = min(numbers), max(numbers)
             wide = low > 0 and high / low > 100
             table[name] = low * (high / low) ** drawn.random() if wide else drawn.uniform(low, high)
