@@ -62,7 +62,7 @@ class Axis(Model):
     parts: list[drive_entries.AxisPart] = []  # noqa: RUF012 - frozen
     motor: drive_entries.AxisMotor | None = None
     reducer: drive_entries.Reducer = drive_entries.Reducer()
-    stages: Annotated[list[drive_entries.StageEntry], MakesCells(), Field(max_length=drive_entries.STAGES)] = []  # noqa: RUF012 - frozen
+    stages: Annotated[list[drive_entries.StageEntry], MakesCells()] = Field([], max_length=drive_entries.STAGES)
     limits: OwnLimits = OwnLimits()
     _built: str | None = PrivateAttr(default=None)
 

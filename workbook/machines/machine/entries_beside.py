@@ -105,7 +105,7 @@ class ClearanceEntry(Model):
     second_factor: Number = -1.0
     offset: Number = 0.0
     least: Number = 0.0
-    pairs: Annotated[list[FreePosition], Field(max_length=PAIRS), MakesCells([[0.0, 0.0], [1.0, 0.0]])] = []  # noqa: RUF012 - frozen
+    pairs: Annotated[list[FreePosition], MakesCells([[0.0, 0.0], [1.0, 0.0]])] = Field([], max_length=PAIRS)
 
     @field_validator("pairs", mode="before")
     @classmethod
