@@ -20,7 +20,7 @@ ZOOMS, FINE = 4, 33
 STEPS = 7200
 """of a cycle, of drives on a bus"""
 INSIDE = 1e-7
-"""rad: nearer to the end of a stretch the motion counts as on the stretch beside, so that no peak is looked for there"""
+"""rad: nearer to its end a stretch has the motion of the next, so that no peak is looked for there"""
 STILL = 1e-9
 """share of the largest speed: what is slower stands"""
 RPM, CM2, MM = pi / 30, 1e-4, 1e-3
