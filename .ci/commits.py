@@ -7,7 +7,7 @@ import re
 import subprocess
 import sys
 
-SINCE = "3181bba5c1b7"  # those before are as they are; a shallow clone that has it not, has none to look at
+SINCE = "d3ac1906"  # those before are as they are; a shallow clone that has it not, has none to look at
 LONGEST = 72
 SUBJECT = re.compile(r"(?!\w+(?:ing|ed|[^s]s)\b|(?:An?|The|This|We|I|No|Fix(?:es)?:)\b)[A-Z][a-z]+\b.*[^.]")
 IMPERATIVE = re.compile(
