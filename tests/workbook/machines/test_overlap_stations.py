@@ -183,7 +183,7 @@ def test_a_lost_name_of_the_second_tool_is_missed(tmp_path):
     file = open_book(path)
     del file.workbook.defined_names["tool2_name"]
     file.workbook.save(path)
-    with pytest.raises(InputError, match="the name tool2_name is missing; its inputs cannot be found"):
+    with pytest.raises(InputError, match="Tool 2: cells are gone, or have no name, of tool2_name"):
         read_inputs(path)
 
 
