@@ -7,6 +7,7 @@ import pytest
 from tests.workbook.writing.carlito import FOLDER, pixels, room
 from workbook.book.quantity import sample
 from workbook.book.rows import as_rows
+from workbook.book_layout import NAME as LAYOUT
 from workbook.build import committed_descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER as FOLDER_OF_TEMPLATES
@@ -61,7 +62,7 @@ def test_no_label_is_cut(path):
 
 
 def shortened(book, wide):
-    """Yield the texts in cells that do not fit into columns so wide, or run under a chart, with what they lack."""
+    """Yield the texts for people that do not fit into columns so wide, or run under a chart, with what they lack."""
     for sheet in book.sheets:
         full = {(text.row, text.column) for text in sheet.texts if text.text}
         columns = [column for block in sheet.blocks for column in block.by_column()]
@@ -72,7 +73,7 @@ def shortened(book, wide):
         for _, row, column, width, height in sheet.charts:
             full |= {(r, c) for r in range(row, row + height - 1) for c in range(column, column + width)}
         texts = [c for cells in columns for c in cells if isinstance(c.expected, str)]
-        for cell in texts:
+        for cell in (cell for cell in texts if cell.quantity.name != LAYOUT):
             lacks = lacking(cell, wide[sheet.title], full) if cell.quantity.role != "sentence" else 0
             if lacks > 0:
                 yield sheet.title, cell.block.name, cell.quantity.name, cell.expected or cell.content, round(lacks)
