@@ -111,7 +111,7 @@ class Match:
         return declared.single == held.single and all(map(self._same_cell, corners(declared), corners(held)))
 
     def _same_cell(self, declared: Address, held: Address) -> bool:
-        """Whether two cells match, of which one in a table's heading is any that holds no number above its column."""
+        """Whether two cells have the same place in a block; a heading's is every text or gap just above its column."""
         ours, theirs = self._declared_index.get(declared, declared), self._held_index.get(held, held)
         if ours == theirs or isinstance(ours, Address) or ours[1] != HEADING or ours[0] not in self.file.places:
             return ours == theirs

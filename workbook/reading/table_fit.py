@@ -42,7 +42,7 @@ def fit_tables(file: BookFile, layout: Book) -> None:
 
 
 def fit_rows(file: BookFile, blocks: list[Block]) -> None:
-    """Take rows that were put in out of tables of the same rows; enter those of which rows are gone or too many."""
+    """Take inserted rows out of the places of tables that share rows; enter as torn those of other numbers of rows."""
     place, size = file.places[blocks[0].name], blocks[0].size
     if place.rows == size:
         return

@@ -85,7 +85,7 @@ def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]
 
 
 def product_of(head: Sequence[str], cells: Sequence[str], columns: Mapping[str, str], separator: str) -> Product:
-    """Return the entries of a product from the cells of its line, of which those at the end may be missing."""
+    """Return the entries of a product from the cells of its line, which may end before its head does."""
     filled = zip(head, cells, strict=False)
     given = {columns[name]: value(cell.strip(), columns[name], separator) for name, cell in filled}
     return {entry: cell for entry, cell in given.items() if cell is not None}

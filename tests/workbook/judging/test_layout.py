@@ -139,28 +139,28 @@ def test_a_row_deleted_from_a_table_is_one_line_that_says_where(name, table, boo
             assert word in line
 
 
-def test_entries_typed_into_an_inserted_row_are_told_with_it(books, tmp_path):
-    path = books("press")
+def with_copied_row(path, folder, columns):
+    """The first row of a table's columns copied into a row put in below it: the file, its sheet and that row."""
     sheet, first, *_ = place(path, "axis2")
     workbook, row = openpyxl.load_workbook(path), first + 1
     tab = excel.edited(workbook, excel.Lines(sheet, row, 1))[sheet]
-    for column in range(3, 7):
+    for column in columns:
         tab.cell(row, column).value = tab.cell(first, column).value
-    workbook.save(tmp_path / "edited.xlsx")
-    report = verify(tmp_path / "edited.xlsx")
+    workbook.save(folder / "edited.xlsx")
+    return folder / "edited.xlsx", sheet, row
+
+
+def test_entries_typed_into_an_inserted_row_are_told_with_it(books, tmp_path):
+    path = books("press")
+    edited_path, sheet, row = with_copied_row(path, tmp_path, range(3, 7))
+    report = verify(edited_path)
     one(report, sheet, f"{row}:{row}", "inserted")
     assert numbers(read_inputs(report.path)[0]) == numbers(read_inputs(path)[0])
 
 
 def test_a_copied_row_put_into_a_table_is_one_too_many(books, tmp_path):
-    path = books("press")
-    sheet, first, *_ = place(path, "axis2")
-    workbook, row = openpyxl.load_workbook(path), first + 1
-    tab = excel.edited(workbook, excel.Lines(sheet, row, 1))[sheet]
-    for column in range(2, 22):
-        tab.cell(row, column).value = tab.cell(first, column).value
-    workbook.save(tmp_path / "edited.xlsx")
-    assert f"{sheet}: a row is too many at row {row}, of axis2" in refused(tmp_path / "edited.xlsx")
+    path, sheet, row = with_copied_row(books("press"), tmp_path, range(2, 22))
+    assert f"{sheet}: a row is too many at row {row}, of axis2" in refused(path)
 
 
 def test_other_faults_are_still_told_beside_an_inserted_row(books, tmp_path):
