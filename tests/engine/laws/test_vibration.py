@@ -1,0 +1,64 @@
+"""Vibration after a move: printed amplitudes, an oscillator integrated in time, and what input shapers leave."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from engine.laws import law
+from engine.laws.vibration import Shaper, residual
+
+PERIODS = np.array([1.5, 2.0, 3.0, 4.0, 5.0])
+PERCENT = {  # of the lift
+    "constant acceleration": (9.006, 0.0, 4.503, 0.0, 1.621),
+    "simple harmonic": (0.0, 6.667, 2.857, 1.587, 1.010),
+    "cycloidal": (16.977, 0.0, 0.0, 0.0, 0.0),
+    "modified trapezoid": (14.001, 0.0, 3.113, 0.0, 0.267),
+}
+BAND = {"ZV": 4.0 / math.pi * math.asin(0.05), "ZVD": 4.0 / math.pi * math.asin(math.sqrt(0.05)), "EI": 0.3995}
+
+
+@pytest.mark.parametrize("name", PERCENT)
+def test_vibration_is_as_printed(name: str) -> None:
+    assert np.round(100.0 * residual(law(name), PERIODS), 3) == pytest.approx(PERCENT[name], abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["MSN", "CUB", "LIN"])
+@pytest.mark.parametrize("damping", [0.0, 0.3])
+def test_vibration_is_that_of_an_oscillator_integrated_in_time(name: str, damping: float) -> None:
+    move, omega = law(name), 2.0 * math.pi * 2.3
+    pushed = lambda t, x: [x[1], -2.0 * damping * omega * x[1] - omega**2 * x[0] - move.a(min(t, 1.0))]  # noqa: E731
+    x, v = solve_ivp(pushed, (0.0, 1.0), [0.0, -move.start.v], rtol=1e-10, atol=1e-12, max_step=0.02).y[:, -1]
+    v += move.end.v
+    damped = omega * math.sqrt(1.0 - damping**2)
+    assert residual(move, 2.3, damping) == pytest.approx(math.hypot(x, (v + damping * omega * x) / damped), abs=1e-5)
+
+
+def test_vibration_refuses_what_is_no_oscillator() -> None:
+    with pytest.raises(ValueError, match="periods"):
+        residual(law("PO5"), 0.0)
+    with pytest.raises(ValueError, match="damping is 1; expected a ratio from 0 to below 1"):
+        residual(law("PO5"), 1.0, 1.0)
+    with pytest.raises(ValueError, match="expected one of ZV, ZVD, EI"):
+        Shaper("ZVDD")
+
+
+@pytest.mark.parametrize(("kind", "printed", "time"), [("ZV", 0.063, 0.5), ("ZVD", 0.286, 1.0), ("EI", 0.399, 1.0)])
+def test_the_band_of_a_shaper_is_as_printed_and_by_its_closed_form(kind: str, printed: float, time: float) -> None:
+    low, high = Shaper(kind).band
+    assert high - low == pytest.approx(BAND[kind], abs=1e-4)
+    assert high - low == pytest.approx(printed, abs=0.0012)  # Singhose cuts his figures off
+    assert Shaper(kind).time == time
+
+
+@pytest.mark.parametrize(("kind", "damping"), [("ZV", 0.0), ("ZV", 0.1), ("ZVD", 0.0), ("ZVD", 0.1)])
+def test_a_shaper_leaves_nothing_at_the_frequency_that_it_is_made_for(kind: str, damping: float) -> None:
+    shaper = Shaper(kind, damping)
+    assert shaper.left(1.0) == pytest.approx(0.0, abs=1e-12)
+    assert math.fsum(shaper.shares) == pytest.approx(1.0, abs=1e-15)
+
+
+def test_a_shaper_that_is_extra_insensitive_leaves_its_share_at_three_frequencies() -> None:
+    shaper = Shaper("EI")
+    assert [shaper.left(ratio) for ratio in (*shaper.band, 1.0)] == pytest.approx([0.05] * 3)
