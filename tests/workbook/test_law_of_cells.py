@@ -10,8 +10,7 @@ from openpyxl.utils import range_boundaries
 
 from benchmarks.scale import of_axes
 from tests.workbook.cells import opened
-from tests.workbook.machines.test_machine_linked import linked, small
-from tests.workbook.machines.test_machine_tables import BENT, PHASES
+from tests.workbook.machines.test_machine_drives import BENT, SHORT, linked, small
 from workbook.build import committed_descriptions
 from workbook.judging.matching import is_formula
 from workbook.judging.structure import ALLOWED
@@ -42,7 +41,7 @@ def machine(name):
     given = BOOKS[name]
     if isinstance(given, Path):
         return read_machine(given)
-    return of_axes(given) if isinstance(given, int) else small(linked(*PHASES, mechanism=given), cycle=360, positions=8)
+    return of_axes(given) if isinstance(given, int) else small(linked(*SHORT, mechanism=given), cycle=360, positions=8)
 
 
 @cache

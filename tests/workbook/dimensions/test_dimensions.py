@@ -7,7 +7,7 @@ import pytest
 
 from tests.tiers import by_day
 from tests.workbook.cells import in_memory
-from tests.workbook.machines.test_machine_linked import linked, small
+from tests.workbook.machines.test_machine_drives import linked, small
 from workbook.book.address import Address
 from workbook.dimensions.rules import UnitWalk
 from workbook.dimensions.units import NONE, dimension_of

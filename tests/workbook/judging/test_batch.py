@@ -22,7 +22,7 @@ from workbook.build import build
 from workbook.cluster import pool
 from workbook.commands import verify as command
 from workbook.judging import batch
-from workbook.judging.batch import Outcome, Target, exit_code, find_workbooks, verify_many, verify_one
+from workbook.judging.batch import Outcome, Target, find_workbooks, verify_many, verify_one
 from workbook.judging.verify import Report
 from workbook.pool import THIS_PROCESS, WorkerDied
 
@@ -137,12 +137,6 @@ def test_a_damaged_workbook_in_a_folder_is_not_taken_for_a_foreign_one(tmp_path,
     assert outcome.reason.startswith(str(path))
 
 
-def test_a_file_that_vanishes_is_one_line(tmp_path):
-    outcome = verify_many([Target(tmp_path / "gone.xlsx", named=False)])[0]
-    assert outcome.verdict == "unreadable"
-    assert outcome.reason.splitlines() == [f"{tmp_path / 'gone.xlsx'}: there is no such file"]
-
-
 def test_a_file_that_cannot_be_opened_is_one_line(tmp_path, good, monkeypatch):
     def locked(*_):
         raise PermissionError(13, "Permission denied")
@@ -229,21 +223,6 @@ def test_one_book_imports_no_dask_and_starts_no_cluster(real):
     assert done.stdout.splitlines()[-1] == "False"
 
 
-@pytest.mark.parametrize(
-    ("verdicts", "code"),
-    [
-        (["agrees"], 0),
-        (["agrees", "no machine"], 0),
-        (["agrees", "disagrees", "no machine"], 1),
-        (["disagrees", "unreadable"], 2),
-        (["no machine"], 2),
-        ([], 2),
-    ],
-)
-def test_the_exit_code_tells_the_worst_and_that_nothing_was_verified(verdicts, code):
-    assert exit_code(Outcome(Path("x"), v) for v in verdicts) == code
-
-
 def test_the_command_sums_a_folder_up_and_names_the_worst_cell(folder, wrong, verified):
     code, said, errors = verified(folder)
     assert (code, errors) == (1, "")  # no bar where no terminal is
@@ -274,13 +253,6 @@ def test_the_json_of_one_file_is_its_report_alone(good, verified):
 def test_one_file_that_cannot_be_read_is_a_line_on_stderr(tmp_path, verified):
     gone = tmp_path / "gone.xlsx"
     assert verified(gone, "--json") == (2, "", f"{gone}: there is no such file\n")
-
-
-def test_an_unknown_witness_is_refused_with_the_known_ones(good, verified):
-    code, _, said = verified(good, "--with", "abacus")
-    assert code == 2
-    assert "abacus" in said
-    assert "libreoffice" in said
 
 
 def test_the_folder_is_left_as_it_was(folder, verified):

@@ -1,13 +1,10 @@
 """Rows that are not used show nothing, by a declared rule; another rule that hides figures is found."""
 
-import openpyxl
 import pytest
 from openpyxl.formatting.formatting import ConditionalFormattingList
 from openpyxl.formatting.rule import Rule
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
-
-from workbook.build import read_inputs
 
 TABLE = "axis1"
 
@@ -51,12 +48,6 @@ def changed(press, opened, formula):
     return said(press, opened)
 
 
-def test_the_declared_rule_is_known(press, opened):
-    report = said(press, opened)
-    assert (report.findings, report.notices) == ([], [])
-    assert read_inputs(press.path)[1] == []
-
-
 def test_a_rule_that_is_gone_is_a_notice(press, opened):
     without(opened["Timing"], press.declared.blocks[TABLE].row)
     report = said(press, opened)
@@ -89,9 +80,3 @@ def test_the_declared_condition_hides_no_input_and_no_other_table(press, opened)
     found = said(press, opened).findings
     assert found
     assert {f.cell for f in found} <= {f"C{row + n}" for n in range(4)}
-
-
-def test_openpyxl_keeps_it(press, tmp_path):
-    workbook = openpyxl.load_workbook(press.path)
-    workbook.save(tmp_path / "kept.xlsx")
-    assert read_inputs(tmp_path / "kept.xlsx")[1] == []

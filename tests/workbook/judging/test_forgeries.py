@@ -1,7 +1,7 @@
 """Forgeries of display by parts of the file format that no list of them had named: each is told of."""
 
 import pytest
-from openpyxl.formatting.rule import DataBarRule, FormulaRule
+from openpyxl.formatting.rule import FormulaRule
 from openpyxl.styles import Alignment, Border, Font, PatternFill, Side
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.worksheet.table import Table, TableStyleInfo
@@ -54,13 +54,6 @@ def test_a_label_pushed_out_of_its_cell_by_blanks_is_told(text, book):
         book.cell(workbook, "peak", 0, -2).value = text
 
     assert spots(told(book.edited(change))) == {"Drive!B14"}
-
-
-def test_a_unit_pushed_out_of_its_cell_is_told(book):
-    def change(workbook):
-        book.cell(workbook, "peak", 0, 1).value = 12 * "\n" + "Nm"
-
-    assert spots(told(book.edited(change))) == {"Drive!E14"}
 
 
 def test_a_figure_merged_into_its_label_is_told(book):
@@ -119,13 +112,6 @@ def test_a_rule_that_writes_in_signs_or_struck_out_is_told(book):
             workbook["Drive"].conditional_formatting.add("D14", first_of_all(look, stop=False))
 
         assert spots(told(book.edited(change))) == {"Drive!D14"}
-
-
-def test_bars_beside_figures_are_told(book):
-    def change(workbook):
-        workbook["Drive"].conditional_formatting.add("D14", DataBarRule("num", 0, "num", 1, color="1F2937"))
-
-    assert spots(told(book.edited(change))) == {"Drive!D14"}
 
 
 LABELS = b"<dLbls><numFmt formatCode='%s' sourceLinked='0'/><showVal val='1'/></dLbls><xVal>"

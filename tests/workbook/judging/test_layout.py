@@ -150,14 +150,6 @@ def with_copied_row(path, folder, columns):
     return folder / "edited.xlsx", sheet, row
 
 
-def test_entries_typed_into_an_inserted_row_are_told_with_it(books, tmp_path):
-    path = books("press")
-    edited_path, sheet, row = with_copied_row(path, tmp_path, range(3, 7))
-    report = verify(edited_path)
-    one(report, sheet, f"{row}:{row}", "inserted")
-    assert numbers(read_inputs(report.path)[0]) == numbers(read_inputs(path)[0])
-
-
 def test_a_copied_row_put_into_a_table_is_one_too_many(books, tmp_path):
     path, sheet, row = with_copied_row(books("press"), tmp_path, range(2, 22))
     assert f"{sheet}: a row is too many at row {row}, of axis2" in refused(path)
@@ -195,14 +187,6 @@ def test_a_deleted_column_is_one_line_with_its_heading(books, tmp_path):
         verify(edited(path, tmp_path, excel.Lines(sheet, second, -1, columns=True)))
 
 
-def test_columns_and_rows_put_into_one_table_are_told_by_the_rows_alone(books, tmp_path):
-    path = books("press")
-    sheet, first, *_ = place(path, "axis2")
-    made = edited(path, tmp_path, excel.Lines(sheet, 4, 2, columns=True), excel.Lines(sheet, first + 1, 1))
-    one(verify(made), sheet, f"{first + 1}:{first + 1}", "inserted")
-    assert numbers(read_inputs(made)[0]) == numbers(read_inputs(path)[0])
-
-
 MOVED = {
     "entries": ("C{top}:F{bottom}", 0, 45),
     "workings": ("N{top}:N{bottom}", 0, 45),
@@ -237,13 +221,6 @@ def test_results_that_no_formula_reads_are_missing_where_they_were_cut(books, tm
     report = verify(edited(path, tmp_path, excel.Cut(sheet, f"G{top}:H{bottom}", 0, 45)))
     missing = {found.cell for found in report.findings if found.kind == "missing"}
     assert missing == {f"{column}{row}" for column in "GH" for row in range(top, bottom + 1)}
-
-
-def test_part_of_a_table_cut_and_pasted_to_another_sheet_is_refused_with_its_place(books, tmp_path):
-    path = books("press")
-    sheet, top, bottom, *_ = place(path, "axis2")
-    line = refused(edited(path, tmp_path, excel.Cut(sheet, f"C{top}:F{bottom}", 900, 0, "Drive MC01")))
-    assert f"'Drive MC01'!C{top + 900}" in line
 
 
 def test_a_whole_table_cut_and_pasted_with_its_headings_is_understood(books, tmp_path):

@@ -7,7 +7,6 @@ import zipfile
 import pytest
 from openpyxl.chart import ScatterChart
 from openpyxl.drawing.spreadsheet_drawing import AnchorMarker, TwoCellAnchor
-from openpyxl.formatting.rule import DataBarRule, IconSetRule
 
 from tests.workbook.judging.hands import WORKBOOK, Known, repacked
 from tests.workbook.press import too_weak
@@ -108,29 +107,7 @@ def test_a_shape_within_an_alternative_is_found_and_a_drawing_that_is_none_is_re
         open_book(none)
 
 
-def test_the_books_own_charts_hide_no_verdict(failing):
-    report = failing.seen(failing.path)
-    assert (report.findings, report.notices) == ([], [])
-
-
 # bars and icons instead of numbers
-
-
-@pytest.mark.parametrize(
-    "rule",
-    [
-        lambda shows: DataBarRule(start_type="min", end_type="max", color="638EC6", showValue=shows),
-        lambda shows: IconSetRule("3Arrows", "percent", [0, 33, 67], showValue=shows),
-    ],
-)
-def test_bars_and_icons_instead_of_a_number_are_found_and_beside_it_are_taste(rule, failing, edited):
-    at = failing.a_number().address
-    assert edited(lambda workbook: workbook[at.sheet].conditional_formatting.add(at.a1, rule(False)))[0] == {
-        ("shown", at.sheet, at.a1)
-    }
-    findings, notices = edited(lambda workbook: workbook[at.sheet].conditional_formatting.add(at.a1, rule(True)))
-    assert not findings
-    assert len(notices) == 1
 
 
 # names of sheets
@@ -178,12 +155,3 @@ def test_another_line_under_a_declared_name_is_found_and_one_of_its_own_is_taste
 
     assert {kind for kind, *_ in edited(lambda workbook: second(workbook, ""))[0]} == {"shown"}
     assert edited(lambda workbook: second(workbook, "measured"))[0] == set()
-
-
-def test_a_line_that_is_not_drawn_is_a_notice(edited):
-    def bare(workbook):
-        look = workbook["Drive MC01"]._charts[1].series[0].graphicalProperties.line
-        look.solidFill, look.noFill = None, True
-
-    findings, notices = edited(bare)
-    assert (findings, {sheet for sheet, _ in notices}) == (set(), {"Drive MC01"})

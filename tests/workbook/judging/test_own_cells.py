@@ -125,24 +125,6 @@ def test_own_cells_are_no_finding_after_libreoffice(name, filled, tmp_path):
     assert "saved" in [w.name for w in report.witnesses if w.answered]
 
 
-@needs_office
-@pytest.mark.parametrize("name", BOOKS)
-def test_a_book_without_values_is_worked_out_by_libreoffice(name, filled, tmp_path):
-    bare = tmp_path / "bare.xlsx"
-    openpyxl.load_workbook(filled(name).built).save(bare)  # which keeps no values
-    (tmp_path / "out").mkdir()
-    report = verify(convert(bare, "xlsx", tmp_path / "out"), ["pycel"])
-    assert [f"{f.sheet}!{f.cell} {f.kind} {f.computed}" for f in report.findings] == []
-    assert {w.name: w.compared for w in report.witnesses} == dict.fromkeys(["pycel", "saved"], report.declared)
-
-
-@pytest.mark.nightly
-@pytest.mark.parametrize("name", COMMITTED)
-def test_own_cells_in_the_committed_books(name, tmp_path, committed_book):
-    book = Filled(committed_book(described(name)), tmp_path)
-    silent(book.path, book.count, present("pycel", "formualizer", "ironcalc", "formulon", "libreoffice"))
-
-
 def test_one_line_says_how_many_are_not_checked(filled, capsys):
     from rich.console import Console
 

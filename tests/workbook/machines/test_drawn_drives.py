@@ -22,7 +22,7 @@ from tests.tiers import seed
 from tests.workbook.cells import disagreeing, disagreeing_in
 from tests.workbook.machines.drawn_drives import TEMPLATE, drawn_machine
 from tests.workbook.machines.simulated import Simulated, bus_of
-from tests.workbook.machines.test_machine_by_angle import arm, small
+from tests.workbook.machines.test_machine_drives import arm, small
 from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
 from workbook.machines.machine.exact import drives_of, limits_of, rate_of, results_of

@@ -6,8 +6,7 @@ import pytest
 
 from engine.drive.motor import LimitCheck
 from engine.drive.results import DriveResults
-from tests.workbook.machines.test_machine import TEMPLATE, driven
-from tests.workbook.machines.test_machine_forces import RISE, small
+from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from workbook.book.sentence import rounded
 from workbook.build import build
 from workbook.judging.verify import verify

@@ -165,15 +165,6 @@ def test_the_saw_has_no_mean_speed_and_needs_its_stroke():
     assert flying_saw(0.5, 0.04 / (2 * pi)).radius * 1e3 == pytest.approx(value("fly_r"), rel=1e-12)
 
 
-@pytest.mark.parametrize("law", MOVING)
-@pytest.mark.parametrize("length", [180.0, 900.0])
-@pytest.mark.sample(2)
-def test_pycel_agrees_with_the_engine_in_every_cell(law, length):
-    machine = entries(law=law, product_length=length)
-    machine["laws"]["OWN"]["pieces"] = RISING
-    assert disagreeing(TEMPLATE, TEMPLATE.model.model_validate(machine))[0] == []
-
-
 def drawn(number):
     """A cutter of random entries, and small tables."""
     dice = random.Random(f"flying cutter {number}")

@@ -4,7 +4,7 @@ import pytest
 
 from engine.laws.inverse import HEIGHT, inverse
 from tests.laws import MOVING
-from tests.workbook.cells import computed, disagreeing
+from tests.workbook.cells import computed
 from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
 from workbook.machines.overlap.view import OverlapView
@@ -138,12 +138,6 @@ def test_the_table_of_margins_is_the_engine_s_schedule_of_each():
         assert angle == pytest.approx(station.as_set.angle_in * 57.29577951308232, rel=1e-9)
         before, _, after = station.peaks
         assert ratio == pytest.approx(before / after, rel=1e-9)
-
-
-@pytest.mark.parametrize(("into", "out"), [("ACS", "OWN"), ("CUB", "TVP"), ("MTP", "CIC")])
-def test_pycel_agrees_with_the_engine_in_every_cell(into, out):
-    machine = described(transfer__law=out, tool__law_in=into, tool__law_out=out)
-    assert disagreeing(TEMPLATE, machine)[0] == []
 
 
 def test_the_variations_fail_both_checks_of_the_clearance():

@@ -10,12 +10,9 @@ import pytest
 from tests.mutation.machines import machine as drawn_machine
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.composed import MACHINE, composed, description
-from workbook.build import build, failing_checks, read_inputs
+from workbook.build import build, failing_checks
 from workbook.errors import InputError
-from workbook.judging.verify import verify
-from workbook.machines.machine.cycle_entries import Cycle
 from workbook.reading.descriptions import counted_from_1, validated
-from workbook.writing.archive import same_book
 
 LINE = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
 TO_AND_FRO = (("CIC", 20.0, 30.0), ("DWL", 0.0, 10.0), ("CIC", -20.0, 60.0))
@@ -97,19 +94,6 @@ def test_a_drive_needs_time():
     assert composed(TO_AND_FRO, over="s", unit="mm", **DRIVE).design.faults == ()
 
 
-def test_out_in_and_through(tmp_path):
-    """From build to verify, inputs and regenerate: the file tells what its cycle is over."""
-    given = composed(TO_AND_FRO, over="rad", unit="mm", position=2.5)
-    build(given, tmp_path / "book.xlsx")
-    assert verify(tmp_path / "book.xlsx").findings == []
-    back, notes = read_inputs(tmp_path / "book.xlsx")
-    assert (back, notes) == (given, [])
-    assert isinstance(back.master, Cycle)
-    assert back.over.unit == "rad"
-    build(back, tmp_path / "again.xlsx")
-    assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
-
-
 def test_twenty_four_phases_and_a_thousand_samples():
     phases = [("CIC", 10.0 * (-1) ** k, 15.0) for k in range(24)]
     machine = composed(phases, sizes={"phases": 24, "cycle": 999})
@@ -121,20 +105,6 @@ def test_twenty_four_phases_and_a_thousand_samples():
 
 
 # --- Open, and elsewhere --------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(("closes", "verdict"), [("position", "FAIL"), ("open", "OK")])
-@pytest.mark.parametrize("master", [None, {"rate": 60.0}])
-@pytest.mark.sample(2)
-def test_what_is_open_has_no_joint_across_the_end_of_its_cycle(closes, verdict, master):
-    """From speed to speed: a line up, another down, which meet in the cycle and not across its end."""
-    laws = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
-    phases = (("LIN", 20.0, 100.0), ("PO5", 0.0, 160.0), ("LIN", -20.0, 100.0))
-    data = description(phases, laws, closes=closes)
-    machine = validated(MACHINE, data | ({"master": master} if master else {}), counted_from_1)
-    value = computed(MACHINE, machine)
-    assert (value("axis1_smooth"), value("axis1_closes")) == (verdict, "OK")
-    assert disagreeing(MACHINE, machine)[0] == []
 
 
 def test_an_open_axis_begins_with_what_is_entered_and_ends_at_rest():

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from tests.mutation.machines import machine as drawn_machine
-from tests.tiers import nights, seed
-from tests.workbook.cells import computed, disagreeing, entered
+from tests.tiers import nights
+from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.fields.units import shown
 from workbook.law_sheets.book_laws import BookLaws
@@ -54,22 +54,6 @@ def test_the_least_gap_is_that_of_a_fine_table():
         assert gaps[np.abs(x - math.radians(at)).argmin()] == pytest.approx(least, abs=1e-3)
 
 
-def test_a_gap_to_an_axis_at_rest_is_lowest_at_the_end_of_the_rise():
-    """Offset less travel; it stays there, and the first place counts."""
-    value = computed(TEMPLATE, machine({"first_factor": -1.0, "second_factor": 0.0, "offset": 25.0}))
-    assert value("clearances", "gap") == [pytest.approx(5.0, rel=1e-12)]
-    assert value("clearances", "at") == [pytest.approx(90.0, rel=1e-12)]
-
-
-def test_two_cycloids_meet_in_the_middle():
-    """Equal and opposite: the gap is offset − h where one has risen as far as the other has still to go."""
-    up, down = axis(1, (0, 120, 20.0, "CIC")), axis(2, (60, 180, -20.0, "CIC"))
-    value = computed(TEMPLATE, machine({"first_factor": -1.0, "second_factor": -1.0, "offset": 30.0}, axes=(up, down)))
-    one = views(machine({"first_factor": -1.0, "second_factor": -1.0, "offset": 30.0}, axes=(up, down)))[0]
-    assert value("clearances", "at") == [pytest.approx(90.0, abs=1e-6)]
-    assert value("clearances", "gap")[0] == pytest.approx(sampled(one, 7201)[0].min(), abs=1e-9)
-
-
 def test_the_check_says_where_and_by_how_much():
     made = machine({"first_factor": -1.0, "second_factor": 0.0, "offset": 25.0, "least": 6.5})
     value = computed(TEMPLATE, made)
@@ -86,15 +70,6 @@ def test_the_check_says_where_and_by_how_much():
 def test_an_axis_that_is_not_there_is_refused(entry, said):
     with pytest.raises(ValueError, match=said):
         machine(entry)
-
-
-@pytest.mark.parametrize("number", [0, *nights(10)])
-def test_random_gaps_agree_with_closed_forms(request, number):
-    told = f"gap {number}"
-    drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
-    made = drawn_machine(machine({}, {"name": "Other", "first": "A3"}), drawn)
-    wrong, _ = disagreeing(TEMPLATE, made)
-    assert [cell for cell in wrong if cell.startswith("clear")] == []
 
 
 @pytest.mark.parametrize("number", [*range(8), *nights(25)])
@@ -138,14 +113,6 @@ def test_the_exact_gap_by_pairs_is_that_of_a_fine_table(second):
     assert one.unit == {"A2": "mm", "A3": "°"}[second]
 
 
-def test_pairs_on_one_line_are_a_gap_by_factors():
-    """F = 7 + 0.5 y: the offset and the factor of a clearance without pairs."""
-    pairs = [[y, 7.0 + 0.5 * y] for y in (-1.0, 4.0, 9.0, 21.0)]
-    (one,) = views(machine({"first_factor": 1.0, "second_factor": -1.0, "pairs": pairs}))
-    (other,) = views(machine({"first_factor": 0.5, "second_factor": -1.0, "offset": 7.0}))
-    assert (one.exact, one.least, one.place) == pytest.approx((other.exact, other.least, other.place), rel=1e-9)
-
-
 def test_the_cells_of_a_gap_by_pairs_are_the_engine_s_and_its_check_says_where():
     made = machine(BY_PAIRS | {"least": 50.0}, {"name": "Other", "second": "A3", "pairs": [[0, 90], [20, 100]]})
     wrong, _ = disagreeing(TEMPLATE, made)
@@ -159,11 +126,6 @@ def test_the_cells_of_a_gap_by_pairs_are_the_engine_s_and_its_check_says_where()
 def test_pairs_that_do_not_cover_the_travel_fail():
     made = machine(BY_PAIRS | {"pairs": [[0, 30], [15, 40]]})
     assert computed(TEMPLATE, made)("clear1_covered") == "FAIL"
-
-
-def test_a_gap_by_pairs_comes_back_from_a_book():
-    made = machine(BY_PAIRS, {"name": "Other", "first": "A3", "second": "A1"})
-    assert entered(TEMPLATE, made) == (made, [])
 
 
 @pytest.mark.parametrize(

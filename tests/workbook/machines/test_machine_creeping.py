@@ -7,15 +7,11 @@ import pytest
 from engine.drive.bounds import stated_bounds
 from engine.drive.creeping import creeping
 from tests.workbook.cells import computed, entered
-from tests.workbook.machines import test_machine_by_angle as turned
 from tests.workbook.machines.drawn_drives import drawn_machine
-from tests.workbook.machines.in_seconds import convert_to_seconds
 from tests.workbook.machines.test_exact_decides import studied
-from tests.workbook.machines.test_machine import TEMPLATE, axis, driven
-from tests.workbook.machines.test_machine_forces import RATIO, RISE, small
-from workbook.errors import InputError
+from tests.workbook.machines.test_machine import RATIO, RISE, TEMPLATE, driven, small
 from workbook.machines.machine.exact import drives_of, judgement
-from workbook.reading.descriptions import validated, write_machine
+from workbook.reading.descriptions import write_machine
 
 FAST = {"inertia": 8.0, "rated_torque": 9.0, "peak_torque": 30.0, "max_speed": 30000.0}
 NAMES = ["RMS torque", "peak torque", "reducer peak torque", "reducer mean torque"]
@@ -68,38 +64,12 @@ def test_a_press_that_holds_at_its_rate_fails_while_it_creeps_loaded_and_not_emp
     assert limit.sheet.value == pytest.approx(limit.exact.value, rel=1e-6)
 
 
-def test_an_arm_that_is_level_while_it_is_braked_weighs_more_creeping():
-    """In closed form (m g r + T_f)/i; at 14 cycles/min inertia takes off a part of it there."""
-    swung = turned.arm((20.0, 140.0, 90.0, "CIC"), (190.0, 330.0, -90.0, "CIC"), closes="position")
-    swung["load"] = swung["load"] | {"arm": {"mass": 10.0, "radius": 300.0, "angle": -60.0}}
-    level = (10.0 * 9.81 * 0.3 + 0.4) / 5.0
-    for peak, verdict in ((0.99 * level, "FAIL"), (1.01 * level, "OK")):
-        motor = FAST | {"rated_torque": 1e3, "peak_torque": peak}
-        machine = turned.small(swung | {"motor": motor})
-        machine = machine.model_copy(update={"master": machine.master.model_copy(update={"rate": 14.0})})
-        value = computed(TEMPLATE, machine)
-        assert (value("drive1_ok_peak"), value("drive1_ok_creep")) == ("OK", verdict)
-        assert value("drive1_creep", "value")[1] == pytest.approx(level, rel=2e-3)
-        assert (value("drive1_creep_use"), value("drive1_creep_binds")) == (
-            pytest.approx(level / peak, rel=2e-3),
-            "peak torque",
-        )
-
-
 def test_a_drive_slower_than_a_cycle_a_minute_creeps_at_its_own_rate():
     machine = loaded(small([screwed({"start": 20.0, "stop": 120.0, "force": 500.0}) | {"rate": 0.4}]))
     value = computed(TEMPLATE, machine)
     assert value("drive1_slow") == 1.0
     assert value("drive1_creep", "value")[0] == pytest.approx(value("drive1_rms"), rel=1e-12)
     assert value("drive1_creep", "value")[3] == pytest.approx(value("drive1_smean"), rel=1e-12)
-
-
-def test_a_machine_convert_to_seconds_has_the_entry_and_one_without_a_drive_has_none():
-    machine = convert_to_seconds(loaded(small([screwed()])))
-    assert entered(TEMPLATE, machine) == (machine, [])
-    bare = small([axis(1, *RISE)]).model_dump() | {"creep_forces": "on"}
-    with pytest.raises(InputError, match="creep_forces: no axis has a drive; expected none"):
-        validated(TEMPLATE, bare, str)
 
 
 @pytest.mark.parametrize("number", range(30))

@@ -2,23 +2,13 @@
 
 import pytest
 
-from engine.drive.results import DriveResults
 from tests.workbook.cells import computed, disagreeing, entered
-from workbook.law_sheets.library import laws
-from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.view import MachineView
 from workbook.reading.descriptions import counted_from_1, validated
 from workbook.templates import TEMPLATES
 
 MACHINE = TEMPLATES["machine"]
 NAMED = ("LIN", "PO5", "PO7", "MSN", "SCV")
 SMALL = {"cycle": 36, "law": 4, "phases": 6}
-DRIVE = {
-    "mechanism": {"kind": "lead screw", "lead": 20.0, "efficiency": 0.8},
-    "load": {"mass": 30.0, "friction": 0.05, "force": 40.0},
-    "motor": {"inertia": 10.0, "rated_torque": 5.0, "peak_torque": 15.0, "max_speed": 3000.0},
-    "reducer": {"ratio": 2.0, "efficiency": 0.9},
-}
 
 
 def phase(start, stop, lift, law, **passing):
@@ -51,21 +41,3 @@ def test_rise_to_line_speed_run_in_step_and_return_is_three_phases():
     assert value("cycle1", "y")[9:14] == pytest.approx([30.0, 35.0, 40.0, 45.0, 50.0], rel=1e-12)  # every 10°
     assert value("cycle1", "v")[9:13] == pytest.approx([0.18] * 4, rel=1e-12)  # 20 mm in 40° of a second
     assert (value("axis2", "begins")[:3], value("axis2", "ends")[:3]) == (["G", "G", "R"], ["G", "R", "G"])
-
-
-def results(one):
-    whole = MachineView(one, laws(one.laws))
-    return DriveResults(Driven(whole.axes[0], one).results.drive_cycle)
-
-
-FORTH = (phase(0.0, 90.0, 30.0, "MSN"), STEP, phase(130.0, 200.0, 15.0, "PO5"), phase(220.0, 350.0, -65.0, "CIC"))
-
-
-def test_a_drive_integrates_phases_that_hand_over():
-    """Peaks, RMS torque and energy of the cells by points are about the engine's exact ones."""
-    one = machine(axis("A", *FORTH, **DRIVE))
-    assert disagreeing(MACHINE, one)[0] == []
-    value, found = computed(MACHINE, one), results(one)
-    assert value("drive1_tmax") == pytest.approx(found.torque.highest.value, rel=1e-4)
-    assert value("drive1_rms") == pytest.approx(found.rms_torque, rel=1e-4)
-    assert value("drive1_energy") == pytest.approx(found.energy.driving, rel=5e-3)

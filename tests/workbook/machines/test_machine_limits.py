@@ -4,10 +4,9 @@ import random
 
 import pytest
 
-from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.cells import computed
 from tests.workbook.machines.test_machine import TEMPLATE
 from tests.workbook.machines.test_machine_selection import MOTORS, REDUCERS, machine
-from workbook.machines.machine.exact import drives_of, limits_of
 
 HELD = ("rms", "peak", "speed", "curve", "inertia", "reducer_peak", "reducer_mean", "reducer_speed")
 WORDS = {"RMS": "rms", "peak": "peak", "speed": "speed", "inertia": "inertia"}
@@ -60,13 +59,6 @@ def test_a_pair_can_do_it_exactly_if_the_drive_with_it_keeps_to_all_limits():
     assert {"yes", "RMS", "peak", "reducer"} <= said
 
 
-def test_limits_of_the_machine_and_of_an_axis_go_through_cells_and_back():
-    data = limited(random.Random(7))
-    given = TEMPLATE.model.model_validate(data)
-    assert disagreeing(TEMPLATE, given)[0] == []
-    assert entered(TEMPLATE, given) == (given, [])
-
-
 def test_a_reserve_lowers_the_limit_and_the_highest_rate_and_leaves_the_reserve_that_is_told():
     """At a reserve of 1.3 a drive holds its limits up to the rate at which it has 1.3 times what it needs."""
     whole, held = (
@@ -76,19 +68,3 @@ def test_a_reserve_lowers_the_limit_and_the_highest_rate_and_leaves_the_reserve_
         assert held(f"drive1_{name}") == pytest.approx(whole(f"drive1_{name}"), rel=1e-12)
     assert held("drive1_motor_peak") == pytest.approx(whole("drive1_motor_peak") / 1.3, rel=1e-12)
     assert held("drive1_highest") < whole("drive1_highest")
-
-
-def test_the_exact_engine_judges_by_the_same_reserves():
-    (one, other) = (next(drives_of(machine(rms_reserve=reserve))) for reserve in (1.0, 1.25))
-    (whole, held) = ({limit.check: limit for limit in limits_of(view)} for view in (one, other))
-    assert held["drive1_ok_rms"].exact.limit == pytest.approx(whole["drive1_ok_rms"].exact.limit / 1.25, rel=1e-12)
-    assert held["drive1_ok_rms"].sheet.limit == pytest.approx(held["drive1_ok_rms"].exact.limit, rel=1e-9)
-
-
-def test_limits_without_a_drive_are_refused():
-    data = machine().model_dump()
-    for axis in data["axes"]:
-        axis |= dict.fromkeys(("mechanism", "motor")) | {"load": {}, "parts": [], "reducer": {}}
-    data["selection"] = {}
-    with pytest.raises(ValueError, match="no axis has a drive"):
-        TEMPLATE.model.model_validate(data | {"limits": {"rms_reserve": 1.2}})

@@ -5,8 +5,7 @@ import pytest
 from engine.drive.limits import CYCLES
 from engine.drive.rate_estimates import REDUCER_TORQUE
 from tests.workbook.cells import computed, entered
-from tests.workbook.machines.test_machine import TEMPLATE, driven
-from tests.workbook.machines.test_machine_forces import small
+from tests.workbook.machines.test_machine import TEMPLATE, driven, small
 from workbook.build import failing_checks
 from workbook.machines.machine.drive.max_rate import LIMITS as LIMITS_OF_RATE
 from workbook.machines.machine.drive_entries import UNTOLD
@@ -116,13 +115,6 @@ def test_the_factor_of_the_catalogue_counts_beyond_a_thousand_cycles_an_hour_in_
         assert value("drive1_reducer_peak") / value("drive1_reducer_held") == factor
         assert value("sel_reducers", "fs")[:3] == [1.0, factor, factor]  # the first is none
         assert value("sel_reducers", "held")[1] == value("drive1_reducer_held")
-
-
-def test_the_torque_behind_a_reducer_without_losses_is_what_the_load_asks_for():
-    """S = (m a)/i_2 of a screw of 10 mm lead: the motor's own inertia is before it."""
-    machine = small([driven((90.3, 95.8, 2.0, "CIC"), (180, 200, -2.0, "CIC"), reducer={"ratio": 3.0})])
-    value = computed(TEMPLATE, machine)
-    assert value("drive1_smax") == pytest.approx(20.0 * value("axes", "a")[0] * 0.01 / 6.283185307179586, rel=1e-12)
 
 
 @pytest.mark.parametrize(("name", "block"), [("machine", "drive1_motor_rated"), ("flying-cutter", "drive_motor_rated")])

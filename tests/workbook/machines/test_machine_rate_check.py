@@ -4,8 +4,7 @@ import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_exact_decides import studied
-from tests.workbook.machines.test_machine import TEMPLATE, driven
-from tests.workbook.machines.test_machine_forces import RISE, small
+from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from tests.workbook.machines.test_machine_rates import FREE, drives_of, machine
 from workbook.build import build
 from workbook.judging.verify import verify
@@ -125,9 +124,3 @@ def test_velocity_and_acceleration_are_shown_at_the_rate_to_compare_too():
     assert value("omega_compared") == pytest.approx(there("omega"), rel=1e-12)
     assert entered(TEMPLATE, made) == (made, [])
     assert disagreeing(TEMPLATE, made)[0] == []
-
-
-def test_without_a_rate_to_compare_nothing_is_shown_of_it():
-    book = TEMPLATE.declare(compared(100.0, None))
-    assert "timing_compared" not in book.blocks
-    assert "vc" not in book.blocks["axes"].columns

@@ -7,12 +7,9 @@ import pytest
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing
-from tests.workbook.machines.test_machine import TEMPLATE, driven
-from tests.workbook.machines.test_machine_forces import RISE, small
-from tests.workbook.machines.test_machine_linked import CRANK, ROCKER
-from tests.workbook.machines.test_machine_linked import small as linked_small
-from tests.workbook.machines.test_machine_tables import table
-from tests.workbook.machines.test_machine_viscous import SCREW, lossy
+from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
+from tests.workbook.machines.test_machine_drives import CRANK, ROCKER, SCREW, lossy, table
+from tests.workbook.machines.test_machine_drives import small as linked_small
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import AT_NO_RATE, DriveView
@@ -94,45 +91,12 @@ def test_at_the_highest_rate_all_hold_and_above_it_the_named_limit_fails(limit):
     assert [name for name, verdict in above.items() if verdict == "FAIL"] == [limit]
 
 
-@pytest.mark.parametrize("limit", BINDING)
-@pytest.mark.parametrize("name", LINKAGES)
-@pytest.mark.sample(2)
-def test_of_a_mechanism_too_all_hold_there_and_above_it_the_named_limit_fails(name, limit):
-    entered = BINDING[limit]
-    rate, found = settled(lambda rate: linked_machine(name, rate, *entered))
-    assert found("drive1_binds") == limit
-    assert set(verdicts(computed(TEMPLATE, linked_machine(name, rate, *entered))).values()) == {"OK"}
-    above = verdicts(computed(TEMPLATE, linked_machine(name, 1.01 * rate, *entered)))
-    assert [one for one, verdict in above.items() if verdict == "FAIL"] == [limit]
-
-
-def test_the_highest_rate_is_about_the_same_from_wherever_it_is_asked_for():
-    """To 1 % at 0.6 to 1.5 times it, to 4 % at a third and at three times it."""
-    most, _ = settled(lambda rate: machine(rate, {"rated_torque": 10.0}, {}))
-    for times, off in ((1 / 3, 0.04), (0.6, 0.01), (1.5, 0.01), (3.0, 0.04)):
-        value = computed(TEMPLATE, machine(times * most, {"rated_torque": 10.0}, {}))
-        assert value("drive1_highest") == pytest.approx(most, rel=off)
-
-
-def test_the_cells_agree_far_from_the_present_rate():
-    for rate in (1.0, 3000.0):
-        wrong, _ = disagreeing(TEMPLATE, machine(rate, {"rated_torque": 10.0}, {"mean_torque": 21.0}))
-        assert [cell for cell in wrong if cell.startswith("drive1_")] == []
-
-
 def test_a_load_that_the_motor_cannot_hold_has_no_rate():
     found = computed(TEMPLATE, machine(100.0, {"peak_torque": 0.01}, {}))
     assert (found("drive1_highest"), found("drive1_lowest")) == (AT_NO_RATE, AT_NO_RATE)
     assert found("drive1_binds") == "peak torque"
     assert found("about_range") == "hold at no rate"
     assert found("about_binds") == "A1: peak torque"
-
-
-def test_the_axis_that_binds_is_named():
-    axes = [driven(*RISE, motor=FREE | {"max_speed": speed}) for speed in (9000.0, 7000.0, 8000.0)]
-    found = computed(TEMPLATE, small([axis | {"name": f"Axis {k}"} for k, axis in enumerate(axes, 1)]))
-    assert found("about_binds") == "Axis 2: motor speed"
-    assert found("about_highest") == found("drive2_highest") == min(found(f"drive{k}_highest") for k in (1, 2, 3))
 
 
 def drives_of(given):
@@ -189,11 +153,6 @@ def test_a_rate_is_told_where_the_sheet_has_none_for_it_is_beyond_rounding(rate,
     found = list(rate_of(view))
     assert len(found) == lines
     assert all("holds from 0 to 420.9 cycles/min exactly; its sheet says no limit" in line for line in found)
-
-
-def test_a_rate_without_a_drive_is_refused():
-    with pytest.raises(ValueError, match="without a drive"):
-        small([{"name": "A", "group": "G", "phases": small([driven(*RISE)]).axes[0].phases, "rate": 3.0}])
 
 
 def test_of_equal_drives_the_first_is_named():

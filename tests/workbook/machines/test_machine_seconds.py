@@ -10,7 +10,7 @@ import pytest
 import tomli_w
 
 from tests.tiers import by_day, nights
-from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.in_seconds import convert_to_seconds
 from workbook.build import build, read_description, read_inputs
 from workbook.entries.design import as_entered
@@ -103,20 +103,6 @@ def test_the_same_machine_in_degrees_and_in_seconds_gives_the_same(name):
     assert name != "machine" or {"bus_mains_peak", "sel_best"} & {name for name, *_ in found}
 
 
-@pytest.mark.nightly
-@pytest.mark.parametrize("name", ["machine", "machine-linkages"])
-def test_its_cells_compute_what_the_engine_does_and_it_comes_back(name):
-    given = convert_to_seconds(small(name))
-    assert disagreeing(MACHINE, given)[0] == []
-    assert entered(MACHINE, given) == (given, [])
-
-
-def test_a_drive_under_a_process_force_across_the_end_of_the_cycle():
-    given = machine(axis(**DRIVE))
-    assert disagreeing(MACHINE, given)[0] == []
-    assert entered(MACHINE, given) == (given, [])
-
-
 def test_out_in_and_through(tmp_path):
     """From build to verify, inputs and regenerate."""
     given = machine(axis(shift=0.01), axis("X", OUT, closes="feed"), switches=[{"name": "V", "on": [[0.25, 0.02]]}])
@@ -130,18 +116,6 @@ def test_out_in_and_through(tmp_path):
     assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
     (tmp_path / "again.toml").write_text(tomli_w.dumps(as_entered(back)), encoding="utf-8")
     assert read_description(tmp_path / "again.toml") == given
-
-
-def test_the_figures_of_a_movement_are_those_of_its_time():
-    """ẏ = C_v h/t, ÿ = C_a h/t²; the rate comes out of the cycle."""
-    value = computed(
-        MACHINE, machine(axis("A", {"start": 0.1, "stop": 0.25, "lift": 30.0, "law": "CIC"}, closes="feed"))
-    )
-    assert value("axis1", "v")[0] == pytest.approx(2 * 0.03 / 0.15, rel=1e-12)
-    assert value("axis1", "a")[0] == pytest.approx(2 * math.pi * 0.03 / 0.15**2, rel=1e-12)
-    assert value("timing_rate") == pytest.approx(200.0, rel=1e-12)
-    assert value("cycle1", "time") == pytest.approx(np.linspace(0.0, 0.3, 13).tolist(), rel=1e-12)
-    assert value("cycle1", "y")[7] == pytest.approx(15.0, rel=1e-9)  # 0.175 s: half of its time
 
 
 def test_a_longer_cycle_leaves_a_rest_and_moves_as_before():
@@ -234,18 +208,6 @@ def test_an_exported_axis_and_its_sheet_are_over_seconds():
     assert value("export", "y") == pytest.approx(value("cycle1", "y"), abs=1e-9)
     assert [x / 1000 for x in value("export", "y1")] == pytest.approx(value("cycle1", "v"), abs=1e-9)
     assert [x / 1000 for x in value("export", "y2")] == pytest.approx(value("cycle1", "a"), abs=1e-6)
-
-
-def test_phases_that_meet_at_speed_tell_it_by_the_second():
-    """Between two curved phases 2 m/s, as entered; the sheet tells it at the junction."""
-    rise = {"start": 0.0, "stop": 0.1, "lift": 100.0, "law": "PO5"}
-    on = {"start": 0.1, "stop": 0.3, "lift": 100.0, "law": "PO5", "velocity": 2.0, "acceleration": -5.0}
-    laws = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
-    given = machine(axis("A", rise, on, closes="feed"), laws=laws)
-    assert disagreeing(MACHINE, given)[0] == []
-    value = computed(MACHINE, given)
-    assert value("cycle1", "v")[4] == pytest.approx(2.0, rel=1e-9)
-    assert value("cycle1", "a")[4] == pytest.approx(-5.0, rel=1e-9)
 
 
 @pytest.mark.parametrize("cycle", [1e-3, 0.3, 5000.0])

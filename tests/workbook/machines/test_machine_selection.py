@@ -5,8 +5,7 @@ import openpyxl
 import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
-from tests.workbook.machines.test_machine import TEMPLATE, driven
-from tests.workbook.machines.test_machine_forces import RISE, small
+from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from workbook.build import build, read_inputs
 from workbook.entries.design import as_entered
 from workbook.judging.verify import verify
@@ -69,16 +68,6 @@ def test_a_pair_of_the_grid_does_what_a_drive_with_it_does():
         assert value("sel_reducers", "n")[r - 1] == pytest.approx(drive("drive2_speed"), rel=1e-9)
 
 
-def test_one_rms_torque_for_the_pair_that_a_drive_has():
-    for axis, number in (("A1", 1), ("B2", 2)):
-        value = computed(TEMPLATE, machine(axis=axis))
-        assert value("sel_own_rms") == pytest.approx(value(f"drive{number}_rms"), rel=1e-9)
-        assert value("sel_own_speed") == pytest.approx(value(f"drive{number}_speed"), rel=1e-9)
-        assert value("sel_own_inertias") == pytest.approx(value(f"drive{number}_inertias"), rel=1e-9)
-        assert value("sel_own_margin") == pytest.approx(value(f"drive{number}_res_rms"), rel=1e-9)
-    assert (value("sel_own_motor"), value("sel_own_reducer")) == ("M4", "R2")
-
-
 def test_the_smallest_motor_that_does_it_with_margin_is_proposed():
     value = computed(TEMPLATE, machine(**WIDE | {"rms_reserve": 1.3}))
     usable = [(m, r) for r in range(1, 5) for m, word in enumerate(value(f"sel_word{r}", "v"), 1) if word == "yes"]
@@ -115,14 +104,6 @@ def test_no_torque_of_a_listed_pair_comes_nearer_to_its_motors_curve_than_is_sai
         fall = (motor["peak_torque"] - motor.get("end_torque", motor["peak_torque"])) / (5000.0 - rated or 1.0)
         left = motor["peak_torque"] - fall * np.maximum(speed - rated, 0.0) - torque
         assert value("sel_own_spare") == pytest.approx(left.min(), rel=1e-9, abs=1e-9 * motor["peak_torque"])
-
-
-def test_a_machine_without_the_entry_has_no_sheet_and_its_drives_no_more_cells():
-    bare = machine().model_copy(update={"selection": machine().selection.model_copy(update={"axis": None})})
-    book = TEMPLATE.declare(bare)
-    assert "Selection" not in [sheet.title for sheet in book.sheets]
-    assert "drive1_ask_own" not in book.blocks
-    assert entered(TEMPLATE, bare) == (bare, [])
 
 
 @pytest.mark.parametrize(("axes", "row", "name"), [(None, 1, "b2"), ([driven(*RISE)], 0, "a1")], ids=["two", "one"])
@@ -173,10 +154,3 @@ def test_motors_behind_the_reducer_of_each_drive_fail_what_their_pairs_fail():
             usable = [k for k, word in enumerate(found, 1) if word == "yes"]
             assert value("sel_each", "can")[number - 1] == len(usable)
             assert value("sel_each", "smallest")[number - 1] == (f"M{min(usable)}" if usable else "none")
-
-
-def test_a_motor_that_a_drive_has_can_do_it_exactly_if_its_limits_hold():
-    for rate in (60.0, 240.0):
-        value = computed(TEMPLATE, machine(rate, inertia_ratio=1e6, greatest_margin=1e6))
-        holds = all(value(f"drive2_res_{name}") >= 1.0 for name in ("rms", "peak", "speed"))
-        assert (value("sel_all_word2", "v")[3] == "yes") == holds == (rate == 60.0)

@@ -7,9 +7,8 @@ import pytest
 from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
-from tests.workbook.machines.test_machine import TEMPLATE, driven
-from tests.workbook.machines.test_machine_forces import RISE, small
-from tests.workbook.machines.test_machine_linked import CRANK, LOSSY, ROCKER, TABLE, linked
+from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
+from tests.workbook.machines.test_machine_drives import CRANK, LOSSY, ROCKER, TABLE, linked
 from tests.workbook.machines.test_machine_selection import MOTORS, REDUCERS, WIDE
 from workbook.selection.entries import Limits
 

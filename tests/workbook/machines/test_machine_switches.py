@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.cells import computed
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.build import build, read_inputs
 from workbook.entries.design import as_entered
@@ -13,7 +13,6 @@ from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine, validated, write_machine
 
 ONE = [axis(1, (30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))]
-SPARE = {"start": None, "stop": None}
 
 
 def switched(*switches, **sizes):
@@ -23,14 +22,6 @@ def switched(*switches, **sizes):
 
 
 VALVES = (("Valve 3", [[20.0, 95.0], [200.0, 215.0]]), ("Sensor", [[345.0, 15.0]]), ("Never", []), ("On", [[0, 360]]))
-
-
-def test_switches_agree_and_come_back():
-    machine = switched(*VALVES)
-    wrong, cells = disagreeing(TEMPLATE, machine)
-    assert wrong == []
-    assert cells > 4_000
-    assert entered(TEMPLATE, machine) == (machine, [])
 
 
 def test_they_are_on_as_long_as_they_say():

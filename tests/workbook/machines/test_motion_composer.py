@@ -86,12 +86,6 @@ def test_in_step_with_the_line():
     assert value("overall") == "OK"
 
 
-@pytest.mark.parametrize("path", EXAMPLES[:2], ids=["complex", "simple"])
-def test_examples_have_s3_thousand_samples(path):
-    machine = read_machine(path)
-    assert MACHINE.declare(machine).blocks["cycle1"].size == 1000
-
-
 # --- Junctions and closure ------------------------------------------------------------------------
 
 
