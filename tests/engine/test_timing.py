@@ -5,14 +5,13 @@ import math
 import numpy as np
 import pytest
 
-from engine.laws import ConstantAcceleration, Dwell, ModifiedTrapezoidal
-from engine.motion import Motion, Phase
+from engine.laws import Dwell, ModifiedTrapezoidal
+from engine.motion import Motion
 from engine.timing import shaft_speed, turn_time
 
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
 EDGES = np.deg2rad([0, 100, 160, 250, 360])
 CAM = Motion.from_edges(EDGES, [0.02, 0.0, -0.02, 0.0], [ASYMMETRIC, Dwell(), ASYMMETRIC, Dwell()])
-FEED = Motion.from_edges(np.deg2rad([0, 80, 360]), [0.3, 0.0], [ConstantAcceleration(), Dwell()])
 
 
 def test_a_turn_takes_the_time_of_a_piece():
@@ -32,14 +31,6 @@ def test_peaks_are_what_dense_samples_show(number):
     assert phase.y1_max * speed == pytest.approx(np.abs(timed.v).max(), rel=1e-7)
     assert phase.y2_max * speed**2 == pytest.approx(np.abs(timed.a).max(), rel=1e-7)
     assert phase.y2_rms * speed**2 == pytest.approx(math.sqrt(np.mean(timed.a**2)), rel=1e-7)
-
-
-def test_a_cycle_in_other_units_runs_at_the_same_rate():
-    """A cycle of 360° at 2 cycles a second: 720 °/s."""
-    one, other = Phase(ConstantAcceleration(), 0.3, 80.0), FEED.phases[0]
-    radians = shaft_speed(2.0)
-    assert one.y1_max * 720.0 == pytest.approx(other.y1_max * radians, rel=1e-13)
-    assert one.y2_max * 720.0**2 == pytest.approx(other.y2_max * radians**2, rel=1e-13)
 
 
 @pytest.mark.parametrize("rate", [0.0, -1.0, math.nan, math.inf])

@@ -14,7 +14,6 @@ from engine.laws import ConstantAcceleration, Cycloidal
 from engine.laws.inverse import inverse
 from engine.overlap.schedule import movement_time
 from engine.timing import shaft_speed
-from tests.engine.sizing import reduced
 from tests.printed import test_s1 as s1
 from tests.printed import test_s2 as s2
 from tests.printed import test_s3 as s3
@@ -77,11 +76,18 @@ def cutting_machine() -> Iterator[Figure]:
     )
     yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max, cell="cutting-machine axes.vc.1")
     yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max, cell="cutting-machine axes.ac.1")
-    load, feed = reduced(s1.feeding_group().mechanism), s1.results(s1.MTP)
+    group, feed = s1.feeding_group().mechanism, s1.results(s1.MTP)
     yield Figure(
-        "Feeding group", "total inertia J_tot", "kg m²", "1.164", load.inertia, cell="cutting-machine drive1_j1"
+        "Feeding group", "total inertia J_tot", "kg m²", "1.164", group.inertia(), cell="cutting-machine drive1_j1"
     )
-    yield Figure("Feeding group", "resisting torque C_r", "Nm", "67", load.torque, cell="cutting-machine drive1_cr")
+    yield Figure(
+        "Feeding group",
+        "resisting torque C_r",
+        "Nm",
+        "67",
+        group.load.torque / group.ratio,
+        cell="cutting-machine drive1_cr",
+    )
     rounded = "computed from the rounded acceleration"
     yield Figure("Feeding group", "torque at the rollers, peak", "Nm", "783.5297", feed.torque.highest.value, rounded)
     yield Figure("Feeding group", "torque at the rollers, least", "Nm", "-649.5297", feed.torque.lowest.value, rounded)
@@ -181,7 +187,7 @@ def actuators() -> Iterator[Figure]:
 def lead_screw() -> Iterator[Figure]:
     """S4, the lead screw."""
     screw, sizing, g = s4.lead_screw(), s4.sized_screw(), s4.PRINTED_G
-    parts, found = s4.reflected(screw), s4.torques(sizing)
+    parts, found = s4.reflected(screw), sizing.torques
     friction, weight = (screw.driving_torque(one) * g for one in (screw.load.friction, screw.load.torque))
     rounded, fast = "from a rounded acceleration (8 mm in 0.033 s)", "divided by 0.033 s, which is rounded"
     for quantity, unit, printed, ours, row, factor, reason in (
@@ -198,7 +204,7 @@ def lead_screw() -> Iterator[Figure]:
         ("torque, accelerating", "Nm", "0.103", found["accelerating"], 10, 1.0, rounded),
         ("torque, uniform", "Nm", "0.0113", found["uniform"], 11, 1.0, ""),
         ("torque, decelerating", "Nm", "-0.0805", found["decelerating"], 12, 1.0, rounded),
-        ("RMS torque", "Nm", "0.044", sizing.rms_torque, 13, 1.0, ""),
+        ("RMS torque", "Nm", "0.044", sizing.results.rms_torque, 13, 1.0, ""),
     ):
         cell = f"actuator-sizing drive1_printed.here.{row}" if row else "actuator-sizing drive1_ask_beside"
         yield Figure("Lead screw", quantity, unit, printed, ours, reason, cell, factor)
@@ -207,7 +213,7 @@ def lead_screw() -> Iterator[Figure]:
 def conveyor() -> Iterator[Figure]:
     """S4, the conveyor."""
     belt, sizing, g = s4.conveyor(), s4.sized_conveyor(), s4.PRINTED_G
-    parts, found = s4.reflected(belt), s4.torques(sizing)
+    parts, found = s4.reflected(belt), sizing.torques
     lighter = found["uniform"] * (1.0 - g)
     added, misprint = "added up from rounded figures", "misprint: the torques that it prints give 1.44"
     ratio = "RMS torque at 35 °C over that at 25 °C (0.142 : 0.147)"
@@ -224,7 +230,7 @@ def conveyor() -> Iterator[Figure]:
         ("acceleration of the motor, peak", "rad/s²", "2.058", sizing.max_acceleration, 9, 1.0, ""),
         ("torque, accelerating, g = 9.8", "Nm", "1.5343", found["accelerating"] - lighter, 0, 1.0, added),
         ("torque, decelerating, g = 9.8", "Nm", "1.4816", found["decelerating"] - lighter, 0, 1.0, added),
-        ("RMS torque", "Nm", "0.147", sizing.rms_torque, 13, 1.0, misprint),
+        ("RMS torque", "Nm", "0.147", sizing.results.rms_torque, 13, 1.0, misprint),
         (ratio, "", "0.966", derating(35), 14, 1.0, ""),
     ):
         cell = f"actuator-sizing-conveyor drive1_printed.here.{row}" if row else ""

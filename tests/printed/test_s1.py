@@ -22,8 +22,6 @@ from engine.laws import (
 from engine.motion import Motion, Phase
 from engine.timing import shaft_speed
 from tests.engine.motion.junctions import junctions, runs_smoothly
-from tests.engine.sizing import effective_inertia, lossless_rms, reduced
-from tests.engine.sizing import operating_points as points_of
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -164,25 +162,17 @@ def feeding_group():
     return Drive(KINDS["feed rollers"].of(resisting(500.0, "always"), RADIUS, parts=rotors), 0.0)
 
 
-def operating_points(law, n=3600):
-    """The feeding group over a cycle at 100 pieces a minute, 0.6 s."""
-    omega = shaft_speed(100 / 60)
-    x = np.arange(n + 1) * (2 * np.pi / n)
-    _, v, a, _ = machine(law)["MC01"].at_speed(x, omega)
-    return points_of(feeding_group(), v, a, time=x / omega)
-
-
 def results(law):
-    """The same over the pieces of the motion, without samples."""
+    """The feeding group over a cycle at 100 pieces a minute, 0.6 s."""
     train = Drivetrain(feeding_group())
     return DriveResults(DriveCycle(train, machine(law)["MC01"], shaft_speed(100 / 60)))
 
 
 def test_inertia_and_resisting_torque():
     """J_tot = 4 J1 + 4 J2 = 1.164 kg m², C_r = 67 Nm."""
-    load = reduced(feeding_group().mechanism)
-    assert load.inertia == pytest.approx(1.164, rel=1e-15)
-    assert load.torque == pytest.approx(67.0, rel=1e-15)
+    group = feeding_group().mechanism
+    assert group.inertia() == pytest.approx(1.164, rel=1e-15)
+    assert group.load.torque / group.ratio == pytest.approx(67.0, rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -196,29 +186,23 @@ def test_inertia_and_resisting_torque():
 )
 def test_torque_at_the_roller_shaft(law, acceleration, highest, lowest):
     """The torques were computed from the rounded accelerations: half a digit times 1.164 more room."""
-    points = operating_points(law)
     rise = movements(law, 100 / 60)[0]
     assert rise.a_max / RADIUS == pytest.approx(acceleration, abs=5e-5)
     exact = results(law).torque
-    for found in ((points.torque.max(), points.torque.min()), (exact.highest.value, exact.lowest.value)):
-        assert found == pytest.approx((highest, lowest), abs=1.1e-4)
+    assert (exact.highest.value, exact.lowest.value) == pytest.approx((highest, lowest), abs=1.1e-4)
 
 
 def test_speed_of_the_rollers():
     """ω_r,max = 33.582 rad/s = 320.685 rpm."""
-    for fastest in (operating_points(MTP).max_speed, results(MTP).speed.peak):
-        assert fastest == pytest.approx(33.582, abs=5e-4)
-        assert fastest * 60 / (2 * math.pi) == pytest.approx(320.685, abs=5e-4)
+    fastest = results(MTP).speed.peak
+    assert fastest == pytest.approx(33.582, abs=5e-4)
+    assert fastest * 60 / (2 * math.pi) == pytest.approx(320.685, abs=5e-4)
 
 
 def test_exact_rms_torque_over_the_cycle():
     """C_m,rms² = (J_tot ω̇_rms)² · 80/360 + C_r², as the rise takes what it gives back."""
-    phases = [Phase(MTP, 0.3, 0.6 * 80 / 360), Phase(Dwell(), 0.0, 0.6 * 280 / 360)]
     inertial = 1.164 * MTP.coefficients.ca_rms * 0.3 / RADIUS / (0.6 * 80 / 360) ** 2
-    group = feeding_group()
-    exact = lossless_rms(group.mechanism, phases, effective_inertia(group))  # there is no motor
-    assert exact == pytest.approx(math.sqrt(inertial**2 * 80 / 360 + 67.0**2), rel=1e-13)
-    assert operating_points(MTP).rms_torque == pytest.approx(exact, rel=1e-6)
+    exact = math.sqrt(inertial**2 * 80 / 360 + 67.0**2)
     assert results(MTP).rms_torque == pytest.approx(exact, rel=1e-12)
 
 

@@ -4,18 +4,19 @@ Printed figures have the tolerance of their digits; exact ones were computed fro
 Misprints: J_machine of the screw (1.65e-5), the acceleration from 0.033 s, the conveyor's RMS (0.147).
 """
 
+from dataclasses import replace
 from math import pi, radians
+from typing import NamedTuple
 
 import pytest
 
-from engine.drive import KINDS, Part, Slide, Stage, cylinder, derating
+from engine.drive import KINDS, Drive, Part, Slide, Stage, cylinder, derating
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
 from engine.laws import Dwell
-from engine.motion import Phase
+from engine.motion import Motion, Phase
 from tests.engine.profiles import thirds
-from tests.engine.sizing import Sizing
 
 STEEL = 7800.0
 PRINTED_G = 9.8 / 9.81  # the printed torques were worked out with g = 9.8
@@ -32,10 +33,38 @@ def conveyor():
     return KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50)], parts=[rollers], belt=10)
 
 
+class Sized(NamedTuple):
+    """A drive and the motion of its load in s, with the figures that S4 has of them."""
+
+    drive: Drive
+    motion: Motion
+
+    @property
+    def results(self):
+        return DriveResults(DriveCycle(Drivetrain(self.drive), self.motion))
+
+    @property
+    def max_speed(self):
+        return self.drive.mechanism.ratio * self.motion.peaks.y1
+
+    @property
+    def max_acceleration(self):
+        return self.drive.mechanism.ratio * self.motion.peaks.y2
+
+    @property
+    def torques(self):
+        """The torque in each part of the cycle, by the accelerations of the trapezoid (Nm)."""
+        move = self.motion.phases[0]
+        accelerations = move.law.coefficients.ca_max, 0.0, move.law.coefficients.ca_min
+        found = self.drive.torque([a * move.lift / move.duration**2 for a in accelerations], 1.0)
+        held = float(self.drive.torque(0.0, 0.0))
+        return dict(zip(("accelerating", "uniform", "decelerating", "dwell"), (*map(float, found), held), strict=True))
+
+
 def sized(mechanism, inertia_ratio, share, lift, time, rest):
     """A drive sized as S4 does: its way of counting losses, a brake at rest."""
-    phases = [Phase(thirds(share, 1 - 2 * share, share), lift, time), Phase(Dwell(), 0.0, rest)]
-    return Sizing(mechanism, phases, mechanism.inertia("document") / inertia_ratio, "document", holding="brake")
+    motion = Motion([Phase(thirds(share, 1 - 2 * share, share), lift, time), Phase(Dwell(), 0.0, rest)])
+    return Sized(Drive(mechanism, mechanism.inertia("document") / inertia_ratio, "document", "brake"), motion)
 
 
 def sized_screw():
@@ -48,10 +77,6 @@ def sized_conveyor():
 
 screw, screw_sizing = pytest.fixture(lead_screw, name="screw"), pytest.fixture(sized_screw, name="screw_sizing")
 belt, belt_sizing = pytest.fixture(conveyor, name="belt"), pytest.fixture(sized_conveyor, name="belt_sizing")
-
-
-def torques(sizing):
-    return {part.name: part.torque for part in sizing.parts}
 
 
 def reflected(machine):
@@ -78,8 +103,8 @@ def test_screw_resisting_torques(screw, screw_sizing):
     assert friction == pytest.approx(4.100240e-3, abs=5e-9)
     assert weight * PRINTED_G == pytest.approx(7.22e-3, abs=5e-6)
     assert weight == pytest.approx(7.229830e-3, abs=5e-9)
-    assert torques(screw_sizing)["uniform"] == pytest.approx(0.0113, abs=5e-5)
-    assert torques(screw_sizing)["uniform"] == pytest.approx(0.01133007, abs=5e-9)
+    assert screw_sizing.torques["uniform"] == pytest.approx(0.0113, abs=5e-5)
+    assert screw_sizing.torques["uniform"] == pytest.approx(0.01133007, abs=5e-9)
 
 
 def test_screw_speed_and_acceleration(screw, screw_sizing):
@@ -90,32 +115,24 @@ def test_screw_speed_and_acceleration(screw, screw_sizing):
 
 
 def test_screw_torques(screw_sizing):
-    found = torques(screw_sizing)
+    found = screw_sizing.torques
     assert found["accelerating"] == pytest.approx(0.103, abs=1e-3)  # from the rounded acceleration
     assert found["accelerating"] == pytest.approx(0.1021457, abs=5e-8)
     assert found["decelerating"] == pytest.approx(-0.0805, abs=1.1e-3)
     assert found["decelerating"] == pytest.approx(-0.0794856, abs=5e-8)
     assert found["dwell"] == 0.0
-    assert screw_sizing.peak_torque == found["accelerating"]
-    assert screw_sizing.rms_torque == pytest.approx(0.044, abs=5e-4)
-    assert screw_sizing.rms_torque == pytest.approx(0.0437990, abs=5e-8)
-
-
-@pytest.mark.parametrize("sizing", [sized_screw(), sized_conveyor()], ids=["screw", "conveyor"])
-def test_the_motion_s_pieces_give_the_same_torques(sizing):
-    """The way that the sheets' figures are judged by, which knows no closed form."""
-    found = DriveResults(DriveCycle(Drivetrain(sizing.drive), sizing.motion))
-    assert found.torque.peak == pytest.approx(sizing.peak_torque, rel=1e-12)
-    assert found.rms_torque == pytest.approx(sizing.rms_torque, rel=1e-12)
+    assert screw_sizing.results.torque.peak == pytest.approx(found["accelerating"], rel=1e-12)
+    assert screw_sizing.results.rms_torque == pytest.approx(0.044, abs=5e-4)
+    assert screw_sizing.results.rms_torque == pytest.approx(0.0437990, abs=5e-8)
 
 
 def test_screw_by_the_physical_method_is_the_same_as_long_as_the_load_resists(screw, screw_sizing):
-    physical = Sizing(screw, screw_sizing.phases, screw_sizing.motor_inertia, holding="brake")
-    assert torques(physical)["uniform"] == pytest.approx(torques(screw_sizing)["uniform"], rel=1e-14)
-    assert torques(physical)["accelerating"] == pytest.approx(torques(screw_sizing)["accelerating"], rel=1e-14)
+    physical = screw_sizing._replace(drive=replace(screw_sizing.drive, method="physical"))
+    assert physical.torques["uniform"] == pytest.approx(screw_sizing.torques["uniform"], rel=1e-14)
+    assert physical.torques["accelerating"] == pytest.approx(screw_sizing.torques["accelerating"], rel=1e-14)
     slowed = (screw.load.torque + screw.load.friction - 6 * 1.44) / screw.ratio  # the load still resists while it slows
-    front = physical.motor_inertia + cylinder(0.014, 0.5, STEEL)
-    assert torques(physical)["decelerating"] == pytest.approx(slowed / 0.45 - front * 1440 * pi, rel=1e-12)
+    front = physical.drive.motor_inertia + cylinder(0.014, 0.5, STEEL)
+    assert physical.torques["decelerating"] == pytest.approx(slowed / 0.45 - front * 1440 * pi, rel=1e-12)
 
 
 def test_conveyor_inertias(belt, belt_sizing):
@@ -140,7 +157,7 @@ def test_conveyor_speeds(belt, belt_sizing):
 
 
 def test_conveyor_torques(belt_sizing):
-    found = torques(belt_sizing)
+    found = belt_sizing.torques
     lighter = found["uniform"] * (1 - PRINTED_G)
     assert found["uniform"] - lighter == pytest.approx(1.508, abs=5e-4)
     assert found["uniform"] == pytest.approx(1.509848, abs=5e-7)
@@ -148,7 +165,7 @@ def test_conveyor_torques(belt_sizing):
     assert found["accelerating"] == pytest.approx(1.536194, abs=5e-7)
     assert found["decelerating"] - lighter == pytest.approx(1.4816, abs=5e-4)
     assert found["decelerating"] == pytest.approx(1.483502, abs=5e-7)
-    assert belt_sizing.rms_torque == pytest.approx(1.439627, abs=5e-7)
+    assert belt_sizing.results.rms_torque == pytest.approx(1.439627, abs=5e-7)
 
 
 def test_temperature_lowers_the_torque_by_the_printed_ratio():

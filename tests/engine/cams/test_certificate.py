@@ -84,29 +84,6 @@ def test_a_course_is_the_motion(entry) -> None:
 # The rules
 
 
-def test_a_spline_is_what_it_says_at_its_ends() -> None:
-    x, y = np.array([0.0, 1.0, 3.0, 4.0, 6.0]), np.array([0.0, 2.0, 1.0, 5.0, 0.0])
-    ends = np.array([0.0, 6.0])
-
-    def at(which) -> list[np.ndarray]:
-        of = spline(x, y, which)
-        return [np.array([a[0], b[1]]) for a, b in zip(of.at(ends), of.at(ends, left=True), strict=True)]
-
-    assert at((0.5, -2.0))[1] == pytest.approx([0.5, -2.0])
-    assert at("natural")[2] == pytest.approx([0.0, 0.0], abs=1e-12)
-    periodic = at("periodic")
-    assert periodic[1][0] == pytest.approx(periodic[1][1])
-    assert periodic[2][0] == pytest.approx(periodic[2][1])
-    knots = spline(x, y, "not-a-knot")
-    assert knots.c[0, 3] == pytest.approx(knots.c[1, 3])
-    assert knots.c[-1, 3] == pytest.approx(knots.c[-2, 3])
-    for which in ((0.5, -2.0), "natural", "periodic", "not-a-knot"):
-        inner = x[1:-1]
-        for before, after in zip(spline(x, y, which).at(inner, left=True)[:3], spline(x, y, which).at(inner)[:3],
-                                 strict=True):  # fmt: skip
-            assert before == pytest.approx(after, abs=1e-12)
-
-
 def test_a_spline_reproduces_cubics_and_quintics_reproduce_quintics() -> None:
     x = np.array([0.0, 0.3, 1.1, 2.0, 2.2])
     cubic, quintic = np.polynomial.Polynomial([1, -2, 3, 0.5]), np.polynomial.Polynomial([1, -2, 3, 0.5, -1, 2])

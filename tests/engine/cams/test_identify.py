@@ -159,15 +159,6 @@ def test_a_cycle_that_begins_on_the_way_is_told_from_its_dwell_on() -> None:
     assert begins == pytest.approx(sorted([233.3, 20.0]), abs=1e-3)
 
 
-def test_a_turn_parts_a_movement_also_between_two_points() -> None:
-    of = profile_of_motion(Motion([Phase(law("dwell"), 0.0, 60.0), Phase(law("CIC"), 20.0, 100.25),
-                                  Phase(law("CIC"), -20.0, 99.75), Phase(law("dwell"), 0.0, 100.0)]))  # fmt: skip
-    x = np.linspace(0.0, 360.0, 721)
-    one, other = found_in(x, of.at(x).y)
-    assert one.law.code == other.law.code == "CIC"
-    assert (one.end, other.begin) == pytest.approx((160.25, 160.25), abs=1e-3)
-
-
 def test_precision_is_that_of_the_numbers() -> None:
     y = np.random.default_rng(5).uniform(0.0, 100.0, 50)
     assert precision(np.round(y, 3)) == 0.0005

@@ -16,7 +16,6 @@ from engine.laws import Dwell
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates, join_phases
 from tests.engine.families import ENTRIES
-from tests.engine.sizing import phase_index
 
 TURN = 2 * pi
 SIZES = {"lead screw": (50, 200), "conveyor": (0.05, 0.3), "rack and pinion": (0.03, 0.1), "belt": (0.03, 0.1),
@@ -128,7 +127,8 @@ def operated(drive_cycle, x):
     train, w = drive_cycle.train, drive_cycle.speed
     drive, m = train.drive, train.drive.mechanism
     y, v, a, _ = drive_cycle.motion.at_speed(x, w)
-    phase = phase_index(drive_cycle.motion, x)
+    motion = drive_cycle.motion
+    phase = np.clip(np.searchsorted(motion.edges, x + motion.tolerance, side="right") - 1, 0, len(motion.phases) - 1)
     moving = np.array([not isinstance(p.law, Dwell) and p.lift != 0 for p in drive_cycle.motion.phases])[phase]
     going = np.where(moving, np.sign(v), 0.0)
     force = m.load.resisting(going) + train.viscous * v + m.on_shaft(m.last) * a

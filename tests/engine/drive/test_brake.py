@@ -64,12 +64,6 @@ def test_the_motor_holds_in_dwells_that_are_shorter_than_the_brake_takes(time, s
     assert points.brake_torque == pytest.approx(held)
 
 
-def test_the_reducer_bears_the_load_whatever_holds_its_motor():
-    assert {round(DriveResults(cycle_of(brake)).shaft_torque(1).peak, 9) for brake in (Brake(), Brake(1.0, 9.0))} == {
-        round(DriveResults(cycle_of(Brake(), holding="motor")).shaft_torque(1).peak, 9)
-    }
-
-
 def test_a_faster_cycle_leaves_the_brake_no_time():
     assert exact(cycle_of(Brake(200.0, 0.1), speed=1.01 * TURN)) > 0.0
     dwells = [cycle_of(Brake(200.0, 0.1), speed=n * TURN) for n in (1.0, 1.01, 3.1)]

@@ -1,6 +1,6 @@
 """Mechanisms of a changing ratio, against positions worked out here the other way round and differentiated."""
 
-from math import acos, atan2, cos, pi, sin, sqrt
+from math import pi, sqrt
 
 import numpy as np
 import pytest
@@ -101,18 +101,6 @@ def test_the_reach_ends_where_the_ratio_grows_beyond_all_bounds_or_vanishes(link
         assert nearer > 5 * near or nearer < near / 5
 
 
-def test_a_crank_turns_half_round_without_offset_and_more_or_less_with_it():
-    def way(linkage):
-        low, high, *_ = linkage.reach
-        angle = linkage.shaft(np.array([low + 1e-8 * high, high * (1 - 1e-8)])).angle
-        return float(angle[1] - angle[0])
-
-    assert way(crank_slider(0.05, 0.2)) == pytest.approx(pi, abs=1e-3)
-    ahead, behind = (way(crank_slider(0.05, 0.2, 0.03, branch=branch)) for branch in ("ahead", "behind"))
-    assert abs(ahead - behind) > 0.1
-    assert ahead + behind == pytest.approx(2 * pi, abs=2e-3)
-
-
 def test_the_stroke_of_a_crank_slider():
     assert crank_slider(0.05, 0.2).reach.high == pytest.approx(0.1, rel=1e-14)
     assert crank_slider(0.05, 0.2, 0.03).reach.high == pytest.approx(sqrt(0.0616) - sqrt(0.0216), rel=1e-14)
@@ -139,23 +127,6 @@ def test_a_tables_ratio_is_continuous_and_its_derivatives_are_those_of_its_angle
     middle, above, below = table.shaft(y), table.shaft(y + h), table.shaft(y - h)
     assert middle.first == pytest.approx((above.angle - below.angle) / (2 * h), rel=1e-4)
     assert middle.second == pytest.approx((above.first - below.first) / (2 * h), rel=1e-3, abs=1e-3)
-
-
-def test_a_table_of_a_straight_line_is_one():
-    table = PositionTable([(0.5 * k**1.5, 0.02 * k**1.5) for k in range(6)])
-    found = table.shaft(np.linspace(0, table.reach.high, 101))
-    assert found.angle == pytest.approx(25 * np.linspace(0, table.reach.high, 101), rel=1e-13)
-    assert found.first == pytest.approx(25.0, rel=1e-12)
-    assert found.second == pytest.approx(0.0, abs=1e-8)
-
-
-def test_a_table_of_many_points_comes_near_to_the_mechanism_that_they_were_taken_from():
-    linkage = crank_slider(0.05, 0.2, 0.03)
-    y = inside(linkage, 400, 0.2)
-    table = PositionTable(list(zip(linkage.shaft(y).angle, y, strict=True)))
-    at = inside(linkage, 97, 0.25)
-    assert table.shaft(at).angle == pytest.approx(linkage.shaft(at).angle, abs=1e-7)
-    assert table.shaft(at).first == pytest.approx(linkage.shaft(at).first, rel=1e-4)
 
 
 def test_a_table_rises_on_steep_points():
@@ -200,30 +171,3 @@ def test_what_cannot_be_is_refused():
         PositionTable([(0, 0), (1, 1), (2, 1)])
     with pytest.raises(ValueError, match="at least two"):
         PositionTable([(0, 0)])
-
-
-def test_a_lever_square_to_its_slide_turns_by_the_travel_over_its_length():
-    linkage = rocker(0.1, 5.0, 0.1, pi / 2)
-    assert float(linkage.shaft(0.0).first) == pytest.approx(10.0, rel=1e-12)
-
-
-@pytest.mark.parametrize("y", [0.01, 0.04, 0.075])
-def test_a_rod_counts_as_two_point_masses_at_its_pins(y):
-    """Energy of a rod that moves in its plane; the two masses of a uniform one have m l²/6 ψ̇²/2 too much."""
-    r, rod, mass, centre = 0.05, 0.2, 3.0, 0.08  # m, m, kg, m from the crank's pin
-    linkage = crank_slider(r, rod)
-    at_slide = mass * centre / rod
-    counted = (mass - at_slide) * r**2 + at_slide / float(linkage.shaft(y).first) ** 2
-
-    def pose(position):
-        """Angle of the crank, centre of the rod and its angle: from the triangle of crank, rod and slide."""
-        x = rod - r + position
-        angle = acos((x**2 + r**2 - rod**2) / (2 * x * r))
-        pin = r * np.array([cos(angle), sin(angle)])
-        along = (np.array([x, 0.0]) - pin) / rod
-        return np.array([angle, *(pin + centre * along), atan2(along[1], along[0])])
-
-    crank, *way, swing = (pose(y + 1e-6) - pose(y - 1e-6)) / 2e-6
-    moved = mass * (way[0] ** 2 + way[1] ** 2)
-    assert counted * crank**2 == pytest.approx(moved + mass * centre * (rod - centre) * swing**2, rel=1e-7)
-    assert counted * crank**2 != pytest.approx(moved + mass * rod**2 / 12 * swing**2, rel=1e-4)

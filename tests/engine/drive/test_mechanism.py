@@ -6,7 +6,6 @@ import pytest
 
 from engine.drive import KINDS, Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.chain import GRAVITY
-from tests.engine.sizing import from_shaft
 
 LOAD = Slide(mass=12.0, friction=0.2, slope=radians(30), force=40.0)
 
@@ -43,26 +42,6 @@ def test_conveyor_and_belt_axis(kind):
     assert machine.load.torque == LOAD.load.torque  # the belt's own weight balances itself
 
 
-def test_rack_and_pinion():
-    gears = [Stage("gear", 4.0)]
-    machine = KINDS["rack and pinion"].of(LOAD.load, 0.06, gears=gears, parts=[Part("pinion", 4e-4, 1)], belt=7.0)
-    assert machine.inertia() == pytest.approx((4e-4 + 12 * 0.03**2) / 16, rel=1e-14)  # it has no belt
-
-
-def test_feed_rollers_have_a_radius():
-    machine = KINDS["feed rollers"].of(Load(0.0, 500.0), 0.134)
-    assert machine.ratio == pytest.approx(1 / 0.134)
-    assert 500.0 / machine.ratio_from(0) == pytest.approx(67.0, rel=1e-14)
-
-
-def test_rotary_table():
-    load, gears = Load(0.4, 3.0, 2.0), [Stage("gear", 20.0)]
-    machine = KINDS["rotary table"].of(load, gears=gears, parts=[Part("gear", 2e-4), Part("table", 0.6, 1)])
-    assert machine.inertia() == pytest.approx(2e-4 + 1.0 / 400, rel=1e-14)
-    assert machine.ratio == 20.0
-    assert machine.load.resisting([1.0, 0.0, -1.0]).tolist() == [5.0, 3.0, 1.0]
-
-
 def test_gear_train_reflects_each_shaft_by_the_stages_before_it():
     stages = [Stage("first", 3.0, 0.9), Stage("second", 4.0, 0.8)]
     parts = [Part("pinion", 1e-4), Part("middle", 2e-3, 1, 2.0)]
@@ -71,15 +50,6 @@ def test_gear_train_reflects_each_shaft_by_the_stages_before_it():
     assert machine.efficiency == pytest.approx(0.72)
     assert machine.inertia() == pytest.approx(1e-4 + 4e-3 / 9 + 0.3 / 144, rel=1e-14)
     assert machine.inertia("document") == pytest.approx(1e-4 + 4e-3 / 9 / 0.9 + 0.3 / 144 / 0.72, rel=1e-14)
-
-
-def test_the_mechanism_behind_a_shaft_is_what_that_shaft_drives():
-    stages = [Stage("first", 3.0, 0.9), Stage("second", 4.0, 0.8)]
-    machine = Mechanism("train", tuple(stages), (Part("pinion", 1e-4), Part("middle", 2e-3, 1)), Load(0.3, 2.0, 0.5))
-    for shaft in (0, 1):
-        whole = machine.torques([3.0, -40.0], [1.0, -1.0])[shaft]
-        assert from_shaft(machine, shaft).torques([3.0, -40.0], [1.0, -1.0])[0] == pytest.approx(whole, rel=1e-15)
-    assert machine.ratio_to(1) * machine.ratio_from(1) == pytest.approx(machine.ratio)
 
 
 @pytest.mark.parametrize("kind", KINDS.values(), ids=lambda kind: kind.name)

@@ -3,7 +3,6 @@
 Bounds are those that the sheets state: RMS torque 1e-3 (median under 1e-6), peaks 5e-3, energy 3 %.
 """
 
-import random
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
@@ -13,17 +12,13 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Motor, Stage
+from engine.drive import KINDS, Drive, Load, Stage
 from engine.drive.bounds import stated_bounds
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
 from engine.drive.drivetrain import Drivetrain
-from engine.drive.limit_use import RateSearch
-from engine.drive.limits import LimitChecks, ReducerLimits, at_speed
 from engine.drive.mechanisms.variable_ratio import OutOfReachError
-from engine.drive.motor import TorqueFall
 from engine.drive.quadrature import SHARES, WEIGHTS, QuadratureCycle
-from engine.drive.rate_range import rate_range
 from engine.drive.results import DriveResults
 from engine.drive.turning import directions, turns_of
 from engine.laws import Dwell, law
@@ -168,10 +163,6 @@ def test_a_changing_ratio_at_points_is_the_exact_engines(request, number):
     assert max(by.energy, by.returned) <= stated.energy
 
 
-def test_half_of_all_rms_torques_are_right_to_a_millionth():
-    assert np.median([found(number)[1].rms for number in range(30)]) < 1e-6
-
-
 @pytest.mark.parametrize("number", [*range(6), *nights(30)])
 def test_a_law_that_turns_back_is_cut_where_it_turns(request, number):
     drive_cycle, by = found(name_of(request, number), back=True)
@@ -182,69 +173,6 @@ def test_a_law_that_turns_back_is_cut_where_it_turns(request, number):
 
 
 # The highest rate
-
-
-def limits_near(points, drawn):
-    """A motor's and a reducer's limits near to what a drive asks for."""
-
-    def near(value):
-        return value * drawn.uniform(0.7, 3.0)
-
-    motor = Motor(1e-3, near(points.rms_torque), near(points.size(points.torque)), near(points.size(points.speed)))
-    behind = points.load.output_torque
-    return motor, ReducerLimits(near(points.size(behind)), near(points.cubic_mean(behind)), motor.max_speed)
-
-
-def falling(motor, drawn):
-    """The motor with a stall torque above its rated one, and a peak torque that falls beyond a speed."""
-    stall, speed = motor.rated_torque * drawn.uniform(1.0, 2.5), motor.max_speed * drawn.uniform(0.3, 1.0)
-    knee, end = drawn.uniform(0.1, 0.9) * motor.max_speed, drawn.uniform(0.1, 0.9) * motor.peak_torque
-    curve = TorqueFall.between((knee, motor.peak_torque), (motor.max_speed, end))
-    return replace(motor, stall_torque=stall, rated_speed=speed, falling=curve)
-
-
-def searched(drive_cycle, motor, reducer):
-    """The range of rates by the points of a cycle."""
-    points = points_of(drive_cycle)
-    varies = drive_cycle.train.linkage is not None
-    speed = points.size(points.speed) if varies else drive_cycle.unshifted.fastest * points_ratio(drive_cycle)
-    return RateSearch(points, speed, motor, reducer, 1.0 / drive_cycle.time)
-
-
-def exact_course(told, linked):
-    """A random machine at 0.6 to 1.4 times its exact highest rate, its limits, and that rate (1/s)."""
-    drive_cycle, drawn = random_course(f"rate {told}", linked=linked), random.Random(f"limits {told}")
-    motor, reducer = limits_near(points_of(drive_cycle), drawn)
-    motor = falling(motor, drawn) if drawn.random() < 0.5 else motor
-    exact = rate_range(LimitChecks(drive_cycle, motor, reducer))
-    if exact.high:
-        drive_cycle = replace(drive_cycle, speed=exact.high * drawn.uniform(0.6, 1.4))
-    return drive_cycle, motor, reducer, exact.high / drive_cycle.unshifted.total
-
-
-@pytest.mark.parametrize("number", [*range(6), *nights(20)])
-def test_the_highest_rate_by_points_is_at_most_a_per_cent_below_the_exact_one_and_never_above(request, number):
-    drive_cycle, motor, reducer, exact = exact_course(name_of(request, number), linked=number % 10 == 3)
-    found = searched(drive_cycle, motor, reducer).range
-    least = 0.97 if drive_cycle.train.viscous else 0.99  # over the rate a line lies above what grows with its square
-    assert least * exact - 1e-3 / drive_cycle.time <= found.high <= exact * (1.0 + 1e-9)
-
-
-@pytest.mark.parametrize("number", [*range(3), *nights(20)])
-def test_the_rate_that_is_entered_is_confirmed_by_points_and_exactly(request, number):
-    """At the rate that is named all holds, it is named again, and a per cent beyond something fails exactly."""
-    drive_cycle, motor, reducer, exact = exact_course(name_of(request, number), linked=number % 10 == 2)
-    first = searched(drive_cycle, motor, reducer).range.high
-    if not exact:
-        assert first == 0.0
-        return
-    at = replace(drive_cycle, speed=first * drive_cycle.unshifted.total)
-    again = searched(at, motor, reducer)
-    assert again.holds
-    assert first <= again.range.high * (1.0 + 1e-9)
-    checks = LimitChecks(at, motor, reducer)
-    assert checks.ok
-    assert not at_speed(checks, 1.01 * max(at.speed, again.range.high * at.unshifted.total)).ok
 
 
 # Brakes, and screws that are driven back

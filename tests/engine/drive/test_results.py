@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 from itertools import pairwise
-from math import degrees, pi, radians
+from math import pi, radians
 
 import numpy as np
 import pytest
@@ -22,7 +22,6 @@ from tests.engine.drive.machines import SIZES, drive_cycle_of, electric, sampled
 from tests.engine.integrals import integral
 from tests.engine.profiles import thirds
 from tests.engine.selection.tasks import motors_of
-from tests.engine.sizing import Sizing
 from tests.tiers import nights, seed
 
 RPM = 30 / pi
@@ -51,25 +50,6 @@ def screw(lead, load, efficiency=1.0, inertia=0.0):
 
 
 # Figures that are known
-
-
-def test_a_short_movement_between_whole_degrees():
-    one = drive_cycle(screw(0.01, Load(1.0)), [0, 90.3, 92.7, 180, 200, 360], [0, 0.002, 0, -0.002, 0],
-                 ["DWL", "CIC", "DWL", "CIC", "DWL"], 200)  # fmt: skip
-    assert DriveResults(one).speed.highest.value * RPM == pytest.approx(12000, rel=1e-12)
-
-
-def test_the_short_movement_of_the_issue():
-    mass, inertia, resists, turns = 20.0, 1e-3, 300.0, 2 * pi / 0.01
-    one = drive_cycle(screw(0.01, Load(mass, resists), 0.9, inertia), [0, 90.3, 95.8, 180, 200, 360],
-                 [0, 0.002, 0, -0.002, 0], ["DWL", "CIC", "DWL", "CIC", "DWL"], 200)  # fmt: skip
-    found = DriveResults(one)
-    assert found.speed.highest.value * RPM == pytest.approx(57600 / 11, rel=1e-12)
-    peak = 2 * pi * 0.002 / (radians(5.5) / one.speed) ** 2
-    assert peak == pytest.approx(598.2, abs=0.05)
-    torque = (mass * peak + resists) / turns / 0.9 + inertia * turns * peak
-    assert found.torque.highest.value == pytest.approx(torque, rel=1e-12)
-    assert degrees(found.torque.highest.x) == pytest.approx(90.3 + 5.5 / 4, rel=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -115,18 +95,6 @@ def test_s4_problems(problem, speed, highest, lowest, rms):
     assert found.torque.highest.value == pytest.approx(highest, rel=1e-6)
     assert found.torque.lowest.value == pytest.approx(lowest, rel=1e-6)
     assert found.rms_torque == pytest.approx(rms, rel=1e-6)
-
-
-@pytest.mark.parametrize("problem", [s4_screw, s4_conveyor])
-@pytest.mark.parametrize("method", ["document", "physical"])
-@pytest.mark.parametrize("holding", ["motor", "brake"])
-def test_a_sizing_comes_to_the_same(problem, method, holding):
-    mechanism, phases, inertia = problem()
-    old = Sizing(mechanism, phases, inertia, method, holding)
-    found = DriveResults(DriveCycle(Drivetrain(old.drive), Motion(phases)))
-    assert found.torque.peak == pytest.approx(old.peak_torque, rel=1e-12)
-    assert found.rms_torque == pytest.approx(old.rms_torque, rel=1e-11)
-    assert found.speed.peak == pytest.approx(old.max_speed, rel=1e-12)
 
 
 def test_one_sided_limits_count_at_an_instant_of_rest():
@@ -287,17 +255,6 @@ def figures(one):
 
 
 @machines(4)
-def test_a_cycle_told_in_other_units_of_the_abscissa_asks_for_the_same(request, number):
-    one = drawn(request, number, from_rest=True)
-    m = one.motion
-    per = 180 / pi
-    motion = Motion([replace(p, duration=p.duration * per) for p in m.phases], position=m.position)
-    windows = tuple(replace(w, begin=w.begin * per, end=w.end * per) for w in one.train.windows)
-    other = DriveCycle(replace(one.train, windows=windows), motion, one.speed * per, one.shift * per)
-    assert figures(other) == pytest.approx(figures(one), rel=1e-9, abs=1e-9)
-
-
-@machines(4)
 def test_a_cycle_that_begins_elsewhere_asks_for_the_same(request, number):
     one = drawn(request, number)
     moved = tuple(replace(w, begin=w.begin + 1.0, end=w.end + 1.0) for w in one.train.windows)
@@ -332,38 +289,6 @@ def test_a_window_counts_where_it_is_and_across_the_end_of_the_cycle():
         torques = {round(float(s.torque(np.array([(s.low + s.high) / 2]))[0]), 9) for s in moving}
         assert max(torques) == pytest.approx(torque)
     assert not Window(1.0, 1.0, 5.0).acts_at(1.0, 6.0)
-
-
-def test_a_moved_motion_meets_other_windows():
-    window = Window(radians(0), radians(45), 2 * pi / 0.01)
-    train = replace(screw(0.01, Load(0.0)), windows=(window,))
-    one = drive_cycle(train, [0, 90, 360], [0.1, -0.0], ["CIC", "DWL"], 60, shift=radians(180))
-    assert DriveResults(one).energy.driving == pytest.approx(0.0, abs=1e-9)
-    early = replace(one, shift=0.0)
-    assert DriveResults(early).energy.driving == pytest.approx(0.1 * 0.5 * 2 * pi / 0.01, rel=1e-10)
-
-
-@pytest.mark.parametrize(("holding", "torque"), [("motor", 1.0), ("brake", 0.0)])
-def test_who_holds_in_a_dwell(holding, torque):
-    drive = Drive(KINDS["lead screw"].of(Load(0.0, 2 * pi / 0.01), 100), 0.0, "physical", holding)
-    one = drive_cycle(Drivetrain(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
-    still = one.torque_intervals[-1]
-    assert float(still.torque(np.array([1.0]))[0]) == pytest.approx(torque)
-    assert DriveResults(one).rms_torque == pytest.approx(math.sqrt(0.25 + 0.75 * torque**2), rel=1e-12)
-
-
-def test_viscous_friction_at_uniform_speed():
-    train = replace(screw(0.01, Load(0.0)), viscous=100.0)
-    one = drive_cycle(train, [0, 180, 360], [0.1, 0.1], ["CIC", "CIC"], 60)
-    found = DriveResults(one)
-    assert found.torque.highest.value == pytest.approx(100 * 0.4 * 0.01 / (2 * pi), rel=1e-12)
-
-
-def test_the_cubic_mean_of_a_constant_torque_is_that_torque():
-    drive = Drive(KINDS["lead screw"].of(Load(0.0, 200.0), 100, gears=[Stage("gear", 3.0)]), 0.0)
-    one = drive_cycle(Drivetrain(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
-    assert DriveResults(one).mean_shaft_torque(1) == pytest.approx(200 * 0.01 / (2 * pi), rel=1e-12)
-    assert DriveResults(one).shaft_torque(2).highest.value == pytest.approx(200.0)
 
 
 def test_what_cannot_be_is_refused():

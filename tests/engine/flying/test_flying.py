@@ -45,17 +45,6 @@ def test_the_motion_has_the_closed_figures(law, length, way):
     )
 
 
-@settings(max_examples=40)
-@given(laws, lengths, beyond)
-def test_position_is_the_integral_of_speed_and_ends_one_pitch_on(law, length, way):
-    cut = Cut(DRUM, length, 1.2, law, way)
-    time, step, motion = samples(cut)
-    travelled = cut.at(time + step / 2).position - cut.at(time - step / 2).position
-    assert np.abs(travelled - motion.speed * step).max() <= 1e-7
-    assert np.abs(np.diff(motion.speed)).max() <= 1.001 * cut.max_acceleration * step + 1e-12
-    assert cut.at(cut.cycle_time).position == pytest.approx(DRUM.design_length, abs=1e-12)
-
-
 @settings(max_examples=60)
 @given(laws, lengths, beyond)
 def test_what_jumps_at_the_joints_is_what_the_motion_shows_on_either_side(law, length, way):
@@ -117,11 +106,6 @@ def test_standstill_takes_over_from_the_plain_motion_without_a_jump():
     assert above.rms_acceleration == pytest.approx(below.rms_acceleration, rel=1e-7)
 
 
-def test_longer_products_ask_no_more_acceleration_once_the_drum_waits():
-    cuts = [Cut(DRUM, length, 1.0, Cycloidal()) for length in (0.5, 0.8, 1.4)]
-    assert [c.max_acceleration for c in cuts] == pytest.approx([cuts[0].max_acceleration] * 3, rel=1e-12)
-
-
 @settings(max_examples=40)
 @given(laws, st.floats(0.31, 3.0))
 def test_the_saw_comes_back_and_its_stroke_is_what_it_covers(law, length):
@@ -132,18 +116,6 @@ def test_the_saw_comes_back_and_its_stroke_is_what_it_covers(law, length):
     assert not cut.waits
     assert cut.stroke == pytest.approx(float(np.ptp(motion.position)), abs=1e-3)
     assert cut.stroke >= np.ptp(motion.position) - 1e-12
-
-
-def test_stroke_of_a_reversing_drum_by_hand():
-    cut = Cut(DRUM, 1.0, 1.0, TrapezoidalVelocity(1 / 4, 3 / 4), "reversal")
-    motion = cut.at(np.linspace(0, cut.cycle_time, 200001))
-    assert cut.stroke == pytest.approx(np.ptp(motion.position), abs=1e-8)
-
-
-def test_angular_figures_are_those_of_the_radius():
-    cut = Cut(DRUM, 0.15, 1.0, Cycloidal())
-    assert cut.max_angular_speed == pytest.approx((1.0 + cut.speed_change) / 0.1, rel=1e-14)
-    assert cut.max_angular_acceleration == pytest.approx(cut.max_acceleration / 0.1, rel=1e-14)
 
 
 def test_on_an_event_is_what_follows_it():
@@ -171,11 +143,6 @@ def test_at_the_fastest_line_the_shaft_is_at_its_first_limit(limits, length):
     assert max(reached) == pytest.approx(1.0, rel=1e-12)
 
 
-def test_in_step_only_the_speed_limits_the_line():
-    cut = Cut(DRUM, DRUM.design_length, 1.1, Cycloidal())
-    assert cut.fastest_line(30.0, 1.0) == pytest.approx(30.0 * DRUM.radius)
-
-
 @settings(max_examples=40)
 @given(laws, st.floats(0.31, 3.0))
 def test_at_the_standing_velocity_the_saw_stands(law, length):
@@ -185,25 +152,6 @@ def test_at_the_standing_velocity_the_saw_stands(law, length):
     times = crossings(lambda xi: law.v(xi) - standing, edges) * cut.moving_time
     assert cut.at(times).speed == pytest.approx(0.0, abs=1e-9)
     assert cut.stroke == pytest.approx(np.ptp(cut.at(np.array([*times, 0.0])).position), abs=1e-12)
-
-
-def test_the_shaft_turns_by_the_radius():
-    cut = Cut(DRUM, 0.15, 1.0, Cycloidal())
-    motion = cut.at(np.linspace(0, cut.cycle_time, 11))
-    speed = motion.speed / DRUM.radius
-    assert DRUM.angle(DRUM.design_length) == pytest.approx(2 * pi / 3)
-    assert motion.position[-1] / DRUM.radius == pytest.approx(2 * pi / 3, rel=1e-12)
-    assert speed[-1] * 0.1 == 1.0
-    assert np.abs(speed).max() <= cut.max_angular_speed * (1 + 1e-12)
-
-
-def test_the_torque_s_work_over_a_cycle_is_that_of_the_load_alone():
-    """What the inertia takes it gives back: the energy of a cycle is T_L times the angle."""
-    cut = Cut(DRUM, 0.2, 1.0, Cycloidal())
-    time = np.linspace(0, cut.cycle_time, 20_001)
-    angle, speed, acceleration, _ = (one / DRUM.radius for one in cut.at(time))
-    torque = 3.0 + 0.02 * acceleration
-    assert np.trapezoid(torque * speed, time) == pytest.approx(3.0 * angle[-1], rel=1e-6)
 
 
 UNFINISHED = PieceLaw([Piece(1.0, (1.0, 0.0, 0.0, 0.0))])

@@ -9,11 +9,9 @@ import pytest
 
 from engine.drive import Load
 from engine.drive.bounds import CONSTANT
-from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drive_points import DrivePoints
-from engine.drive.results import DriveResults
 from engine.flying.cut import Cut, flying_saw, rotary_drum
-from engine.flying.pieces import cut_pieces, cycle_of, train_of
+from engine.flying.pieces import cycle_of, train_of
 from engine.laws import law
 from engine.selection.pair_matrix import PairMatrix, Requirements
 from engine.selection.point_load import PointLoad
@@ -126,17 +124,6 @@ def test_torque_and_energy_of_tools_that_turn_round_by_fine_quadrature(number):
     assert work == pytest.approx((torque * speed).mean(), abs=CONSTANT.mean_power * np.abs(torque * speed).max())
 
 
-@pytest.mark.parametrize("number", range(25))
-def test_without_losses_of_gears_the_motor_s_work_is_the_load_s_and_the_no_load_torque_s(number):
-    (cut,), drawn = cuts(1, f"work {number}"), random.Random(number)
-    ratio, no_load, torque = drawn.uniform(1, 20), drawn.uniform(0.1, 3.0), drawn.uniform(-20, 20)
-    found = DrivePoints(cycle_of(cut, train_of(cut, Load(0.02, torque), (1e-3, ratio, 1.0, no_load))).points())
-    moved = cut.at(cut.cycle_time).position / cut.tool.radius / cut.cycle_time
-    losses = no_load * found.mean_speed
-    size = np.abs(found.torque * found.speed).max()
-    assert found.mean(found.torque * found.speed) == pytest.approx(torque * moved + losses, abs=1e-6 * size)
-
-
 def test_one_rule_of_losses_leaves_192_pairs():
     """Counted by the flow of power, as the drive does; with 1/η both ways they were 191.
 
@@ -146,15 +133,6 @@ def test_one_rule_of_losses_leaves_192_pairs():
     level = replace(found, motors=replace(found.motors, rated_torque=found.motors.stall))
     assert (level.verdicts == "yes").sum() == 192
     assert (found.verdicts == "yes").sum() == 189
-
-
-def test_a_pair_asks_for_what_the_exact_drive_with_it_does():
-    cut, pair = Cut(DRUM, 0.32, 1.5, law("MTP")), (1e-3, 7.0, 0.9, 0.2)
-    train = train_of(cut, Load(0.02, 3.0), pair)
-    exact = DriveResults(DriveCycle(train, MotionPieces(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
-    found = DrivePoints(cycle_of(cut, train).points())
-    assert found.rms_torque == pytest.approx(exact.rms_torque, rel=1e-3)
-    assert np.abs(found.torque).max() == pytest.approx(exact.torque.peak, rel=1e-9)
 
 
 def test_without_losses_and_own_inertia_the_pairs_are_those_in_the_ranges_of_14():

@@ -30,12 +30,6 @@ def test_an_array_gives_arrays_of_its_shape(law, shape):
 
 
 @LAWS
-def test_a_view_with_strides_is_read_as_it_stands(law):
-    xi = np.linspace(0, 1, 24).reshape(4, 6).T[::2]
-    assert law.s(xi) == pytest.approx(np.vectorize(law.s)(xi), abs=1e-15)
-
-
-@LAWS
 def test_blocks_leave_no_seam(law):
     xi = np.random.default_rng(1).random(2 * BLOCK + 17)
     whole = law.evaluate(xi)

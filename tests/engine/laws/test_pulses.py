@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws.extremes import coefficients_of, square_integral
-from engine.laws.piece import Piece, backwards, gains, reversed_pieces
+from engine.laws.piece import gains
 from engine.laws.pulse_law import (
     CONSTANT,
     HALF_345,
@@ -57,19 +57,6 @@ def test_gain_and_lead_are_the_integrals(pulse):
     assert sum(map(square_integral, pulse.pieces)) == pytest.approx(square, rel=1e-12)
 
 
-@given(pulses)
-def test_a_pulse_is_of_height_1_and_nowhere_negative(pulse):
-    lasting = tuple(piece for piece in pulse.pieces if piece.duration)
-    found = coefficients_of(lasting)
-    assert found.ca_max == pytest.approx(1.0, abs=1e-13)
-    assert found.ca_min >= -1e-13
-
-
-@given(pulses)
-def test_the_pieces_last_one(pulse):
-    assert math.fsum(piece.duration for piece in pulse.pieces) == pytest.approx(1.0, rel=1e-14)
-
-
 @pytest.mark.parametrize(
     ("pulse", "gain", "lead", "square", "power"),
     [
@@ -99,35 +86,3 @@ def test_known_pulses(pulse, gain, lead, square, power):
 def test_shares_of_a_pulse_that_cannot_be(sine, given_):
     with pytest.raises(ValueError, match="expected three, none negative, of sum 1"):
         edged(*given_, sine=sine)
-
-
-SINES = Piece(0.7, (1.0, -2.0, 3.0, 0.5, -1.0, 2.0), 1.5, 4.0, 0.3, -0.5, 9.0, 1.0)
-
-
-def test_a_piece_backwards_is_its_negative_from_the_end_and_itself_twice():
-    u = np.linspace(0, 0.7, 41)
-    row, back = (np.array(piece.row)[:, None] for piece in (SINES, backwards(SINES)))
-    assert gains(u, back)[2] == pytest.approx(-gains(0.7 - u, row)[2], abs=1e-13)
-    assert gains(u, np.array(backwards(backwards(SINES)).row)[:, None])[2] == pytest.approx(gains(u, row)[2], abs=1e-13)
-
-
-def test_a_stretched_piece():
-    u = np.linspace(0, 0.7, 41)
-    wide = SINES.scaled(-2.0, 3.0)
-    row, other = (np.array(piece.row)[:, None] for piece in (SINES, wide))
-    assert wide.duration == pytest.approx(2.1)
-    assert gains(3 * u, other)[2] == pytest.approx(-2 * gains(u, row)[2], abs=1e-12)
-    with pytest.raises(ValueError, match="expected more than 0"):
-        SINES.scaled(1.0, 0.0)
-
-
-@given(pulses)
-def test_a_pulse_turned_is_told_from_its_inner_end(pulse):
-    """The pieces of −p(1 − x) are those of the pulse, each and all backwards."""
-    back = [piece for piece in reversed_pieces(pulse.pieces) if piece.duration]
-    turned = [piece for piece in pulse.mirrored if piece.duration]
-    assert [piece.duration for piece in turned] == pytest.approx([piece.duration for piece in back])
-    for one, other in zip(turned, back, strict=True):
-        u = one.duration * np.linspace(0, 1, 21)
-        p, expected = (gains(u, np.array(piece.row)[:, None])[2] for piece in (one, other))
-        assert p == pytest.approx(-expected, abs=1e-12)

@@ -89,12 +89,6 @@ def test_points_close_together_are_each_found():
     assert law.s(xi) == pytest.approx(xi, abs=1e-12)
 
 
-def test_two_points_at_rest_are_the_cubic_and_three_a_parabola_more():
-    law = Spline(((0.0, 0.0), (1.0, 1.0)))
-    assert law.moments == pytest.approx((6.0, -6.0), rel=1e-15)
-    assert Spline(((0.0, 0.0), (0.5, 0.5), (1.0, 1.0))).moments == pytest.approx((6.0, 0.0, -6.0), abs=1e-14)
-
-
 def test_an_open_end_is_natural_unless_its_slope_is_entered():
     law = Spline(many(5), (None, 0.3)).with_open_ends(True, True)
     assert law.natural == (True, False)

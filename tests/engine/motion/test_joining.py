@@ -147,12 +147,6 @@ def test_two_straight_lines_of_different_slope_jump_and_say_so():
     assert found.faults == ()
 
 
-def test_two_straight_lines_of_one_slope_do_not_jump():
-    found = join_phases([line(1.0, 2.0), line(0.5, 1.0), Phase(Cycloidal(), -1.5, 3.0)])
-    assert shortfalls(found.motion, "jerk")[0].order == 3
-    assert shortfalls(found.motion, "acceleration") == ()
-
-
 @pytest.mark.parametrize("law", CURVED)
 @pytest.mark.parametrize("bent", [0.0, 1e-13, 1e-6, -1e-6])
 def test_a_curve_between_lines_of_its_own_slope_is_straight_but_for_rounding(law, bent):
@@ -246,15 +240,6 @@ def test_a_spline_takes_the_velocity_of_a_line_unless_its_slope_is_entered():
     assert shortfalls(found((None, None)).motion, "velocity") == ()
     (jump,) = shortfalls(found((None, 1.0)).motion, "velocity")
     assert jump.size == pytest.approx(6.0 - 5.0)
-
-
-def test_a_curve_that_returns_where_it_began_has_no_lift_and_yet_moves():
-    found = join_phases(
-        [line(1.0, 1.0), Phase(Polynomial345(), 0.0, 2.0), line(-1.0, 1.0), Phase(ModifiedSine(), 0.0, 2.0)]
-    )
-    assert (found.faults, shortfalls(found.motion, "acceleration")) == ((), ())
-    assert found.motion.at(2.0).y > 1.2
-    assert found.motion.at(3.0).y == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize("law", [*CURVED, POINTS, OWN, DoubleHarmonic()], ids=lambda law: law.code)

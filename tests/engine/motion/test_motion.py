@@ -20,7 +20,6 @@ from engine.laws import (
     law,
 )
 from engine.motion import Motion, Phase, motionlaw
-from tests.engine.motion.junctions import junctions, runs_smoothly
 
 RISE_AND_RETURN = [
     Phase(Dwell(), 0.0, 1.0),
@@ -46,15 +45,6 @@ def test_derivatives_are_per_unit_of_the_abscissa():
     h = 1e-4
     assert (motion.at(x + h).y - motion.at(x - h).y) / (2 * h) == pytest.approx(motion.at(x).y1, abs=1e-5)
     assert (motion.at(x + h).y1 - motion.at(x - h).y1) / (2 * h) == pytest.approx(motion.at(x).y2, abs=1e-5)
-
-
-def test_derivatives_in_time_at_a_speed():
-    motion, speed = Motion(RISE_AND_RETURN), 20.944
-    x = np.linspace(0, 8, 33)
-    at, timed = motion.at(x), motion.at_speed(x, speed)
-    assert (timed.y == at.y).all()
-    assert timed.v == pytest.approx(at.y1 * speed, rel=1e-14)
-    assert timed.a == pytest.approx(at.y2 * speed**2, rel=1e-14)
 
 
 def test_numbers_in_numbers_out_and_arrays_keep_their_shape():
@@ -116,36 +106,6 @@ def test_nan_is_refused():
 def test_what_cannot_be_is_refused(made, message):
     with pytest.raises(ValueError, match=message):
         made()
-
-
-def test_a_motion_that_rests_at_its_junctions_has_no_jumps():
-    found = junctions(Motion(RISE_AND_RETURN))
-    assert [(j.x, j.before, j.after) for j in found] == [(1, 0, 1), (3, 1, 2), (4, 2, 3), (8, 3, 0)]
-    assert [(j.jump_y, j.jump_v, j.jump_a) for j in found] == [pytest.approx((0, 0, 0), abs=1e-12)] * 4
-
-
-def test_without_a_wrap_the_last_junction_is_left_out():
-    assert len(junctions(Motion(RISE_AND_RETURN), periodic=False)) == 3
-    assert junctions(Motion(RISE_AND_RETURN[1:2]), periodic=False) == ()
-
-
-def test_jumps_of_acceleration():
-    motion = Motion([Phase(Dwell(), 0, 1), Phase(Cubic(), 2.0, 0.5), Phase(ConstantAcceleration(), -2.0, 2.0)])
-    jumps = [j.jump_a for j in junctions(motion)]
-    assert jumps == pytest.approx([6 * 2 / 0.25, -4 * 2 / 4 - -6 * 2 / 0.25, 0 - 4 * 2 / 4])
-
-
-def test_jumps_of_position_and_velocity_of_a_law_that_does_not_arrive():
-    short = PieceLaw([Piece(1.0, (1.0, 0, 0, 0))])  # s(1) = 0.5, v(1) = 1
-    motion = Motion([Phase(short, 3.0, 2.0), Phase(Dwell(), 0.0, 1.0)])
-    inner, wrap = junctions(motion)
-    assert (inner.jump_y, inner.jump_v, inner.jump_a) == pytest.approx((1.5, -1.5, -0.75))
-    assert (wrap.jump_v, wrap.jump_a) == pytest.approx((0.0, 0.75))
-
-
-def test_the_wrap_of_a_feed_tells_its_travel():
-    wrap = junctions(Motion([Phase(Cubic(), 0.3, 1.0), Phase(Dwell(), 0.0, 1.0)]))[-1]
-    assert wrap.jump_y == pytest.approx(0.3)
 
 
 @given(
@@ -245,11 +205,3 @@ def test_a_law_that_stops_short_leaves_the_motion_incomplete():
     assert Motion(RISE_AND_RETURN).complete
     assert not Motion([phase]).complete
     assert Motion([phase]).gap == pytest.approx(2.0)
-
-
-def test_a_motion_that_is_thrown_into_a_dwell_is_not_smooth_and_one_that_ends_so_only_if_it_is_periodic():
-    thrown, dwell = Phase(THROWN, 1.0, 1.0), Phase(Dwell(), 0.0, 1.0)
-    assert runs_smoothly(Motion(RISE_AND_RETURN))
-    assert not runs_smoothly(Motion([thrown, dwell]), periodic=False)
-    assert runs_smoothly(Motion([dwell, thrown]), periodic=False)
-    assert not runs_smoothly(Motion([dwell, thrown]))

@@ -7,11 +7,10 @@ from hypothesis import strategies as st
 
 from engine.laws import ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
 from engine.laws.modified import ModifiedSine
-from engine.laws.polynomials import Polynomial345, Polynomial4567
+from engine.laws.polynomials import Polynomial4567
 from engine.laws.ramps import SCurve
 from engine.laws.simple import DoubleHarmonic, StraightLine
 from engine.motion import Motion, Phase
-from engine.motion.joining import join_phases
 from engine.motion.pieces import PieceTable, ScaledLaw, motion_pieces
 from tests.engine.families import ENTRIES
 
@@ -60,14 +59,6 @@ def test_on_every_break_a_sample_has_the_later_piece_and_at_the_end_the_left_lim
     for shift in (-1e-10, 0.0, 1e-10):
         assert PieceTable(pieces, 360.0).located(begins + shift).piece.tolist() == last
     agree(motion, np.append(begins, 360.0))
-
-
-def test_phases_that_hand_over_at_speed_are_pieces_too():
-    found = join_phases(
-        [Phase(Polynomial345(), 3.0, 1.0), Phase(StraightLine(), 2.0, 0.5), Phase(ModifiedSine(), -5.0, 2.0)]
-    )
-    assert not found.faults
-    agree(found.motion, np.linspace(0.0, 3.5, 401))
 
 
 def test_what_moves_besides_adds_its_velocity():

@@ -56,13 +56,6 @@ def test_the_least_gap_against_samples(request, number):
     assert at == pytest.approx(found.least, abs=1e-11)
 
 
-def test_a_least_gap_in_closed_form():
-    assert least_gap([(-1.0, Shifted(punch()))], 0.1).least == pytest.approx(0.04, abs=1e-15)
-    assert least_gap([(-1.0, Shifted(punch()))], 0.1).x == pytest.approx(2.0)
-    both = [(1.0, Shifted(punch(), 0.5)), (-1.0, Shifted(punch(), 0.5))]
-    assert least_gap(both, 0.02).least == pytest.approx(0.02, abs=1e-15)
-
-
 def test_gaps_that_cannot_be_are_refused():
     with pytest.raises(ValueError, match="no axes"):
         least_gap([], 0.0)

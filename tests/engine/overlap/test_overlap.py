@@ -17,8 +17,6 @@ from tests.engine.motion.junctions import runs_smoothly
 TURN = np.linspace(0.0, 2 * pi, 1441)
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
 laws = st.sampled_from([e() for e in CATALOGUE if e.code != "DWL"] + [ASYMMETRIC, TrapezoidalVelocity(0.2, 0.5)])
-at_rest = laws.filter(lambda law: not (law.start.v or law.end.v))
-"""without a jump of the velocity"""
 
 
 def in_the_way(station):
@@ -88,27 +86,6 @@ def test_the_transfer_stays_where_it_has_come_to_until_the_next_cycle():
     )
 
 
-def test_peaks_are_those_of_the_motion():
-    schedule = station().overlapping()
-    assert schedule.peak_acceleration(0.5) == pytest.approx(schedule.motion.peaks.y2 * pi**2, rel=1e-12)
-    assert np.abs(schedule.rates(TURN, 0.5)[1]).max() == pytest.approx(schedule.peak_acceleration(0.5), rel=1e-3)
-
-
-@settings(max_examples=20)
-@given(at_rest, at_rest, st.floats(0.2, 0.8))
-def test_acceleration_is_the_second_derivative_of_the_travel(law_in, law_out, split):
-    """Over whole phases: ∫∫ of the acceleration takes the tool from the part to where it rests, and back."""
-    transfer, _ = mill_and_die()
-    schedule = Station(
-        transfer, Tool(law_in, 0.05, radians(100), law_out), Passage(0.01, 0.02, 0.001, split=split)
-    ).overlapping()
-    step = 2 * pi / 20_000
-    angle = schedule.arrival + step * (np.arange(20_000) + 0.5)
-    speed = np.cumsum(schedule.rates(angle, 1.0)[1]) * step / (2 * pi)
-    travel = 0.05 + np.cumsum(speed) * step / (2 * pi)
-    assert travel == pytest.approx(schedule.travel(angle + step / 2), abs=5e-4)
-
-
 @given(laws, laws, st.floats(0.2, 0.8))
 def test_pieces_give_the_same_motion(law_in, law_out, split):
     """A second way to the travel: by its pieces, as a sheet goes."""
@@ -129,13 +106,6 @@ def test_just_below_a_whole_turn_counts_as_on_it():
     assert found == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
     place = PieceTable(pieces_of_parts(schedule.parts), 2 * pi).located(found)
     assert [pieces_of_parts(schedule.parts)[k].phase for k in place.piece] == [0, 0, 3]
-
-
-def test_a_gain_is_that_of_the_peaks_at_any_rate():
-    before, after = station().one_after_the_other(), station().overlapping()
-    gain = before.peak_acceleration(0.7) / after.peak_acceleration(0.7)
-    assert after.times_lower(before) == pytest.approx(gain, rel=1e-14)
-    assert before.times_lower(before) == 1.0
 
 
 def test_room_and_rests_lead_to_the_ways():
@@ -167,12 +137,6 @@ def test_the_least_clearance_stands_at_a_corner(law, law_in, law_out, remaining,
     assert ((at.angle >= 0) & (at.angle < 2 * pi)).all()
     assert np.cos(at.raw) == pytest.approx(np.cos(at.angle), abs=1e-12)
     assert (at.free[~at.inside] == passage.clearance).all()
-
-
-def test_without_a_share_or_clearance_nothing_overlaps():
-    apart = Station(*mill_and_die(), Passage(0.0, 0.0))
-    before, after = apart.one_after_the_other(), apart.overlapping()
-    assert after.edges == pytest.approx(before.edges, rel=1e-14)
 
 
 def test_a_tool_that_is_never_in_the_way_is_limited_by_the_cycle():
@@ -213,22 +177,6 @@ def test_the_sweep_is_the_schedule_of_each_margin():
     assert sweep.acceleration == pytest.approx([s.peak_acceleration(0.5) for s in single], rel=1e-12)
     assert sweep.ratio == pytest.approx([before / s.peak_acceleration(0.5) for s in single], rel=1e-12)
     assert np.diff(sweep.ratio).max() < 0.0
-
-
-def test_tools_at_several_stations_keep_their_own_margins_over_the_same_transfer():
-    transfer, die = mill_and_die()
-    tools = (die, Tool(Cubic(), 0.08, radians(40)), Tool(ConstantAcceleration(), 0.025, radians(60), ASYMMETRIC))
-    passages = (Passage(0.01, 0.02, 0.001), Passage(0.0, 0.015, 0.004), Passage(0.005, 0.004, 0.001, split=0.4))
-    stations = [Station(transfer, tool, passage) for tool, passage in zip(tools, passages, strict=True)]
-    for station in stations:
-        plan = station.overlapping()
-        assert plan.limit == "clearance"
-        assert station.clearance(plan, TURN).minimum == pytest.approx(station.passage.margin, abs=1e-12)
-        assert plan.motion.closes
-
-
-def test_time_of_an_angle():
-    assert movement_time(pi, 2.0) == 0.25
 
 
 @pytest.mark.parametrize(
@@ -290,7 +238,3 @@ def test_schedules_by_points_keep_the_margin_within_what_is_stated(law, law_in, 
     assert found.meets_margin
     assert found.minimum == pytest.approx(exact.clearance(exactly, 0.0).minimum, abs=2 * HEIGHT * 0.05)
     assert plan.angle_in == pytest.approx(exactly.angle_in, rel=0.01)
-
-
-def test_heights_of_0_and_1_are_met_at_the_ends():
-    assert inverse_by_points(Cycloidal(), np.array([0.0, 1.0])).tolist() == [0.0, 1.0]
