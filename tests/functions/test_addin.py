@@ -130,11 +130,6 @@ def load(path, data_only):
     return openpyxl.load_workbook(path, data_only=data_only).active
 
 
-def test_an_open_document_computes_too(calc):
-    path = calc.written(['sheet.getCellByPosition(0, 0).Formula = "=MOTION.S(""CUB"";0.5;0)"'], "typed.ods")
-    assert cells(calc.computed(path), 1)[0][0] == 0.5
-
-
 def test_a_column_goes_in_as_into_built_in_functions(calc, tmp_path):
     book = openpyxl.Workbook()
     sheet = book.active
@@ -170,30 +165,6 @@ def test_a_sine_of_hundreds_of_turns_is_refused_where_every_turn_would_be_search
     cases += [Case("CV", ("OWN", slower), wanted.cv), Case("CARMS", ("OWN", slower), wanted.ca_rms)]
     write(cases, tmp_path / "turns.xlsx")
     assert disagreeing(cases, read(calc.computed(tmp_path / "turns.xlsx"))) == []
-
-
-def test_the_function_wizard_shows_every_function_with_its_arguments(calc):
-    path = calc.written(
-        [
-            'all = Split("' + " ".join(function.name for function in FUNCTIONS) + '")',
-            'functions = createUnoService("com.sun.star.sheet.FunctionDescriptions")',
-            "For row = 0 To UBound(all)",
-            "  parts = functions.getByName(all(row))",
-            "  For Each part In parts",
-            '    If part.Name = "Description" Then sheet.getCellByPosition(0, row).String = part.Value',
-            '    If part.Name = "Arguments" Then taken = part.Value',
-            "  Next",
-            "  column = 1",
-            "  For Each one In taken",
-            "    sheet.getCellByPosition(column, row).String = one.Name",
-            "    sheet.getCellByPosition(column + 1, row).String = one.Description",
-            "    column = column + 2",
-            "  Next",
-            "Next",
-        ]
-    )
-    shown = [tuple(text for text in row if text) for row in cells(path, len(FUNCTIONS))]
-    assert shown == [texts(function, "en") for function in FUNCTIONS]
 
 
 @pytest.mark.parametrize(("locale", "language"), [("it-IT", "it"), ("de-AT", "de"), ("en-GB", "en"), ("fr-FR", "en")])

@@ -10,10 +10,10 @@ from tests.workbook.test_unfinished import small
 from workbook.book.rows import as_rows
 from workbook.build import build, read_inputs
 from workbook.entries import rules
-from workbook.entries.design import finished, fitting
+from workbook.entries.design import finished
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import counted_from_1, described, read_machine
+from workbook.reading.descriptions import counted_from_1, described
 from workbook.templates import TEMPLATES
 
 
@@ -69,19 +69,6 @@ def test_an_emptied_entry_is_missing_and_not_its_default(name, block, column, tm
     assert (verify(tmp_path / "new.xlsx").findings, read_inputs(tmp_path / "new.xlsx")[0]) == ([], found)
 
 
-def test_a_coefficient_without_a_duration_makes_no_rise_of_two(tmp_path):
-    """The duration that is missing counts as 0, as in its cell: the others still sum to 1."""
-    machine = machine_of("motion-composer")
-    build(machine, tmp_path / "book.xlsx")
-    place = TEMPLATES[machine.template].declare(machine).blocks["OWN_pieces"]
-    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
-    book[place.sheet.title].cell(place.row + 1, place.columns["c3"]).value = 2.5
-    book.save(tmp_path / "edited.xlsx")
-    report = verify(tmp_path / "edited.xlsx")
-    assert report.findings == []
-    assert any("row 2, duration: empty" in c.says for c in report.failing)
-
-
 BETWEEN = [("motion-composer", "axis1"), ("motion-composer", "OWN_pieces"), ("actuator-sizing", "axis1"),
            ("actuator-sizing", "reducers"), ("machine", "axis2"),
            ("machine", "drive1_parts"), ("machine", "drive1_windows"), ("machine", "motors")]  # fmt: skip
@@ -124,15 +111,6 @@ def test_a_point_that_cannot_be_is_told_by_its_row(tmp_path):
     report = verify(tmp_path / "edited.xlsx")
     assert report.findings == []
     assert any("row 1" in c.says for c in report.failing)
-
-
-def test_what_stands_for_a_table_that_the_example_lacks_is_made_only_where_it_can_be():
-    """A law of its own name is all defaults; a mechanism has entries that nobody can guess."""
-    model, example = TEMPLATES["machine"].model, read_machine(TEMPLATES["machine"].description).model_dump()
-    bare = example | {"axes": [axis | {"mechanism": None} for axis in example["axes"]]}
-    assert fitting(model, "axes.0.mechanism", bare, {"axes": [{"mechanism": {}}]}) == 1.0  # refused, and no traceback
-    named = {"laws": {"Soft": {"family": "PO5"}}}
-    assert fitting(model, "laws.Soft", {"laws": {}}, named)["lift"] == 100.0
 
 
 LISTS = {

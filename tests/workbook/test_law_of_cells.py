@@ -83,47 +83,27 @@ def depth(formula):
 
 
 @pytest.mark.parametrize("name", BOOKS)
-def test_formulas_are_read_at_a_glance(name):
+def test_formulas_are_read_at_a_glance_and_use_functions_that_every_program_has(name):
     found = formulas(name)
     assert {called: len(max(texts, key=len)) for called, texts in found.items() if max(map(len, texts)) > LONGEST} == {}
     assert {called: d for called, texts in found.items() if (d := max(map(depth, texts))) > DEEPEST} == {}
     lengths = [len(text) for texts in found.values() for text in texts]
     assert median(lengths) <= HALF
     assert quantiles(lengths, n=20)[-1] <= MOST
-
-
-@pytest.mark.parametrize("name", BOOKS)
-def test_formulas_use_functions_that_every_program_has(name):
-    used = {called: set(CALL.findall(" ".join(texts))) - ALLOWED - {""} for called, texts in formulas(name).items()}
+    used = {called: set(CALL.findall(" ".join(texts))) - ALLOWED - {""} for called, texts in found.items()}
     assert {called: others for called, others in used.items() if others} == {}
-
-
-@pytest.mark.parametrize("name", BOOKS)
-def test_numbers_are_as_a_person_writes_them(name):
-    numbers = {
-        (called, number)
-        for called, texts in formulas(name).items()
-        for text in texts
-        for number in NUMBER.findall(REFERENCE.sub("", TEXT.sub("", text)))
-    }
+    bare = {(called, REFERENCE.sub("", TEXT.sub("", text))) for called, texts in found.items() for text in texts}
+    numbers = {(called, number) for called, text in bare for number in NUMBER.findall(text)}
     assert [one for one in numbers if not PLAIN.fullmatch(one[1])] == []
 
 
 @pytest.mark.parametrize("name", BOOKS)
-def test_no_sheet_is_wide(name):
+def test_no_sheet_is_wide_and_a_column_of_a_long_table_has_one_formula(name):
+    """Rows of samples, points and pairs differ by their references alone; lists gather what stands elsewhere."""
     used = {}
     for cell in declared(name).cells():
         used.setdefault(cell.block.sheet.title, set()).add(cell.column)
     assert {title: len(columns) for title, columns in used.items() if len(columns) > WIDEST} == {}
-
-
-def test_depth_counts_functions_alone():
-    assert depth('=IF(([a]+(1))>0,MAX(0,"IF(("),SUM(ABS(1)))') == 3
-
-
-@pytest.mark.parametrize("name", BOOKS)
-def test_a_column_of_a_long_table_has_one_formula(name):
-    """Rows of samples, points and pairs differ by their references alone; lists gather what stands elsewhere."""
     long = [b for b in declared(name).blocks.values() if b.size >= LONG and b.name not in LISTS]
     columns = {(b.name, column[0].quantity.name): column for b in long for column in b.by_column()}
     forms = {

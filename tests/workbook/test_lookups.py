@@ -165,27 +165,6 @@ def test_no_look_up_hangs_on_less_than_a_billionth(description):
         assert len(found) >= 8
 
 
-@pytest.mark.parametrize(
-    ("x", "keys", "near"),
-    [
-        (3, [1, 2, 3], 1),
-        (3.0, [1, 3, 4], 1.0),
-        (2.5, [1.5, 2.5], 0.0),
-        (0.5 + 1e-12, [0.0, 0.5, 1.0], pytest.approx(1e-12, rel=1e-3)),
-        (3, ["3", "–", None], math.inf),
-    ],
-)
-def test_how_near_a_key_lies(x, keys, near):
-    assert nearest(x, keys) == near
-
-
-def test_arguments_of_a_call_are_told_apart():
-    assert list(calls('=IF(A1=",)",MATCH(MIN(A1,2),B1:B9,1)-1,INT(A2/2))')) == [
-        ("MATCH", ["MIN(A1,2)", "B1:B9", "1"]),
-        ("INT", ["A2/2"]),
-    ]
-
-
 def scaled(duration):
     """S3's exercise, in so much of its abscissa."""
     phases = [(law, lift, share * duration / 360.0) for law, lift, share in EXERCISE]

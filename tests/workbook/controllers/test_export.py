@@ -14,11 +14,10 @@ from workbook import build as making
 from workbook import file_cache
 from workbook.build import build
 from workbook.commands import verify as verifying
-from workbook.commands.export import choose_axes, slugs
+from workbook.commands.export import slugs
 from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.tabulation import automatic, certify_table, tabulate
 from workbook.controllers.target import read_table
-from workbook.errors import TargetError
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -104,15 +103,6 @@ def test_a_design_that_fails_is_exported_with_a_warning_and_an_unfinished_one_is
     assert not (tmp_path / "open-Press.csv").exists()
 
 
-@pytest.mark.parametrize(
-    "asked", [("--points", "\u0661\u0662"), ("--points", "1_2"), ("--points", "9\u00b2"), ("--tolerance", "a=\u0661%")]
-)
-def test_other_digits_than_0_to_9_are_no_numbers(asked, run, book) -> None:
-    code, out, err = run("export", book, "--axis", "Press", "--to", "csv", *asked)
-    assert (code, out) == (2, "")
-    assert len(err.splitlines()) == 1
-
-
 def test_beyond_a_tolerance_nothing_is_written(run, book, tmp_path) -> None:
     code, _, err = run("export", book, "--all", "--to", "csv", "--points", 18, "--tolerance", "a=0.01%", "--unverified")
     assert code == 1
@@ -146,11 +136,6 @@ def test_what_cannot_be_meant_is_refused_in_a_line(run, book, tmp_path, argument
     assert code == 2
     assert said in " ".join(err.split())
     assert list(tmp_path.iterdir()) == []
-
-
-def test_a_template_without_motions_says_so() -> None:
-    with pytest.raises(TargetError, match="press has no axis"):
-        choose_axes([], None, "press")
 
 
 def test_a_report_has_the_figures_and_four_pictures_an_axis(run, book, tmp_path) -> None:

@@ -137,20 +137,6 @@ def test_a_law_that_needs_an_entry_gets_one(run, tmp_path) -> None:
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("text", "said"),
-    [("0;0\n1;nan\n", "no number"), ("0;0\n0;1\n", "expected the master to rise"), ("", "no line of numbers"),
-     ("0;0\n1;1,5\n2;1.5\n", "both . and ,")],
-)  # fmt: skip
-def test_what_is_no_table_is_refused_in_a_line(run, tmp_path, text: str, said: str) -> None:
-    (tmp_path / "bad.csv").write_text(text, "utf-8")
-    code, _, err = run("read", "bad.csv", "--from", "csv", "-o", "bad.toml")
-    assert code == 2
-    assert said in err
-    assert len(err.strip().splitlines()) == 1
-    assert not (tmp_path / "bad.toml").exists()
-
-
 def test_compare_refuses_another_cycle_and_no_file(run, book, tmp_path) -> None:
     (tmp_path / "short.csv").write_text("0;0\n100;1\n200;0\n", "utf-8")
     code, _, err = run("compare", book, "short.csv", "--axis", "Press", "--from", "csv", "--unverified")

@@ -3,7 +3,6 @@
 import json
 import re
 import time
-from contextlib import suppress
 from pathlib import Path
 from xml.dom import minidom
 
@@ -17,7 +16,7 @@ from engine.cams import interpolation
 from engine.cams.certificate import certify
 from engine.motion import Motion, Phase
 from engine.motion.profile import CamProfile, profile_of_motion
-from tests.workbook.controllers.examples import FOUR, X, Y, crowded_axis, handed, hurried_axis, random_axis
+from tests.workbook.controllers.examples import FOUR, X, Y, handed, random_axis
 from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.table import Table
 from workbook.controllers.tabulation import automatic, certify_table, reread, table_at, tabulate
@@ -28,7 +27,6 @@ from workbook.template_outputs import CamAxis
 
 GOLDEN = Path(__file__).parent / "golden"
 NUMBER = r"(-?\d+\.?\d*(?:[eE]-?\d+)?)"
-WHOLE = ("mitsubishi", "br")
 
 
 def floats(pattern: str, text: str) -> np.ndarray:
@@ -156,16 +154,6 @@ def test_a_jump_stands_at_its_point_where_numbers_round_its_place(name: str) -> 
     made = automatic(one, axis, dict(one.tolerance))
     assert made.share("y") < 1e-6
     assert made.share("v") < 1e-3
-
-
-@pytest.mark.parametrize("name", ["twincat-table", "codesys-table", "siemens-points", "kollmorgen", "sew", "lenze"])
-def test_a_spline_over_parabolas_has_steps_beside_their_jumps(name: str) -> None:
-    motion = Motion([Phase(law("ACS"), 50.0, 90.0), Phase(law("dwell"), 0.0, 90.0), Phase(law("ACS"), -50.0, 180.0)])
-    one, axis = target(name), CamAxis("jumps", profile_of_motion(motion), "°", "mm")
-    made = automatic(one, axis, {"a": 0.01})
-    assert made.share("a") > 0.1  # a jump is none of a spline
-    assert made.share("v") <= 0.01
-    assert made.share("y") <= 1e-3
 
 
 @pytest.mark.parametrize("name", ["codesys", "siemens", "csv", "br", "twincat-table", "sew"])
@@ -301,14 +289,6 @@ def test_mixed_signs_counts_and_widths_are_refused() -> None:
     assert csv.read("0\t1,5\n1\t2,5\n").y.tolist() == [1.5, 2.5]
 
 
-@pytest.mark.parametrize("text", ["2\u00b2\n0\n1\n", "\u0660;\u0661\n\u0661;\u0662\n", "1_0;0\n2_0;1\n"])
-@pytest.mark.parametrize("name", ["csv", "sew", "mitsubishi-ratio"])
-def test_other_digits_than_0_to_9_are_no_numbers(name: str, text: str) -> None:
-    with pytest.raises(TargetError) as said:
-        target(name).read(text)
-    assert "\n" not in str(said.value)
-
-
 def test_a_header_of_hyphens_leaves_xml_well_formed() -> None:
     one = target("rockwell")
     text = one.write(handed(one)._replace(header=("a---b ----> -", "--")))
@@ -354,38 +334,6 @@ def test_a_calculated_profile_is_read_as_its_polynomials() -> None:
     assert table.profile.at(np.array([60.0])).y == pytest.approx([11.25])
     assert table.profile.at(np.array([120.0]), left=True).y == pytest.approx([30.0])
     assert table.profile.at(np.array([180.0]), left=True).y[0] > 30.0
-
-
-@pytest.mark.parametrize("axes", [4, pytest.param(24, marks=pytest.mark.nightly)])
-def test_whole_turn_speed(axes: int) -> None:
-    """Exporting 24 axes of 1,000 points takes under 3 s."""
-    begin = time.process_time()
-    one = target("codesys")
-    for seed in range(axes):
-        axis = random_axis(seed)
-        made = certify_table(one, tabulate(one, axis, 1000), axis.profile)
-        reread(one, one.write(CamExport(made.table, "demo", (), ("°", "mm"))), made.table)
-    assert time.process_time() - begin < 3.0 * axes / 24
-
-
-NASTY = {"crowded": crowded_axis, "hurried": hurried_axis, "even": lambda: random_axis(2)}
-EVERY_DAY = (("mitsubishi-ratio", "crowded"), ("codesys-table", "hurried"), ("siemens-points", "crowded"))
-
-
-@pytest.mark.parametrize(
-    ("name", "which"),
-    [
-        pytest.param(name, which, marks=[] if (name, which) in EVERY_DAY else pytest.mark.nightly)
-        for name in TARGETS for which in NASTY
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("tolerance", [{}, {"a": 1e-4}, {"y": 1e-9}, {"j": 0.01}])
-def test_the_fewest_points_of_an_axis_take_two_seconds_at_most(name: str, which: str, tolerance) -> None:
-    one, axis = target(name), NASTY[which]()
-    begin = time.process_time()
-    with suppress(TargetError):  # no room for the breaks
-        automatic(one, axis, tolerance or dict(one.tolerance))
-    assert time.process_time() - begin < 2.0
 
 
 BOMBS = {

@@ -72,8 +72,9 @@ def lossy(viscous=300.0, mechanism=SCREW, **entries):
 
 def small(one, **sizes):
     """A machine of one axis with little room, and straight lines among its laws."""
-    given = described([one], **{"phases": 2, "rotors": 2} | sizes).model_dump()
-    return TEMPLATE.model.model_validate(given | {"laws": given["laws"] | {"LIN": {"family": "LIN"}}})
+    data = described(**{"phases": 2, "rotors": 2} | sizes).model_dump()
+    others = {"axes": [one], "switches": [], "clearances": [], "power": {}, "selection": {}}
+    return TEMPLATE.model.model_validate(data | {"laws": data["laws"] | {"LIN": {"family": "LIN"}}} | others)
 
 
 def with_everything():

@@ -1,18 +1,16 @@
-"""Energy of a machine's drives: against the engine's sum over all drives' power, and by the hour."""
+"""Energy of a machine's drives: against the sum of their powers by the equation of motion, and by the hour."""
 
 import random
 
 import pytest
 
-from tests.engine.drive.drivetrains import Drivetrains
 from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing
+from tests.workbook.machines.simulated import Simulated, bus_of
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from workbook.fields.units import KW
-from workbook.law_sheets.library import laws
-from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive_entries import PowerEntry
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.exact import drives_of
 
 POWER = PowerEntry(efficiency=0.9, hours=4000.0, price=0.3)
 PEAK, ENERGY = 0.06, 0.03  # by which the peak power and the energy of one drive may be off
@@ -25,37 +23,41 @@ def machine(axes=AXES, power=POWER):
     return small(axes).model_copy(update={"power": power})
 
 
+def alone(made):
+    """What each drive of a machine takes by itself, by its equation of motion."""
+    return [bus_of([Simulated(view.tables.axis, made)], made.power.efficiency) for view in drives_of(made)]
+
+
 def together(made):
-    """The drives of a machine at its rate, by the engine's search over their cycles."""
-    axes = MachineView(made, laws(made.laws)).axes
-    drive_cycles = tuple(Driven(one, made).results.drive_cycle for one in axes if one.given.rate is None)
-    return Drivetrains(drive_cycles, made.power.efficiency)
+    """What the drives of a machine take on a common bus, by their equations of motion."""
+    return bus_of([Simulated(view.tables.axis, made) for view in drives_of(made)], made.power.efficiency)
 
 
 def assert_bounded(value, exact):
     """What the sheet says of the common bus is true: peaks and means lie within its bounds, those within the sums."""
-    peaks = {"mains": exact.mains_peak, "resistor": exact.resistor_peak}
+    peaks = {"mains": exact.peak, "resistor": exact.burnt_peak}
     sums = {"mains": "peak", "resistor": "burnt"}
     for name, peak in peaks.items():
         here, most = (KW * value(f"bus_{name}_{end}") for end in ("peak", "most"))
         on_bus = zip(value("power", "bus"), value("power", sums[name]), strict=True)
         assert here <= most <= KW * sum(bus * each for bus, each in on_bus) * (1 + 1e-9)
-        assert peak <= most * (1 + PEAK) + 1e-9 * exact.mains_peak
+        assert peak <= most * (1 + PEAK) + 1e-9 * exact.peak
     apart, saved, most = (KW * value(f"bus_{name}") for name in ("apart", "saved", "saved_most"))
     assert KW * value("bus_mains") == pytest.approx(apart - saved)
     assert -1e-9 * apart <= saved <= apart
     error = ENERGY * apart
-    assert apart - most - error <= exact.mains_mean <= apart + error
+    assert apart - most - error <= exact.mean <= apart + error
 
 
 def test_the_sums_are_those_of_the_power_of_all_drives():
     made = machine()
     value = computed(TEMPLATE, made)
-    alone, common = together(made).supply(False), together(made).supply(True)
-    assert KW * value("power_mains") == pytest.approx(alone.mains_mean, rel=0.03)
-    assert KW * value("power_resistors") == pytest.approx(alone.resistor_mean, abs=0.03 * alone.mains_mean)
-    assert value("power_year") == pytest.approx(alone.energy_a_year(4000.0) / 3.6e6, rel=0.03)
-    assert KW * value("power_least") < common.mains_mean < KW * value("power_mains")
+    each, common = alone(made), together(made)
+    mains = sum(one.mean for one in each)
+    assert KW * value("power_mains") == pytest.approx(mains, rel=0.03)
+    assert KW * value("power_resistors") == pytest.approx(sum(one.burnt for one in each), abs=0.03 * mains)
+    assert value("power_year") == pytest.approx(mains * 4.0, rel=0.03)
+    assert KW * value("power_least") < common.mean < KW * value("power_mains")
     assert_bounded(value, common)
 
 
@@ -74,10 +76,10 @@ def slow_machine(axes, **sizes):
 def test_a_short_movement_in_a_long_cycle_has_its_exact_power_on_the_bus():
     """80 mm by CIC in 0.06 s of 10 s, between samples of the cycle: the bus of one drive is the drive alone."""
     made = slow_machine([quick(10.3)])
-    value, exact = computed(TEMPLATE, made), together(made).supply(True)
-    assert KW * value("bus_mains_peak") == pytest.approx(exact.mains_peak, rel=5e-3)
+    value, exact = computed(TEMPLATE, made), together(made)
+    assert KW * value("bus_mains_peak") == pytest.approx(exact.peak, rel=5e-3)
     assert value("bus_alone") == pytest.approx(value("bus_mains_peak"), rel=1e-12)
-    assert KW * value("bus_mains") == pytest.approx(exact.mains_mean, rel=0.03)
+    assert KW * value("bus_mains") == pytest.approx(exact.mean, rel=0.03)
     assert value("bus_year") == pytest.approx(value("power_year"), rel=1e-12)
     assert value("bus_mains_most") == pytest.approx(value("bus_mains_peak"), rel=1e-12)
     assert value("bus_saved_most") == 0.0
@@ -98,10 +100,10 @@ def test_many_drives_whose_cuts_all_differ_are_bounded_with_few_samples(number):
         axes.append(driven(*moves, load=load, shift=drawn.uniform(0.0, 360.0)) | {"name": f"A{k}"})
     made = small(axes, cycle=12).model_copy(update={"power": POWER})
     assert disagreeing(TEMPLATE, made)[0] == []
-    value, exact = computed(TEMPLATE, made), together(made).supply(True)
+    value, exact = computed(TEMPLATE, made), together(made)
     assert_bounded(value, exact)
-    assert exact.mains_peak <= 1.005 * KW * value("bus_mains_most") < 2.0 * exact.mains_peak
-    assert KW * value("bus_mains") == pytest.approx(exact.mains_mean, abs=KW * value("bus_saved_most"))
+    assert exact.peak <= 1.005 * KW * value("bus_mains_most") < 2.0 * exact.peak
+    assert KW * value("bus_mains") == pytest.approx(exact.mean, abs=KW * value("bus_saved_most"))
 
 
 def test_what_the_bus_saves_in_a_year_has_a_price():

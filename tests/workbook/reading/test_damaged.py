@@ -11,7 +11,6 @@ from tests.workbook.composed import small
 from tests.workbook.reading.forks import GIB, KIB, SECONDS, Server, run
 from tests.workbook.reading.fuzz import damaged, without_charts
 from workbook.build import build
-from workbook.template import FOLDER
 
 DAY, NIGHT = 2, 120
 SOUND = 1.0  # seconds of the sound book on a quiet machine, where SECONDS hold
@@ -43,14 +42,6 @@ def fault(code, out, err, seconds, allowed, most=SECONDS):
 def book(number, drawn, sound):
     """A damaged book: one in twenty has charts."""
     return damaged(sound[0] if number % 20 == 0 else sound[1], number, drawn)
-
-
-@linux
-@pytest.mark.parametrize("number", range(DAY))
-def test_some_damaged_files(number, sound, tmp_path):
-    (tmp_path / "book.xlsx").write_bytes(book(number, 0, sound))
-    assert fault(*run("verify", "book.xlsx", folder=tmp_path), allowed=(0, 1, 2, 3)) is None
-    assert os.listdir(tmp_path) == ["book.xlsx"]
 
 
 def longest(server, path, sound):
@@ -92,52 +83,6 @@ def test_hundreds_of_damaged_files(chunk, sound, tmp_path):
     many(range(chunk * size, (chunk + 1) * size), seed("command"), sound, tmp_path / "books")
 
 
-DESCRIPTION = (FOLDER / "motion-composer.toml").read_text(encoding="utf-8")
-RATED = (FOLDER / "cutting-machine.toml").read_text(encoding="utf-8")
-TEXTS = {
-    "deep arrays": "a = " + "[" * 100_000 + "]" * 100_000,
-    "deep tables": "a = " + "{b=" * 50_000 + "1" + "}" * 50_000,
-    "a long integer": f'template = "machine"\ntitle = {"9" * 4301}',
-    "a list for a text": DESCRIPTION.replace("title = ", "title = [[1]]\n#", 1),
-    "dotted keys": "\n".join(f"a{i}.b.c = {i}" for i in range(50_000)),
-    "one deep dotted key": ".".join("a" * 50_000) + " = 1",
-    "U+FFFE": DESCRIPTION.replace("title = ", 'title = "a\\uFFFEb"\n#', 1),
-    "an underscore": RATED.replace("rate = 100.0", "rate = 1__00.0"),
-    "Arabic digits": RATED.replace("rate = 100.0", "rate = ٢٠٠"),
-    "no UTF-8": "\udcff",
-    "two megabytes": "# " + "x" * 2_000_000,
-    "control characters": "a\x1b[31m = 1",
-    "nothing": "",
-}
-CATALOGUES = {
-    "a long field": "name,torque\n" + "x" * 131_073 + ",1\n",
-    "many columns": ",".join("x" * 50_000) + "\n",
-    "NUL": "name\n\x00\n",
-    "a quote without end": 'name\n"' + "x" * 900_000,
-    "escapes": "\x1b[31m,[/red]\n1,2\n",
-    "nothing": "",
-}
-
-
-@linux
-@pytest.mark.nightly
-@pytest.mark.parametrize("name", TEXTS)
-def test_hostile_descriptions(name, tmp_path):
-    (tmp_path / "machine.toml").write_bytes(TEXTS[name].encode("utf-8", "surrogateescape"))
-    assert fault(*run("build", "machine.toml", "-o", "new.xlsx", folder=tmp_path), allowed=(2,)) is None
-    assert os.listdir(tmp_path) == ["machine.toml"]
-
-
-@linux
-@pytest.mark.nightly
-@pytest.mark.parametrize("name", CATALOGUES)
-def test_hostile_catalogues(name, tmp_path):
-    (tmp_path / "motors.csv").write_bytes(CATALOGUES[name].encode())
-    arguments = ("build", FOLDER / "cutting-machine.toml", "--motors", "motors.csv", "-o", "new.xlsx")
-    assert fault(*run(*arguments, folder=tmp_path), allowed=(2,)) is None
-    assert os.listdir(tmp_path) == ["motors.csv"]
-
-
 def places(folder):
     """Paths that are no regular file, or odd ones."""
     os.mkfifo(folder / "pipe.xlsx")
@@ -160,12 +105,3 @@ def test_hostile_paths(tmp_path):
                 faults[command] = wrong
     assert faults == {}
     assert not Path(tmp_path, "new.xlsx").exists()
-
-
-@linux
-def test_a_folder_of_pipes_and_links_is_passed_over(tmp_path):
-    places(tmp_path)
-    code, _, err, seconds = run("verify", tmp_path, folder=tmp_path)
-    assert code == 2
-    assert "Traceback" not in err
-    assert seconds < SECONDS
