@@ -16,7 +16,7 @@ import pytest
 from tests.workbook.composed import small
 from tests.workbook.studies.studied import laws, planned, stops, written
 from workbook.build import build
-from workbook.cluster import REMOTE, ClusterError, pool
+from workbook.cluster import pool
 from workbook.errors import WriteError
 from workbook.pool import THIS_PROCESS
 from workbook.studies.folder import Parts, progress
@@ -225,16 +225,6 @@ def test_a_command_killed_while_it_writes_its_results_goes_on(tmp_path, monkeypa
     assert len(results.read_text(encoding="utf-8").splitlines()) == 3
 
 
-def test_parts_that_nobody_owns_are_not_taken_for_a_studys_own(tmp_path):
-    plan = planned(tmp_path, laws("MTP", "CUB"), **GOALS)
-    parts = parts_of(plan, tmp_path / "r.csv")
-    whole = studied(plan, parts)
-    (parts.folder / "study.json").unlink()  # as of a folder that was being removed
-    (parts.folder / "part-00000007.json").write_text((parts.folder / "part-00000000.json").read_text())
-    assert studied(plan, parts, resume=True) == whole
-    assert parts.complete() == {0}
-
-
 class forked:  # noqa: N801 - reads as what it does
     """The command in a process of its own, which has all modules already."""
 
@@ -285,12 +275,6 @@ def test_a_worker_that_is_killed_in_the_middle_costs_no_design(tmp_path):
         found = studied(plan, parts_of(plan, tmp_path / "cut.csv"), workers=killing)
     assert killing.killed
     assert found == whole
-
-
-def test_a_scheduler_that_does_not_answer_is_a_line(monkeypatch):
-    monkeypatch.setitem(REMOTE, "distributed.comm.timeouts.connect", "1s")
-    with pytest.raises(ClusterError, match="no scheduler answers there"), pool(None, "tcp://127.0.0.1:1"):
-        pass
 
 
 @contextlib.contextmanager
@@ -355,32 +339,6 @@ def test_a_worker_of_another_version_is_told_in_a_line(tmp_path):
     (line,) = done.stderr.splitlines()
     assert "has motionbook 0.0.1; expected" in line
     assert not (tmp_path / "study.csv").exists()
-
-
-BLIND = """
-import workbook.judging.batch as sent
-seen = getattr(sent.verify_one, "seen", sent.verify_one)  # a worker begins with this twice
-def blind(target, witnesses):
-    assert {folder!r} not in str(target.path), "it sees the files"
-    return seen(target, witnesses)
-blind.seen = seen
-sent.verify_one = blind
-"""
-
-
-@POSIX
-def test_workers_that_do_not_see_the_books_are_sent_them(tmp_path):
-    books = tmp_path / "books"
-    books.mkdir()
-    build(small(), books / "a.xlsx")
-    for name in ("b", "c"):
-        (books / f"{name}.xlsx").write_bytes((books / "a.xlsx").read_bytes())
-    with cluster(tmp_path, BLIND.format(folder=str(books))) as (address, _):
-        until_ready(address)
-        told = [sys.executable, "-m", "workbook", "verify", str(books), "--scheduler", address]
-        done = subprocess.run(told, capture_output=True, text=True, check=False, encoding="utf-8", cwd=tmp_path)
-    assert done.returncode == 0, done.stdout + done.stderr
-    assert "3" in done.stdout
 
 
 def deep(number):

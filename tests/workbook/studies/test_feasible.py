@@ -6,11 +6,11 @@ import random
 
 import pytest
 
-from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, base, laws, planned, stops, written
+from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, base, laws, planned, written
 from tests.workbook.studies.test_study import chosen, run
 from workbook.errors import InputError, ReadError
 from workbook.reading.descriptions import read_machine
-from workbook.studies.evaluate import Evaluator, require_names, with_row_ranges
+from workbook.studies.evaluate import Evaluator, require_names
 from workbook.studies.plan import read_study
 from workbook.studies.run import Pace, build_design
 from workbook.studies.summary import summarise
@@ -118,11 +118,6 @@ def test_a_row_says_which_constraints_it_breaks(tmp_path):
         assert (row["feasible"] == "yes") == (row["fails"] == "")
 
 
-def test_figures_of_motors_and_reducers_need_no_book(tmp_path):
-    figures = ["drive1_motor_rated", "drive1_jm", "drive1_eta1", "drive1_reducer_peak", "drive1_motor_mass"]
-    assert Evaluator(planned(tmp_path, MOTORS, results=figures)).swift
-
-
 def test_the_names_of_a_machine_are_listed_the_fast_ones_first(tmp_path):
     base(tmp_path)
     done = run("--results", "feed.toml", cwd=tmp_path)
@@ -132,10 +127,6 @@ def test_the_names_of_a_machine_are_listed_the_fast_ones_first(tmp_path):
     assert "  drive1_motor_rated  Motor: rated torque [Nm]" in fast
     assert any(line.startswith("  drive1_highest ") for line in slow)
     assert any(line.startswith("  MTP_k ") for line in books)
-
-
-def test_rows_of_a_table_are_listed_as_one():
-    assert list(with_row_ranges(["axis1.v.1", "axis1.v.2", "a", "axis1.v.3", "b.c.1"])) == ["axis1.v.1…3", "a", "b.c.1"]
 
 
 def test_a_slow_result_is_announced_with_its_time_before_it_begins(tmp_path, monkeypatch, capsys):
@@ -148,16 +139,6 @@ def test_a_slow_result_is_announced_with_its_time_before_it_begins(tmp_path, mon
         command.study(study, tmp_path / "r.csv", None, 2, False, None, True, False)
     said = " ".join(capsys.readouterr().out.split())
     assert "2 designs take up to about 2 minutes on 2 cores (MTP_k: from a book of each design;" in said
-
-
-@pytest.mark.parametrize(
-    ("first", "each", "rows"), [(0.1, 0.0, 6080), (0.0, 0.01, 304), (0.0, 0.001, 1824), (0.0, 0.8, 2), (0.0, 40.0, 1)]
-)
-def test_a_part_takes_seconds_and_has_whole_groups_where_these_are_short(tmp_path, first, each, rows):
-    space = planned(tmp_path, stops(60, 120, 1000), MOTORS, REDUCERS, results=["drive1_rms"]).space
-    pace = Pace(first, each)
-    assert pace.step(space) == rows
-    assert pace.step(space) * (each + first / space.inner) <= max(30.0, each)
 
 
 def test_a_pick_takes_the_results_at_hand_however_they_are_called(tmp_path, monkeypatch):

@@ -1,17 +1,11 @@
 """What is known of the best: a study finds it, and so does a search that knows nothing of studies."""
 
-from math import pi
-
 import numpy as np
 import pytest
-from scipy.optimize import differential_evolution
 
-from engine.laws import law
-from engine.laws.extremes import square_integral
 from engine.selection.front import front
-from tests.workbook.studies.studied import MOTORS, REDUCERS, base, laws, planned, stops
+from tests.workbook.studies.studied import base, laws, planned
 from workbook.pool import THIS_PROCESS
-from workbook.studies.evaluate import Evaluator
 from workbook.studies.folder import Parts
 from workbook.studies.run import run
 
@@ -73,25 +67,6 @@ def test_the_best_ratio_is_the_one_of_s5(tmp_path):
     assert found.best[0].entries["axes.MC01.reducer.ratio"] == pytest.approx((1.0 / inertia) ** 0.5, rel=1e-3)
 
 
-def test_the_best_of_the_laws_of_seven_durations():
-    """C_a,rms² = 27π(π − 2)/8 at (0, 0, .45866, .08269, .45866, 0, 0): half cosines and a straight line between.
-
-    Found by differential evolution among all shares of the rise, none of them told.
-    """
-
-    def mean_square(shares):
-        whole = sum(shares)
-        try:
-            pieces = law("MTP", durations=[share / whole for share in shares]).as_pieces()
-            return sum(square_integral(piece) for piece in pieces if piece.duration)
-        except (ValueError, ZeroDivisionError):  # no law of these
-            return 100.0
-
-    found = differential_evolution(mean_square, [(0.0, 1.0)] * 7, seed=5, popsize=5, maxiter=60, tol=1e-10)
-    assert found.fun == pytest.approx(27.0 * pi * (pi - 2.0) / 8.0, rel=1e-9)
-    assert found.x / found.x.sum() == pytest.approx([0.0, 0.0, 0.45866, 0.08269, 0.45866, 0.0, 0.0], abs=3e-5)
-
-
 def test_the_front_is_what_comparing_each_with_each_leaves():
     rng = np.random.default_rng(4)
     for columns in (1, 2, 3, 4):
@@ -101,16 +76,3 @@ def test_the_front_is_what_comparing_each_with_each_leaves():
             for k, one in enumerate(points)
         ]
         assert sorted(front(points).tolist()) == np.flatnonzero(~np.array(beaten)).tolist()
-
-
-def test_the_front_of_a_study_is_that_of_all_its_designs(tmp_path):
-    goals = ["drive1_rms", "drive1_pair_mass", "drive1_speed"]
-    vary = (laws("MTP", "CUB"), stops(80, 120, 8), MOTORS, REDUCERS)
-    found = best(tmp_path, *vary, minimise=goals, constraints=FREE)
-    plan = planned(tmp_path, *vary, minimise=goals, constraints=FREE)
-    table = Evaluator(plan).table(0, plan.space.columns(0, plan.space.size))
-    points = np.column_stack([table.results[name] for name in goals])
-    some = np.flatnonzero(~np.isnan(points).any(axis=1))
-    expected = points[some[front(points[some])]]
-    assert found.designs == 2 * 8 * 19 * 16
-    assert [[one.results[name] for name in goals] for one in found.best] == expected.tolist()

@@ -25,19 +25,6 @@ def test_a_timing_moves_as_a_whole(tmp_path):
         assert (axis.phases[0].start, axis.phases[0].stop, axis.shift) == (value, value + 80.0, value + 67.5)
 
 
-def test_a_movement_moved_as_a_whole_takes_the_same_torque(tmp_path):
-    table = evaluated(planned(tmp_path, START, links=WHOLE, results=RESULTS))
-    assert list(table.reasons) == [""] * len(BEGINS)
-    for name in RESULTS:
-        assert table.results[name] == pytest.approx(table.results[name][0], rel=1e-9)
-
-
-def test_the_order_of_links_is_nothing(tmp_path):
-    one = planned(tmp_path, START, links=WHOLE, results=RESULTS)
-    other = planned(tmp_path, START, links=dict(reversed(WHOLE.items())), results=RESULTS)
-    assert one.links == other.links
-
-
 @pytest.mark.parametrize("spaced", ["{} + 80.0", "{}+80", " {} +80 ", "{} - -80"])
 def test_a_number_is_added_however_it_is_spaced(tmp_path, spaced):
     links = {f"{FEED}.stop": spaced.format("axes.1.phases.1.start")}  # counted from 1, as messages have it

@@ -97,15 +97,6 @@ def test_every_result_of_a_whole_machine_is_what_its_book_says(tmp_path, templat
     assert len(data["clearances"]) == sum(name.startswith("clearances.gap") for name in pairs)
 
 
-@pytest.mark.parametrize("viscous", [0.0, 800.0])
-def test_a_drive_with_an_entry_for_viscous_friction_is_studied_as_its_book_has_it(tmp_path, viscous):
-    base(tmp_path, load=LOADED["load"] | {"viscous": viscous})
-    plan = planned(tmp_path, {**RATES, "steps": 2}, MOTORS, results=["drive1_rms"])
-    pairs, _ = compared(plan, 1)
-    require_alike(pairs)
-    assert {"drive1_rms", "drive1_pmax", "power_mains", "drive1_highest", "about_binds"} < set(pairs)
-
-
 def test_what_scales_is_worked_out_together_and_gives_what_each_gives_alone(tmp_path):
     names = ["drive1_rms", "drive1_ok_peak", "drive1_energy", "drive1_smean", "about_cycle"]
     plan = planned(tmp_path, laws("MTP", "CUB"), MOTORS, REDUCERS, RATES, results=names)

@@ -47,6 +47,7 @@ def format4(table):
     return found
 
 
+@cache
 def pixels(text, size=11.0, bold=False, italic=False):
     """Return how wide a text is, in pixels."""
     advances, missing = face(bold, italic)

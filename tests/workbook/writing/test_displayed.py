@@ -82,29 +82,6 @@ def test_each_text_reads_back_as_its_value_to_the_shown_digits(shown):
     assert WIDTHS.get(4, MOST) >= MOST
 
 
-@pytest.mark.parametrize(
-    ("text", "value", "look"),
-    [
-        ("0.13", 0.1234, "0.00"),
-        ("1.0", 0.9994, "0.0##"),
-        ("-0.5", 0.5, "0.0"),
-        ("–", 0.2, '0;-0;"–"'),
-        ("–", 0.0, "0.0"),
-        ("", 0.0, "0.0"),
-        ("", 1, "0;;"),
-        ("1.20E+03", 1206.0, "0.00E+00"),
-        ("1.20E+02", 1200.0, "0.00E+00"),
-        ("OK", "FAIL", "General"),
-        ("5", "5 ", "General"),
-        ("0", None, "General"),
-        ("########", 5.0, "0"),
-        ("1234567.123456", 1234567.123456, "0.000000"),
-    ],
-)
-def test_a_text_that_says_otherwise_is_noticed(text, value, look):
-    assert not says(text, value, look, 1.0)
-
-
 def test_checks_have_the_colour_of_their_word(shown):
     book, _, displayed = shown
     found = {}

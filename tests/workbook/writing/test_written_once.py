@@ -21,19 +21,6 @@ def fill(text):
     return lambda draft: draft.write_text(text)
 
 
-def test_a_file_that_appears_meanwhile_is_kept(tmp_path):
-    path = tmp_path / "book.xlsx"
-
-    def write(draft):
-        draft.write_text("ours")
-        path.write_text("theirs")
-
-    with pytest.raises(WriteError, match="the file exists"):
-        replace(path, write)
-    assert path.read_text() == "theirs"
-    assert os.listdir(tmp_path) == ["book.xlsx"]
-
-
 def test_of_two_builds_at_once_the_first_that_ends_is_kept(tmp_path):
     path = tmp_path / "book.xlsx"
 
@@ -91,14 +78,6 @@ def test_force_writes_through_a_link(there, tmp_path):
     assert link.is_symlink()
     assert not target.is_symlink()
     assert os.listdir(folder) == ["target.xlsx"]
-
-
-@posix
-def test_force_makes_no_folder_behind_a_link(tmp_path):
-    (tmp_path / "book.xlsx").symlink_to("nowhere/target.xlsx")
-    with pytest.raises(WriteError, match="cannot be written"):
-        replace(tmp_path / "book.xlsx", fill("new"), overwrite=True)
-    assert os.listdir(tmp_path) == ["book.xlsx"]
 
 
 @posix
