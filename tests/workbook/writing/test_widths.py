@@ -40,6 +40,20 @@ def wide(text, style_name):
     return max((pixels(word, font.sz, bool(font.b), bool(font.i)) for word in words), default=0.0)
 
 
+def cut(sheet, room_of):
+    """Yield the texts of a sheet that do not fit, with what they take and what they have, in pixels."""
+    taken = {(t.row, t.column) for t in sheet.texts if t.text}
+    taken |= {(cell.row, cell.column) for block in sheet.blocks for cell in block.cells()}
+    for text in sheet.texts:
+        column, has = text.column, room(room_of.get(text.column, COLUMN_WIDTH))
+        if text.style not in (*WRAPPED, "units"):
+            while (text.row, column + 1) not in taken and column < text.column + FARTHEST:
+                column += 1
+                has += room(room_of.get(column, COLUMN_WIDTH)) - room(0)
+        if wide(text.text, text.style) > has:
+            yield sheet.title, text.text, round(wide(text.text, text.style)), round(has)
+
+
 def shortened(book, wide):
     """Yield the texts for people that do not fit into columns so wide, or run under a chart, with what they lack."""
     for sheet in book.sheets:
