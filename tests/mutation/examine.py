@@ -1,26 +1,14 @@
-"""Mutants judged, counted and printed."""
+"""Mutants judged and counted."""
 
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
-from rich.box import SIMPLE_HEAD
-from rich.console import Console
-from rich.table import Table
-
 from tests.mutation.bench import Bench, Inputs
 from tests.mutation.equivalence import Equivalence
-from tests.mutation.mutants import KINDS, Mutant
+from tests.mutation.mutants import Mutant
 from workbook.judging.verify import Report
 
 ENTERED, VARIED, ELSEWHERE = "at the values entered", "at verify's variations", "only at other valid inputs"
-
-HEADINGS = ("Kind", "Mutants", "Found", "Text", "a", "b", "c", "Equal", "Left", "First", "Rate")
-NOTES = (
-    f"Text: its text gives it away. a, b, c: its value does, {ENTERED}, {VARIED}, {ELSEWHERE} unknown to verify.",
-    "Equal: no value gives it away, and a rule proves that none can. Left: neither found nor proven equal.",
-    "First: verify names its cell first, of those that all of verify was asked about. Rate: found of found and left.",
-)
 
 
 @dataclass(frozen=True)
@@ -73,31 +61,3 @@ class Tally:
     def not_first(self) -> list[Mutant]:
         """Mutants of which ``verify`` names another cell first, or none."""
         return [mutant for mutant, first in self.whole if not first]
-
-    def show(self, console: Console, most: int) -> None:
-        """Print the kill rates by kind of mutant, then what survived."""
-        table = Table(*HEADINGS, box=SIMPLE_HEAD, padding=0, pad_edge=False)
-        for kind in (*KINDS, "all"):
-            table.add_row(kind, *self._row(kind))
-        console.print(table)
-        for words in NOTES:
-            console.print(words, highlight=False)
-        if self.values_only:
-            console.print("Values only: what the text gives away is not counted as found.")
-        for reason, count in Counter(v.equivalent for v in self.verdicts if v.equivalent).most_common():
-            console.print(f"{count:>6} equivalent: {reason}", highlight=False)
-        for verdict in sorted(self.survivors, key=lambda v: not v.by_value)[:most]:
-            where = verdict.by_value or "no input is known at which it shows"
-            console.print(f"{verdict.mutant}   ({where})", highlight=False, markup=False, soft_wrap=True)
-        for mutant in self.not_first:
-            console.print(f"Another cell is named first: {mutant}", highlight=False, markup=False, soft_wrap=True)
-
-    def _row(self, kind: str) -> Iterator[str]:
-        of = [v for v in self.verdicts if kind in ("all", v.mutant.kind)]
-        places, found = Counter(v.by_value for v in of), sum(v.found(self.values_only) for v in of)
-        left = sum(kind in ("all", v.mutant.kind) for v in self.survivors)
-        firsts = [first for mutant, first in self.whole if kind in ("all", mutant.kind)]
-        counts = (len(of), found, sum(v.by_text for v in of), places[ENTERED], places[VARIED], places[ELSEWHERE])
-        yield from (f"{n:,}" for n in (*counts, sum(bool(v.equivalent) for v in of), left))
-        yield f"{sum(firsts):,}/{len(firsts):,}"
-        yield f"{found / (found + left):.2%}" if found + left else "-"

@@ -9,7 +9,7 @@ import re
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from itertools import chain, zip_longest
 from typing import Any
 
@@ -196,15 +196,6 @@ class Orchard:
         for cell in book.cells():
             if isinstance(cell.content, str) and cell.content.startswith("="):
                 self.strata[cell.block.name, cell.quantity.name].append(cell)
-
-    @cached_property
-    def cells(self) -> int:
-        """How many formula cells there are."""
-        return sum(map(len, self.strata.values()))
-
-    def every(self) -> Iterator[Mutant]:
-        """Yield every mutant of every cell."""
-        return chain.from_iterable(map(self.mutator.of, chain.from_iterable(self.strata.values())))
 
     def sample(self, size: int, seed: int | str) -> list[Mutant]:
         """Return ``size`` mutants, spread evenly over quantities and kinds of fault; one of each quantity comes first.

@@ -103,18 +103,9 @@ def test_no_rule_of_equivalence_holds_for_a_mutant_that_shows(name: str) -> None
 
 
 @every_template
-def test_the_book_is_as_it_was_after_a_mutant(name: str) -> None:
-    here = bench(name)
-    mutant = of_kind(name, "operator", 1)[0]
-    here.verified(mutant)
-    assert here.file.value(mutant.address) == mutant.original
-
-
-@every_template
 @pytest.mark.nightly
 @pytest.mark.parametrize("run", range(RUNS))
 def test_a_night_s_mutants_are_found_and_named_first(name: str, run: int) -> None:
-    """As ``python -m tests.mutation`` has it, with other mutants each night."""
     here = bench(name)
     mutants = here.orchard.sample(MANY, seed("mutants"))[run::RUNS]
     elsewhere = [here.inputs(m) for m in machines(here.machine, 20, seed("machines"))]

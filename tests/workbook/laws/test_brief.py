@@ -43,13 +43,6 @@ def test_cells_and_engine_agree_down_to_the_least_stage():
     assert wrong == []
 
 
-def test_none_is_no_brief_stage():
-    assert (
-        described({name: one for name, one in entries(0.0).items() if name not in ("TVP 1", "TVP 3")}).design.faults
-        == ()
-    )
-
-
 @pytest.mark.parametrize("least", [1e-8, 1e-5, 0.99 * LEAST_STAGE])
 def test_what_lasts_less_is_told_by_law(least):
     machine = described(entries(least))

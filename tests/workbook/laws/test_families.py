@@ -44,9 +44,3 @@ def test_and_so_say_the_other_witnesses(witness, turn, tmp_path):
     report = verify(tmp_path / "book.xlsx", (witness,))
     assert report.findings == []
     assert report.compared == report.declared
-
-
-def test_every_family_has_a_turn():
-    names = set(one_of_each(0).laws.names)
-    assert {f"One {code}" for code in NAMED} <= names
-    assert len(NAMED) == len(FAMILY) - 1

@@ -1,7 +1,6 @@
 """The laws in the workbook: pages found from the registry, what a page leaves out, a page that is wrong, variations."""
 
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -9,25 +8,16 @@ import pytest
 from engine.laws import CATALOGUE, Cubic
 from engine.motion.handover import PULSES, early_of, end_mode
 from tests.laws import MOVING
-from tests.workbook.cells import disagreeing
-from tests.workbook.composed import MACHINE, composed
+from tests.workbook.composed import composed
 from workbook.fields.types import Model
 from workbook.law_sheets.library import SIX, law_for, laws_in, variations
 from workbook.law_sheets.page import COEFFICIENTS
 from workbook.laws.entries import ENTRIES, Laws
-from workbook.laws.family import LawSheet, PieceRow
 from workbook.laws.registry import CODES, FAMILY, PAGES, IncompleteError, page_of
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 ROOT = Path(__file__).parents[3]
-SMALL = {"cycle": 12, "law": 4, "phases": 8}
-FLYING = TEMPLATES["flying-cutter"]
-
-
-def small(template, **sizes):
-    machine = read_machine(template.description)
-    return machine.model_copy(update={"sizes": machine.sizes.model_copy(update=SMALL | sizes)})
 
 
 # --- One list of laws -----------------------------------------------------------------------------
@@ -91,87 +81,10 @@ def test_a_page_leaves_nothing_out(code):
     assert lacking(FAMILY[code]) == []
 
 
-class Another(LawSheet):
-    rise_end: float = 0.3
-    fall_start: float = 0.7
-    share: float = 0.5
-
-
 TVP, CUB = FAMILY["TVP"], FAMILY["CUB"]
-LACKING = {
-    "a coefficient": (CUB, {"coefficients": {}}, "cv, ca_max"),
-    "a piece": (TVP, {"pieces": TVP.pieces[:2]}, "pieces as many as the engine's 3"),
-    "how it meets others": (TVP, {"early": 2}, "how it meets its neighbours"),
-    "a parameter": (TVP, {"parameters": TVP.parameters[:1]}, "the parameter fall_start"),
-    "a parameter of its entries": (TVP, {"entries": Another}, "the parameter share, variations of share"),
-    "variations": (TVP, {"variations": ()}, "two variations or more"),
-    "a varied parameter": (TVP, {"variations": ({"rise_end": 0.3},) * 2}, "variations of fall_start"),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("what", LACKING)
-def test_what_a_page_leaves_out_is_found(what):
-    page, changed, words = LACKING[what]
-    assert ", ".join(lacking(replace(page, **changed))).startswith(words)
-
-
-def test_a_page_cannot_be_made_without_the_place_of_its_peak():
-    stated = {name: getattr(CUB, name) for name in ("law", "source", "pieces", "coefficients")}
-    with pytest.raises(TypeError, match="'fastest'"):
-        type(CUB)(**stated)
 
 
 # --- Cells and engine -----------------------------------------------------------------------------
-
-
-@pytest.fixture(scope="module", params=range(SIX))
-def varied(request):
-    """The cells that disagree in a book with every law's page, at other parameters of each law."""
-    return disagreeing(MACHINE, MACHINE.variants(composed(sizes=SMALL))[request.param])
-
-
-@pytest.mark.parametrize("code", MOVING)
-def test_the_cells_of_a_law_compute_what_the_engine_has(varied, code):
-    wrong, count = varied
-    assert [cell for cell in wrong if cell.startswith((f"{code}_", f"{code.lower()}_"))] == []
-    assert count > 1000
-
-
-@pytest.fixture(scope="module")
-def asked():
-    """What is wrong in the table by which the cutter asks of each law, at other parameters of each law."""
-    found, _ = disagreeing(FLYING, FLYING.variants(small(FLYING))[0])
-    return [cell for cell in found if cell.startswith("fastest.")]
-
-
-@pytest.mark.parametrize("code", CODES)
-def test_the_place_of_the_peak_in_cells_is_that_of_the_engine(asked, code):
-    assert [cell for cell in asked if f"[{CODES.index(code)}]" in cell] == []
-
-
-def altered(row, **formulas):
-    return PieceRow(row.name, row.equation, **row.formulas | formulas)
-
-
-WRONG = {
-    "pieces": ("CIC", MACHINE, "CIC_pieces.P[0]"),
-    "coefficients": ("CUB", MACHINE, "CUB_cv.CUB_cv[0]"),
-    "fastest": ("TVP", FLYING, f"fastest.at[{CODES.index('TVP')}]"),
-}
-CHANGED = {
-    "pieces": lambda page: (altered(page.pieces[0], P="=@ca_max*(1+1E-7)"), *page.pieces[1:]),
-    "coefficients": lambda page: page.coefficients | {"cv": ("=1.5000001", "")},
-    "fastest": lambda page: "=@aw",
-}
-
-
-@pytest.mark.parametrize("what", WRONG)
-def test_a_page_with_a_wrong_formula_is_found_by_the_cell(what, monkeypatch):
-    code, template, cell = WRONG[what]
-    page = FAMILY[code]
-    monkeypatch.setitem(vars(page), what, CHANGED[what](page))
-    wrong, _ = disagreeing(template, composed() if template is MACHINE else small(template))
-    assert [found for found in wrong if found.startswith(cell)]
 
 
 # --- Variations -----------------------------------------------------------------------------------
@@ -213,8 +126,3 @@ def test_a_law_that_a_template_never_takes_is_named():
 
     with pytest.raises(LookupError, match=r"machine ever has the law CUB$"):
         variations(composed(), without_cubic)
-
-
-def test_coefficients_of_every_page_are_those_of_the_summary():
-    for code, page in FAMILY.items():
-        assert [*page.coefficients] == [name for name, *_ in COEFFICIENTS], code

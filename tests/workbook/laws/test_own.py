@@ -49,14 +49,6 @@ def test_a_law_with_the_scaled_entries_passes_its_checks():
     assert [value(f"OWN8_{name}") for name in ("sum", "reaches", "rests", "dense")] == ["OK"] * 4
 
 
-@pytest.mark.parametrize("pieces", [
-    [{"duration": 0.0, "c0": 9.0}, {"duration": 0.5, "c0": 4.0}, {"duration": 0.0}, {"duration": 0.5, "c0": -4.0}],
-    [{"duration": 1.0, "amplitude": 4.0, "omega": 22.0, "c0": -1.0}],
-])  # fmt: skip
-def test_stages_of_no_duration_and_many_turns_agree(pieces):
-    assert disagreeing(MACHINE, machine(Odd=pieces))[0] == []
-
-
 @pytest.mark.parametrize("beside", [1e-8, -1e-7, 1e-6, -1e-5])
 def test_a_velocity_that_is_largest_next_to_a_point_of_the_table_is_found_there(beside):
     """Of nine points one is in the middle of a single piece: it counts where v there is as good as the largest."""

@@ -3,29 +3,21 @@
 import math
 import random
 
-import numpy as np
 import openpyxl
 import pytest
 import tomli_w
 from typer.testing import CliRunner
 
-from engine.drive import KINDS, Drive, Load, Stage
 from engine.selection.pair_matrix import RANKS
 from engine.selection.task import accelerating_factor
-from tests.engine.selection.tasks import sampled_task
 from tests.mutation import draw_flying
 from tests.workbook.cells import computed, disagreeing
 from workbook.build import build, read_description, read_inputs
 from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
-from workbook.law_sheets.book_laws import BookLaws
-from workbook.machines.flying.view import CutterView, ToolDrive
 from workbook.reading.descriptions import read_machine
-from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.selection.catalogue_files import (
-    MOTOR_COLUMNS,
-    REDUCER_COLUMNS,
     committed_motors,
     committed_reducers,
     read_motors,
@@ -79,11 +71,6 @@ def machine(**choice):
     chosen = {name: value for name, value in choice.items() if name not in Limits.model_fields}
     data["selection"] = {"motors": STRONG, "reducers": BOXES} | chosen
     return TEMPLATE.model.model_validate(data)
-
-
-def drive(given):
-    book_laws = BookLaws(given.laws, given.sizes)
-    return ToolDrive(CutterView(given, book_laws.laws), given.selection, given.limits, given.sizes)
 
 
 @pytest.mark.parametrize(("rank", "named"), [(rank, k % 2) for k, rank in enumerate(RANKS)])
@@ -142,21 +129,6 @@ def test_no_motor_of_the_committed_catalogues_drives_the_drum_all_the_time():
     assert [value(name) for name in others] == ["OK"] * 5
 
 
-def test_beta_of_the_drum_is_its_power_rate():
-    """β = 2 (ω̇_rms T*_rms + J_tot ω̇_rms²), with 67 Nm always and J_tot = 1.164 kg m² (S1, S5 eq. (15))."""
-    value = computed(TEMPLATE, machine())
-    dw, inertia = value("sel_wrms"), 1.164
-    torque = math.hypot(inertia * dw, 67.0)
-    assert value("sel_trms") == pytest.approx(torque, rel=1e-12)
-    assert value("sel_beta") == pytest.approx(2 * (dw * torque + inertia * dw**2), rel=1e-12)
-
-
-def test_tau_opt_is_the_middle_of_the_range_on_a_logarithmic_scale():
-    value = computed(TEMPLATE, machine(efficiency=0.9))
-    low, high, best = (np.array(value("ratios", c)[:3]) for c in ("tau_min", "tau_max", "tau_opt"))
-    assert np.sqrt(low * high) == pytest.approx(best, rel=1e-12)
-
-
 def test_pairs_with_the_reducer_out_of_the_picture_are_those_whose_ratio_lies_in_the_range():
     boxes = [{"name": f"i {i}", "reduction": float(i), "efficiency": 1.0} for i in (3, 6, 12, 25)]
     wide = {"greatest_margin": 1e6, "inertia_ratio": 1e6}
@@ -167,26 +139,6 @@ def test_pairs_with_the_reducer_out_of_the_picture_are_those_whose_ratio_lies_in
         inside = [verdict[m] == "yes" and low[m] <= 1 / box["reduction"] <= high[m] for m in range(3)]
         assert [word == "yes" for word in value(f"sel_word{r}", "v")[:3]] == inside
     assert 0 < value("sel_usable") < 12
-
-
-def test_equals_are_ranked_in_the_order_of_the_tables():
-    best = computed(TEMPLATE, machine())("sel_best", "motor")
-    assert best.index("large") < best.index("twin")
-
-
-def test_the_drive_has_the_proposed_pair_unless_another_is_named():
-    proposed, named = computed(TEMPLATE, machine()), computed(TEMPLATE, machine(motor="twin"))
-    assert proposed("drive_motor") == proposed("sel_motor") == "large"
-    assert (named("drive_motor"), named("drive_reducer")) == ("twin", named("sel_reducer"))
-    for value in (proposed, named):
-        assert value("drive_rms") == pytest.approx(value("sel_own_rms"), rel=1e-12)
-        assert value("drive_margin") == pytest.approx(180.0 / value("drive_rms"), rel=1e-12)
-
-
-def test_mass_takes_the_lightest_pair():
-    strong = [STRONG[0] | {"rated_torque": 80.0}, *STRONG[1:]]
-    value = computed(TEMPLATE, machine(rank="mass", motors=strong, inertia_ratio=20.0))
-    assert value("sel_motor") == "small"
 
 
 def test_a_rank_without_figures_is_said_in_words():
@@ -228,21 +180,6 @@ def test_each_check_of_step_7_can_fail(change, failing):
     first = {"motor": choice["motors"][0]["name"], "reducer": choice["reducers"][0]["name"]}
     value = computed(TEMPLATE, machine(**first, **change))
     assert (value(failing), value("drive_ok_told")) == ("FAIL", "OK")
-
-
-def test_the_pair_drives_the_load_as_a_reducer_before_it_does():
-    """The same motor and load, the reducer as a stage of a chain: the torque over the cycle is that of the engine."""
-    given = machine(motor="large", reducer="i 5")
-    load = drive(given).load
-    stage = KINDS["gear train"].of(Load(1.164, 67.0), gears=[Stage("i 5", 5.0, 0.95)])
-    torque = Drive(stage, 0.021).torque(load.shaft_acceleration.ravel(), load.direction.ravel())
-    found = computed(TEMPLATE, given)("drive_pt", "T")[: torque.size]
-    assert found == pytest.approx(torque.tolist(), rel=1e-12, abs=1e-9)
-
-
-def test_a_reducer_without_an_inertia_counts_as_none():
-    value = computed(TEMPLATE, machine())
-    assert value("sel_reducers", "jt")[:2] == pytest.approx([1e-3, 0.0], rel=1e-15)
 
 
 @pytest.mark.parametrize(
@@ -341,11 +278,6 @@ def test_semicolons_and_decimal_commas_as_spreadsheets_save_them(tmp_path):
     assert read_motors(plain) == read_motors(other)
 
 
-def test_the_columns_are_the_fields_of_the_rows():
-    assert set(MOTOR_COLUMNS.values()) == set(MotorRow.model_fields)
-    assert set(REDUCER_COLUMNS.values()) == set(ReducerRow.model_fields)
-
-
 def test_build_takes_catalogues_and_inputs_gives_them_back(tmp_path):
     motors = csv(
         tmp_path, MOTOR_HEAD + ",source", "A,0.02,180,600,3000,somewhere", "B,0.004,60,300,3000,", name="m.csv"
@@ -394,26 +326,6 @@ def test_figure_11_has_a_logarithmic_axis_and_a_line_for_each_product(book):
     assert chart.y_axis.scaling.logBase == 10
     bars = [s.errBars.errDir for s in chart.series if s.errBars]
     assert bars == ["y", "x"]
-
-
-def test_figure_12_closes_at_alpha_and_goes_through_the_range_at_the_present_load():
-    given = machine(motor="large", reducer="i 5")
-    value = computed(TEMPLATE, given)
-    beta = np.array(value("figure12", "beta"))
-    low, high = (np.array(value("figure12", c)) for c in ("tau_min", "tau_max"))
-    assert low[-1] == pytest.approx(high[-1], rel=1e-12)
-    assert beta[-1] == pytest.approx(180.0**2 / 0.02, rel=1e-12)
-    now = value("sel_beta")
-    exact = value("ratios", "tau_min")[1], value("ratios", "tau_max")[1]
-    assert np.interp(now, beta, low) == pytest.approx(exact[0], rel=0.02)
-    assert np.interp(now, beta, high) == pytest.approx(exact[1], rel=0.02)
-
-
-def test_the_task_by_points_is_near_that_of_the_samples():
-    value = computed(TEMPLATE, machine())
-    sampled = sampled_task(*(value("cycle", name) for name in ("t", "w", "dw", "torque")))
-    assert sampled.acceleration_rms == pytest.approx(value("sel_wrms"), rel=5e-3)
-    assert sampled.torque_rms == pytest.approx(value("sel_trms"), rel=5e-3)
 
 
 @pytest.fixture(scope="module")
@@ -465,9 +377,3 @@ def test_a_motor_that_is_not_in_the_catalogue_fails_a_check_and_shows_no_errors(
     shown = [value for (sheet, _, _), value in values.items() if sheet == "Drive"]
     assert "a name is not in the catalogue; expected one of its names, or an empty cell" in shown
     assert [v for v in shown if isinstance(v, str) and v.startswith("#")] == []
-
-
-def test_the_committed_cutter_finds_a_pair():
-    book = TEMPLATE.declare(read_machine(TEMPLATE.description))
-    assert book.blocks["sel_ok"].quantities[0].value == "OK"
-    assert book.blocks["overall"].quantities[0].value == "OK"
