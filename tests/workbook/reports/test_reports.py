@@ -95,12 +95,6 @@ def test_the_page_says_all_of_the_report():
         assert expected in said
 
 
-def test_the_page_keeps_the_order_of_the_findings():
-    text = page([wrong()], WHEN)
-    places = [text.index(f'">{kind}</span>') for kind in ("replaced", "value", "error", "witness")]
-    assert places == sorted(places)
-
-
 def test_the_page_is_well_formed_escaped_and_fetches_nothing():
     text = page([wrong(), right(), unreadable(), foreign()], WHEN)
     read = Read(text)
@@ -150,15 +144,6 @@ def test_junit_has_a_suite_a_workbook_and_a_case_a_sheet():
     assert {k: root.get(k) for k in ("tests", "failures", "errors")} == {"tests": "9", "failures": "4", "errors": "1"}
 
 
-def test_junit_counts_what_it_holds():
-    for suite in ElementTree.fromstring(junit([wrong(), right(), unreadable(), foreign()], WHEN).encode()):
-        for attribute, path in (("tests", "."), ("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
-            cases = suite.findall("testcase")
-            assert int(suite.get(attribute)) == sum(path == "." or case.find(path) is not None for case in cases)
-        assert suite.get("timestamp") == "2026-03-01T13:05:09"
-        assert all(case.get("classname") and case.get("name") for case in suite.findall("testcase"))
-
-
 def test_every_character_is_made_fit_or_kept():
     for code in (*range(0x3000), *range(0xD700, 0xE000), *range(0xFE00, 0x10100)):
         text = xml_safe(chr(code))
@@ -176,15 +161,6 @@ def test_an_existing_report_is_kept_unless_told_otherwise(tmp_path):
     assert path.read_text() == "mine"
     write(path, lambda: "new", overwrite=True)
     assert path.read_text() == "new"
-
-
-def test_a_report_that_fails_half_way_leaves_the_old_one_and_no_draft(tmp_path):
-    path = tmp_path / "report.html"
-    path.write_text("mine")
-    with pytest.raises(ZeroDivisionError):
-        write(path, lambda: str(1 // 0), overwrite=True)
-    assert path.read_text() == "mine"
-    assert list(tmp_path.iterdir()) == [path]
 
 
 @pytest.mark.parametrize("name", ["book.xlsx", "report", "report.xml"])

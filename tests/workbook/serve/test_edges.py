@@ -72,10 +72,3 @@ def test_the_timing_diagram_has_a_handle_for_each_edge_that_keys_reach():
     assert sorted(one.get("data-edge") for one in handles) == sorted(edge.key for edge in found)
     assert [one.text for one in handles if one.get("class") == "lane"] == [edge.axis for edge in found if edge.lane]
     assert all(one.get("tabindex") == "0" and one.get("data-step") == "1" for one in handles)
-
-
-def test_a_template_without_phases_has_charts_and_no_handles():
-    text = (FOLDER / "flying-cutter.toml").read_text(encoding="utf-8")
-    html = fragment("a.toml", text, text)
-    assert html.count("<svg") >= 3
-    assert 'class="edge"' not in html
