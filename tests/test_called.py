@@ -157,18 +157,3 @@ def test_the_guides_examples_print_what_stands_beside() -> None:
             with contextlib.redirect_stdout(printed):
                 exec(compile(text, path.name, "exec"), {})  # noqa: S102 - the project's own text
             assert printed.getvalue().splitlines() == PRINTED.findall(text)
-
-
-def test_what_only_the_uncalled_call_counts_as_uncalled() -> None:
-    law = (
-        "from engine.helping import help\nclass Law:\n    def s(self): return self._t()\n    def never(self): help()\n"
-    )
-    law += "    def _t(self): return self.shown\n    def shown(self): pass\n"
-    motion = "from engine.law import Law\ndef used(): return Law\ndef left(): also()\ndef also(): left()\n"
-    engine = Engine([Source("engine.law", law), Source("engine.motion", motion),
-                     Source("engine.helping", "def help(): pass\ndef left(): pass")])  # fmt: skip
-    product = Source("workbook.x", "from engine.motion import left, used\nused()().s()\nself.never()\n")
-    assert sorted(engine.unreached([product])) == [
-        "engine.helping.help", "engine.helping.left", "engine.law.Law.never", "engine.motion.also",
-        "engine.motion.left",
-    ]  # fmt: skip

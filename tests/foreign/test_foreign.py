@@ -5,7 +5,6 @@ from collections import Counter
 import pytest
 
 from tests.foreign.books import BOOKS, VARIABLE
-from tests.foreign.mutants import Trial, sample
 from workbook.oracle.declarations import load_oracle
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
@@ -57,14 +56,3 @@ def test_nothing_is_named_of_what_libreoffice_saves_of_it(sound, book, tmp_path)
     folder = tmp_path / "saved"
     folder.mkdir()
     assert judged(convert(sound, "xlsx", folder), book).wrong == []
-
-
-@every_book
-@pytest.mark.parametrize("size", [10, pytest.param(1000, marks=pytest.mark.nightly)])
-def test_faults_that_change_an_output_are_named(sound, book, size):
-    trial = Trial(open_book(sound), load_oracle(book.declarations))
-    outcomes = {fault: trial.outcome(fault) for fault in sample(trial.judge, size, seed=37)}
-    missed = [str(fault) for fault, outcome in outcomes.items() if outcome == "missed"]
-    named = Counter(outcomes.values())["named"]
-    assert named >= 0.95 * (named + len(missed)), missed
-    assert named > 0.5 * size

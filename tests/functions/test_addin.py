@@ -12,17 +12,14 @@ from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.formula import ArrayFormula
 
 from engine.laws import law
-from tests.functions.calc import Calc
 from tests.functions.case import NUM, VALUE, Case, read, write
-from tests.functions.cases import CLASSIC, engine_law, known, value_cases
+from tests.functions.cases import CLASSIC, engine_law, value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions import publish
 from workbook.functions.addin.motion_functions import library
 from workbook.functions.addin.motion_functions.cells import parameters
 from workbook.functions.addin.motion_functions.law import Refused
-from workbook.functions.addin.motion_functions.library import LAWS, OWN_WIDTH
 from workbook.functions.declarations import CODES, FUNCTIONS
-from workbook.laws.own import OWN_ENTRIES
 from workbook.laws.registry import FAMILY
 from workbook.template import FOLDER
 
@@ -75,18 +72,6 @@ def test_the_same_as_array_formulas_in_a_book_that_brings_the_excel_names(calc, 
         book.defined_names[function.name] = DefinedName(function.name, attr_text=text)
     book.save(tmp_path / "excel.xlsx")
     assert disagreeing(cases, read(calc.computed(tmp_path / "excel.xlsx"))) == []
-
-
-def test_once_the_add_in_is_removed_no_function_is_known(add_in, tmp_path):
-    cases = list({case.function: case for case in value_cases()}.values())
-    write(cases, tmp_path / "cases.xlsx")
-    calc = Calc()
-    try:
-        calc.install(add_in)
-        calc.remove("motionbook.motion")
-        assert set(read(calc.computed(tmp_path / "cases.xlsx"))) == {"#NAME?"}
-    finally:
-        calc.close()
 
 
 def test_a_sheet_typed_by_hand_is_saved_with_the_names_of_excel(calc):
@@ -221,18 +206,6 @@ def test_the_types_were_made_from_what_is_declared():
     assert (publish.PACKAGE / "motion.idl").read_text(encoding="utf-8") == idl()
 
 
-@pytest.mark.parametrize("code", CODES)
-def test_the_add_in_knows_the_law(code):
-    assert code == "OWN" or len(LAWS[code].delivered) == len(FAMILY[code].parameters), (
-        f"library.py delivers {code} otherwise"
-    )
-    for p in known(code):
-        made, one = engine_law(code, p), library.law(code, parameters(code, p))
-        for xi in (0.0, 0.07, 0.3, 0.5, 0.81, 1.0):
-            right = pytest.approx(tuple(made.evaluate(xi)), rel=1e-12, abs=1e-12)
-            assert tuple(one.at(xi)) == right, f"{code} of {p} at {xi}: see LAWS of library.py"
-
-
 def refuses(make, error):
     """Whether a call raises this error."""
     try:
@@ -256,11 +229,6 @@ def test_the_add_in_refuses_the_parameters_that_the_law_refuses(code, value):
         by_law = refuses(lambda changed=changed: page.make_law(entered.model_copy(update=changed)), ValueError)
         by_add_in = refuses(lambda row=row: library.law(code, parameters(code, (tuple(row),))), Refused)
         assert by_add_in == by_law, f"{code}, {parameter.key} of {value}: see domains in library.py"
-
-
-def test_the_add_in_knows_no_other_law():
-    assert {*LAWS, "OWN"} == {*CODES}
-    assert len(OWN_ENTRIES) == OWN_WIDTH
 
 
 def test_the_same_bytes_each_time(add_in, tmp_path):

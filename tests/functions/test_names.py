@@ -10,8 +10,7 @@ from tests.functions import lambdas
 from tests.functions.case import Case
 from tests.functions.cases import POLYNOMIAL_345, engine_law, value_cases
 from tests.functions.edges import edge_cases
-from workbook.functions import names
-from workbook.functions.addin.motion_functions.library import LAWS, LawForm
+from workbook.functions.addin.motion_functions.library import LAWS
 from workbook.functions.declarations import CODES, FUNCTIONS, SAID
 from workbook.laws.registry import FAMILY
 
@@ -51,35 +50,6 @@ def test_a_function_gives_what_the_engine_gives_and_the_errors_of_built_in_funct
     wrong = [f"{case.name}: {found}, expected {case.expected}" for case, found in asked if not case.agrees(found)]
     assert len(asked) >= 20
     assert not wrong, "\n".join(wrong[:10])
-
-
-@pytest.mark.parametrize("code", CODES)
-def test_the_names_know_the_law_alone_and_in_a_phase(answers, code):
-    alone = [(case, found) for case, found in answers if case.function in "SVAJ" and case.law == code]
-    table = [(case, found) for case, found in answers if case.function in ("POS", "VEL", "ACC")
-             and laws_of(case) == {code}]  # fmt: skip
-    for asked in (alone, table):
-        values = [(case, found) for case, found in asked if not isinstance(case.expected, str)]
-        assert len(values) >= 20, f"{code} is hardly asked for"
-        wrong = [f"{case.name}: {found}, expected {case.expected}" for case, found in values if not case.agrees(found)]
-        assert not wrong, f"formulas.txt has {code} not, or wrong:\n" + "\n".join(wrong[:5])
-
-
-def laws_of(case):
-    """The codes in the table of phases of a case."""
-    table = case.arguments[1]
-    return {str(row[0]).strip().upper() for row in table if row[0]} if isinstance(table, tuple) else set()
-
-
-def test_every_law_is_asked_for_in_phases_and_the_own_law_with_one_piece_and_several(answers):
-    rows = {row for case, _ in answers if case.function == "POS" and not isinstance(case.expected, str)
-            for row in case.arguments[1] if isinstance(row[0], str) and row[0].upper() != "VIA"}  # fmt: skip
-    laws = [row[0].strip().upper() for row in rows]
-    assert {*laws} == {*CODES}
-    durations = [row[3::8] for row, law in zip(rows, laws, strict=True) if law == "OWN"]
-    pieces = {sum(1 for d in one if d) for one in durations}
-    assert pieces >= {1, 2}
-    assert max(pieces) > 3
 
 
 def mixed():
@@ -124,9 +94,3 @@ def test_a_range_of_abscissae_gives_a_range_of_values(folder, formula):
     book.save(folder / "several.xlsx")
     (found,) = lambdas.recomputed(folder / "several.xlsx", 1)
     assert Case("S", (text,), expected).agrees(found), f"{formula}: {found}"
-
-
-def test_a_law_whose_pieces_a_formula_cannot_say_is_named(monkeypatch):
-    monkeypatch.setitem(names.LAWS, "XYZ", LawForm((0.5,), pieces=lambda share: [{"duration": 1.0 / share}]))
-    with pytest.raises(TypeError, match="XYZ: of parameters LAWS may take differences, products and choices"):
-        names.tables()

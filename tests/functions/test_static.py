@@ -60,10 +60,6 @@ def test_every_declared_function_is_a_name_with_the_declared_arguments():
         assert formula.startswith(f"LAMBDA({', '.join(taken)},"), function.name
 
 
-def test_helpers_stand_apart_from_the_functions():
-    assert [n for n in by_name if not n.startswith("_MOTION.")] == [f.name for f in FUNCTIONS]
-
-
 @names
 def test_every_function_called_exists(name):
     called = {part for kind, part in plain(name) if kind == "function"}
@@ -156,9 +152,3 @@ def test_the_mark_of_a_newer_function_is_the_one_that_xlsxwriter_knows(tmp_path,
     with Workbook(tmp_path / "book.xlsx", {"use_future_functions": True}) as book:
         sheet = book.add_worksheet()
         assert sheet._prepare_formula(f"={function}(1)", True) == f"{FUTURE[function]}(1)"
-
-
-@names
-def test_every_word_is_part_of_a_formula(name):
-    known = {"function", "name", "number", "text", "error", "sign"}
-    assert {kind for kind, part in plain(name) if part not in ("[", "]")} <= known

@@ -2,13 +2,11 @@
 
 import math
 import re
-from types import SimpleNamespace
 
 import pytest
 
 from tests.tiers import by_day
 from tests.workbook.composed import DESCRIBED, committed_as
-from workbook.book.quantity import calc
 from workbook.judging.comparison import as_rows
 
 NAME = re.compile(r"[a-z][a-z_0-9]*_\w+")
@@ -39,11 +37,3 @@ def test_what_a_difference_leaves_is_measured_against_its_terms(name):
     template, machine = committed_as(name)
     for varied in (machine, *template.variants(machine)):
         assert unsure(template.declare(varied)) == []
-
-
-def test_a_difference_without_a_scale_is_found():
-    terms = [calc(f"a_{k}", "", "", "kg m²", "=1", 5.0) for k in "bc"]
-    for scale, found in ((0.0, [("a_d", "=a_b-a_c")]), (5.0, [])):
-        left = calc("a_d", "", "", "kg m²", "=a_b-a_c", 0.0, scale=scale)
-        block = SimpleNamespace(quantities=[*terms, left], size=1)
-        assert unsure(SimpleNamespace(blocks={"a": block})) == found

@@ -94,10 +94,6 @@ def test_pictures_and_text_boxes_are_counted(built, tmp_path):
     assert read_inputs(path)[1] == ["shapes and text boxes are not carried over: 1 in all"]
 
 
-def test_nothing_is_left_of_an_untouched_book(built):
-    assert read_inputs(built)[1] == []
-
-
 def test_the_committed_catalogues_are_referred_to(tmp_path):
     """Also where other ones lie beside the description; one that was changed is told in full."""
     machine = read_machine(TEMPLATES["flying-cutter"].description)

@@ -99,12 +99,3 @@ def test_a_cam_is_the_motion_as_late_as_entered(seed):
     for one, cam in zip(whole(machine), TEMPLATE.axes(machine), strict=True):
         size = np.ptp(cam.profile.at(cam.profile.edges).y)
         np.testing.assert_allclose(cam.profile.at(x).y, closed(one, x)[0], rtol=0, atol=1e-9 * size)
-
-
-def test_the_bound_is_one_that_can_be_missed():
-    """A certificate of another motion does not hold: the test above can fail."""
-    machine, draw = random_machine(1), np.random.default_rng(0)
-    (one, _), (cam, other) = whole(machine), TEMPLATE.axes(machine)
-    with pytest.raises(AssertionError):
-        within_its_bound(one, other, "codesys", draw)
-    assert within_its_bound(one, cam, "codesys", draw)

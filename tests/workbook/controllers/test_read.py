@@ -119,24 +119,6 @@ def test_a_file_becomes_a_description_that_is_built_and_exported_and_the_same(ru
     assert np.array_equal(again.x, made.table.x)
 
 
-def test_a_law_that_needs_an_entry_gets_one(run, tmp_path) -> None:
-    from engine import law
-    from engine.motion import Motion, Phase
-    from engine.motion.profile import profile_of_motion
-
-    motion = Motion([Phase(law("MSN"), 50.0, 180.0), Phase(law("dwell"), 0.0, 30.0), Phase(law("MSN"), -50.0, 150.0)])
-    x = np.linspace(0.0, 360.0, 721)
-    rows = "".join(f"{a:.17g}\t{b:.17g}\n" for a, b in zip(x, profile_of_motion(motion).at(x).y, strict=True))
-    (tmp_path / "a.txt").write_text(rows, "utf-8")
-    code, out, _ = run("read", "a.txt", "--from", "lenze")
-    assert code == 0
-    (tmp_path / "a.toml").write_text(out, "utf-8")
-    phases = read_machine(tmp_path / "a.toml").axes[0].phases
-    assert [(phase.law, phase.start, phase.stop) for phase in phases] == [
-        ("Modified sine", 0.0, 180.0), ("Modified sine", 210.0, 360.0)
-    ]  # fmt: skip
-
-
 def test_compare_refuses_another_cycle_and_no_file(run, book, tmp_path) -> None:
     (tmp_path / "short.csv").write_text("0;0\n100;1\n200;0\n", "utf-8")
     code, _, err = run("compare", book, "short.csv", "--axis", "Press", "--from", "csv", "--unverified")

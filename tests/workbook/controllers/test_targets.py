@@ -15,7 +15,7 @@ from engine import law
 from engine.cams import interpolation
 from engine.cams.certificate import certify
 from engine.motion import Motion, Phase
-from engine.motion.profile import CamProfile, profile_of_motion
+from engine.motion.profile import profile_of_motion
 from tests.workbook.controllers.examples import FOUR, X, Y, handed, random_axis
 from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.table import Table
@@ -122,17 +122,6 @@ def test_what_is_read_back_is_what_was_certified(name: str, seed: int) -> None:
     back = certify_table(one, table, axis.profile)
     for order in "yvaj":
         assert back.share(order) == pytest.approx(made.share(order), rel=1e-6, abs=1e-12)
-
-
-@pytest.mark.parametrize("name", TARGETS)
-def test_an_axis_that_begins_above_0_and_before_0_is_read_back_where_it_is(name: str) -> None:
-    one, low = target(name), random_axis(7)
-    profile = low.profile
-    raised = CamProfile(profile.edges, profile.origins, profile.c + np.eye(1, profile.c.shape[1]) * 12.5, profile.sines)
-    axis = CamAxis("raised", raised, "°", "mm")
-    made = automatic(one, axis, {one.tolerance[-1][0]: 0.05})
-    text = one.write(CamExport(made.table, "demo", (), ("°", "mm")))
-    assert certify_table(one, reread(one, text, made.table), raised).share("y") < 1e-3
 
 
 @pytest.mark.parametrize("name", ["codesys", "twincat", "siemens", "br", "siemens-segments"])
@@ -371,12 +360,3 @@ def test_sew_is_bound_by_every_slope_that_a_cubic_may_have(seed: int) -> None:
     at = axis.profile.at(np.linspace(0.0, 360.0, 100_001))
     by_jerk = h[0] ** 2 * np.abs(at.y3).max() / (3 * np.abs(at.y1).max())
     assert made.share("v") < by_jerk * (1 + 1e-3)
-
-
-def test_a_mean_of_slopes_is_off_by_no_more_than_both_rules_of_sew_at_any_steps() -> None:
-    sew, axis = target("sew"), random_axis(4)
-    x = np.unique(np.concatenate([np.linspace(0, 360, 40), np.linspace(100, 101, 30)]))
-    made = certify_table(sew, table_at(sew, axis.profile, x, ("°", "mm")), axis.profile)
-    m = np.diff(made.table.y) / np.diff(made.table.x)
-    means = interpolation.hermite(made.table.x, made.table.y, np.concatenate([m[:1], (m[1:] + m[:-1]) / 2, m[-1:]]))
-    assert certify(axis.profile, means).deviations[0].share <= made.share("y") * (1 + 1e-9)

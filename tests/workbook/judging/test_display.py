@@ -571,27 +571,6 @@ def test_charts_that_are_gone_hidden_or_moved(book):
 # taste
 
 
-def test_what_is_taste_is_no_finding(book):
-    def change(workbook):
-        for sheet in workbook.worksheets:
-            sheet.sheet_properties.tabColor = "FF0000"
-            sheet.sheet_view.showGridLines = True
-            sheet.freeze_panes = None
-            for n, letter in enumerate("CDEFG"):
-                sheet.column_dimensions[letter].width = 9 + 3 * n
-            for row in range(4, 12):
-                sheet.row_dimensions[row].height = 25
-            for row in sheet.iter_rows():
-                for cell in row[::2]:
-                    cell.font = Font(name="Arial", sz=14, italic=True)
-                    cell.alignment = Alignment(horizontal="left", wrap_text=True)
-        workbook["Drive"]["H3"] = "my own note"
-
-    report = book.edited(change)
-    assert report.findings == []
-    assert len(report.notices) < 40  # a line for each change, not for each cell
-
-
 def test_a_thousand_rules_of_ones_own_are_told_in_few_lines(book):
     def change(workbook):
         for n in range(1000):

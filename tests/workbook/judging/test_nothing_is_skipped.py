@@ -43,15 +43,6 @@ def test_a_formula_stored_as_its_own_text_is_at_fault(press, tmp_path):
     assert report.witnesses[0].at_fault >= 1
 
 
-def test_a_book_of_texts_has_no_cell_compared(press, tmp_path):
-    opened = press.opened()
-    for pair in press.pairs(lambda p: p.declared_formula):
-        as_text(opened[pair.address.sheet][pair.address.a1])
-    opened.save(tmp_path / "b.xlsx")
-    report = sums(verify(tmp_path / "b.xlsx"))
-    assert (report.compared, report.witnesses[0].at_fault) == (0, report.declared)
-
-
 @pytest.mark.parametrize(
     "cell",
     [
@@ -88,13 +79,6 @@ def test_an_input_that_is_a_text_of_a_formula_is_refused(press, tmp_path):
 )  # fmt: skip
 def test_types_count_in_constants(held, content, equal):
     assert holds_declared(held, content) == equal
-
-
-@pytest.mark.parametrize("value", [b't="b"><v>1<', b't="str"><v>1<', b't="e"><v>#N/A<'])
-def test_a_constant_of_another_type_is_changed(value, press, tmp_path):
-    pair = next(p for p in press.pairs(lambda p: p.cell.quantity.role == "constant") if p.held == 1)
-    path = press.changed(tmp_path / "b.xlsx", pair.address, rb"(?: t=\"n\")?>\s*<v>1(?:\.0)?<", b" " + value)
-    assert "changed" in found(verify(path), pair.address)
 
 
 @pytest.mark.parametrize("value", [b't="b"><v>1<', b't="str"><v>%s<', b't="e"><v>#N/A<'])

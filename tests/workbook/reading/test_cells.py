@@ -119,12 +119,3 @@ def test_each_way_of_writing_a_cell_is_read_as_openpyxl_reads_it(odd: Path, new:
     array = ("Sheet", 3, 2)
     del mine[array], other[array]
     assert mine == other
-
-
-def test_a_number_with_a_date_as_its_format_stays_one(odd: Path) -> None:
-    workbook = load_workbook(odd)
-    workbook["Sheet"]["A1"].number_format = "yyyy-mm-dd"
-    workbook["Sheet"]["I1"].number_format = "yyyy-mm-dd"  # no date is that late
-    workbook.save(odd)
-    sheet = open_book(odd).workbook["Sheet"]
-    assert (sheet["A1"].value, sheet["I1"].value) == (1, 1e300)

@@ -2,13 +2,12 @@
 
 import os
 import sys
-from pathlib import Path
 
 import pytest
 
 from tests.tiers import seed
 from tests.workbook.composed import small
-from tests.workbook.reading.forks import GIB, KIB, SECONDS, Server, run
+from tests.workbook.reading.forks import GIB, KIB, SECONDS, Server
 from tests.workbook.reading.fuzz import damaged, without_charts
 from workbook.build import build
 
@@ -81,27 +80,3 @@ def test_hundreds_of_damaged_files(chunk, sound, tmp_path):
     size = NIGHT // 4
     (tmp_path / "books").mkdir()
     many(range(chunk * size, (chunk + 1) * size), seed("command"), sound, tmp_path / "books")
-
-
-def places(folder):
-    """Paths that are no regular file, or odd ones."""
-    os.mkfifo(folder / "pipe.xlsx")
-    (folder / "link.xlsx").symlink_to("/dev/zero")
-    (folder / "gone.xlsx").symlink_to("nowhere.xlsx")
-    (folder / "loop.xlsx").symlink_to("loop.xlsx")
-    (folder / "[b].xlsx").write_bytes(b"")
-    return ["pipe.xlsx", "link.xlsx", "gone.xlsx", "loop.xlsx", "[b].xlsx", "[bold]x[/bold].xlsx", "x" * 300 + ".xlsx",
-            "/dev/zero", "a\x1b[31m\u009b\n.xlsx", "\udcff.xlsx"]  # fmt: skip
-
-
-@linux
-@pytest.mark.nightly
-def test_hostile_paths(tmp_path):
-    faults = {}
-    for path in places(tmp_path):
-        for command in (("verify", path), ("inputs", path), ("regenerate", path, "-o", "new.xlsx"), ("build", path)):
-            wrong = fault(*run(*command, folder=tmp_path), allowed=(2,))
-            if wrong:
-                faults[command] = wrong
-    assert faults == {}
-    assert not Path(tmp_path, "new.xlsx").exists()

@@ -170,14 +170,6 @@ def test_a_pipe_or_device_is_no_catalogue(option, odd, said, tmp_path):
 
 
 @posix
-@pytest.mark.parametrize("name", ["motors.csv", "reducers.csv"])
-def test_a_pipe_or_device_beside_a_description_is_told(name, odd, said, tmp_path):
-    (tmp_path / "machine.toml").write_text(TEXT, encoding="utf-8")
-    odd(name)
-    assert "a device or a pipe" in refused(said, "build", "machine.toml", "-o", "book.xlsx")
-
-
-@posix
 @pytest.mark.parametrize("command", [["verify"], ["inputs"], ["regenerate", "-o", "new.xlsx"]])
 def test_a_pipe_or_device_is_no_book(command, odd, said):
     assert "a device or a pipe" in refused(said, command[0], odd("book.xlsx"), *command[1:])
@@ -201,11 +193,3 @@ def test_a_name_longer_than_any_is_refused(command, name, said, tmp_path):
     code, lines = said(command[0], name, *command[1:])
     assert (code, len(lines)) == (2, 1)
     assert os.listdir(tmp_path) == []
-
-
-def test_an_output_of_a_name_longer_than_any_is_refused(said, tmp_path):
-    (tmp_path / "machine.toml").write_text(TEXT, encoding="utf-8")
-    for arguments in (["build", "machine.toml", "-o", "x" * 300 + ".xlsx"], ["addin", "-o", "x" * 300]):
-        code, lines = said(*arguments)
-        assert (code, len(lines)) == (2, 1)
-    assert os.listdir(tmp_path) == ["machine.toml"]

@@ -1,19 +1,16 @@
 """The cell that says a book's layout: the same whatever is entered, and told in a line where it is damaged."""
 
 import json
-import subprocess
 
 import openpyxl
 import pytest
 
-from tests.workbook import office
 from workbook.book_layout import NAME, as_json, checksum, layout_text
 from workbook.build import committed_descriptions, read_inputs
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import empty_machine, read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.engines import libreoffice_path
 
 HUGE = 10**40
 
@@ -119,15 +116,3 @@ def test_a_book_without_the_cells_name_is_refused_with_what_to_do(press, tmp_pat
     workbook.save(tmp_path / "nameless.xlsx")
     with pytest.raises(ReadError, match=rf"no cell named {NAME}.*undo the change"):
         read_inputs(tmp_path / "nameless.xlsx")
-
-
-@pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
-def test_a_layout_comes_back_from_libreoffice_by_way_of_ods(press, tmp_path):
-    path = press.path
-    for kind in ("ods", "xlsx"):
-        convert = ["--convert-to", kind, "--outdir", str(tmp_path), str(path)]
-        subprocess.run([*office.started(office.profile("en-US").name), *convert], capture_output=True, timeout=180)
-        path = tmp_path / f"{path.stem}.{kind}"
-    assert held(path) == held(press.path)
-    back = path
-    assert read_inputs(back)[0] == press.machine

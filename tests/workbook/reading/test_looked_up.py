@@ -119,13 +119,6 @@ def test_what_passes_is_found_again(names, change):
     assert [place_of(name, names) for name in names] == list(range(len(names)))
 
 
-@pytest.mark.parametrize("name", ["mtp", "MTP", "Mtp"])
-def test_case_is_passed_over(name):
-    names = ["ACS", "MTP"]
-    assert place_of(name, names) == 1
-    assert found_at(name, names) == (2, 2)
-
-
 @pytest.fixture(scope="module")
 def small():
     return cutting.small(cycle=12)

@@ -6,7 +6,6 @@ import openpyxl
 import pytest
 from openpyxl.utils import get_column_letter
 
-from tests import cutting
 from workbook.build import COMMITTED
 from workbook.errors import ReadError
 from workbook.reading import files
@@ -57,15 +56,6 @@ def test_formulas_over_more_columns_than_any_books_are_refused_in_one_line(page,
         Entries(BookFile(tmp_path / "book.xlsx", page.parent, {}), agreed_values)
 
 
-def test_running_sums_are_taken_apart_at_once(page):
-    for row in range(1, 20_001):
-        page.cell(row, 3).value = f"=SUM($A$1:A{row})"
-    contents = Contents(page.parent)
-    begin = time.process_time()
-    assert contents.read(list(contents.constants)) == {a for a in contents.constants if a.column == 1}
-    assert time.process_time() - begin < SECONDS / 4
-
-
 def test_books_are_far_from_the_limit():
     for name in COMMITTED:  # in git, so that a fresh clone has them
         file = open_book(FOLDER / f"{name}.xlsx")
@@ -100,9 +90,3 @@ def test_each_evaluation_has_its_own_measure(page):
     assert all(isinstance(value, float | int) for value in first.values())
     for _ in range(40):
         assert model.evaluate() == first
-
-
-def test_no_template_crosses_ranges():
-    model = PycelModel(open_book(cutting.BOOK).contents)
-    model.evaluate()
-    assert limits.ArrayCells.cells == 0
