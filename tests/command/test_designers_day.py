@@ -1,7 +1,5 @@
 """A designer's day: a form-fill-seal machine of three axes, from a blank file to a controller's table and a study."""
 
-import tomllib
-
 import openpyxl
 import pytest
 
@@ -100,22 +98,6 @@ def book(desk):
 def test_every_cell_agrees(book, motionbook):
     code, said, _ = motionbook("verify", str(book))
     assert code == 0, said
-
-
-def test_new_writes_the_description_of_a_machine(desk, motionbook):
-    assert motionbook("new", "machine", "-o", str(desk / "new.toml"))[0] == 0
-    assert tomllib.loads((desk / "new.toml").read_text(encoding="utf-8"))["template"] == "machine"
-
-
-def test_an_axis_behind_a_crank_goes_to_the_controller_and_comes_back(desk, book, motionbook):
-    table = desk / "jaw.csv"
-    code, said, _ = motionbook("export", str(book), "--axis", "Jaw", "--to", "csv", "-o", str(table))
-    assert code == 0, said
-    assert motionbook("compare", str(book), str(table), "--axis", "Jaw", "--from", "csv")[0] == 0
-    assert motionbook("read", str(table), "--from", "csv", "-o", str(desk / "back.toml"))[0] == 0
-    back = tomllib.loads((desk / "back.toml").read_text(encoding="utf-8"))
-    lifts = [phase["lift"] for phase in back["axes"][0]["phases"] if phase["lift"]]
-    assert lifts == pytest.approx([36.0, -36.0], abs=1e-3)
 
 
 def test_a_study_finds_a_movement_of_less_torque(desk, motionbook, monkeypatch):

@@ -23,21 +23,6 @@ MOVING = [one.law for one in CLAIMS if one.law is not Dwell and min(one.order_en
 """laws whose acceleration does not jump"""
 
 
-def crowded_axis() -> CamAxis:
-    """An axis of 24 phases, each a spline through a hundred points that do not lie even."""
-    dice = random.Random(5)
-    inner = [(k / 99, (k / 99) ** 2 * (3 - 2 * k / 99) + 0.01 * dice.uniform(-1, 1)) for k in range(1, 99)]
-    rise = law("SPL", points=((0.0, 0.0), *inner, (1.0, 1.0)))
-    phases = [Phase(rise, 10.0 * (-1) ** k, 15.0) for k in range(24)]
-    return CamAxis("crowded", profile_of_motion(Motion(phases)), "°", "mm")
-
-
-def hurried_axis() -> CamAxis:
-    """An axis of twelve strokes of 300 mm there and back, each within a degree."""
-    stroke = [Phase(law("CIC"), 300.0, 0.5), Phase(law("CIC"), -300.0, 0.5), Phase(law("dwell"), 0.0, 29.0)]
-    return CamAxis("hurried", profile_of_motion(Motion(stroke * 12)), "°", "mm")
-
-
 TEXT = """\
 template = "machine"
 title = "Two axes"

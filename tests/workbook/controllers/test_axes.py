@@ -7,7 +7,6 @@ from engine.motion.profile import CamProfile
 from workbook.fields.units import DEGREE, MM
 from workbook.law_sheets.library import laws
 from workbook.machines.flying.view import CutterView
-from workbook.machines.machine.view import MachineView
 from workbook.machines.overlap.view import OverlapView
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
@@ -34,14 +33,6 @@ def test_every_motion_of_a_template_is_an_axis_with_a_name_of_its_own(path) -> N
         if axis.repeats:  # it comes back, or goes on by its travel
             begin, end = axis.profile.at(axis.profile.edges[:1]), axis.profile.at(axis.profile.edges[-1:], left=True)
             assert begin.y1 == pytest.approx(end.y1, abs=1e-9 * max(1.0, abs(axis.profile.travel)))
-
-
-def test_the_cutting_machines_axes_are_its_motions() -> None:
-    machine, axes = described("cutting-machine")
-    assert [axis.name for axis in axes] == ["MC01", "MC02", "MC03"]
-    x = np.linspace(0.5, 359.5, 77)
-    for axis, meant in zip(axes, MachineView(machine, laws(machine.laws)).axes, strict=True):
-        same(axis.profile, x, meant.motion.at(x * DEGREE), DEGREE, MM)
 
 
 @pytest.mark.parametrize("name", ["flying-cutter", "flying-cutter-saw"])

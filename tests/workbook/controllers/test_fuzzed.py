@@ -94,12 +94,3 @@ def test_steps_that_no_motion_has_are_refused(run, tmp_path, text, said):
     code, _, err = run("read", "odd.csv", "--from", "csv")
     assert code == 2
     assert said in " ".join(err.split())
-
-
-@pytest.mark.parametrize("text", ["", "0", "0\n\n", "1", "1;2", "0;0\n", ";", "x", "-", "<", "[]"])
-@pytest.mark.parametrize("name", TARGETS)
-def test_a_file_without_points_is_refused(name, text, tmp_path):
-    path = tmp_path / "file"
-    path.write_text(text, "utf-8")
-    with pytest.raises(MotionbookError):
-        cams.read(path, name, tmp_path / "read.toml", force=True)

@@ -15,7 +15,7 @@ from workbook.build import build
 from workbook.commands.oracle import diff
 from workbook.differences.design import Change, Differences, compare, read_design
 from workbook.reading.descriptions import read_machine, validated, write_machine
-from workbook.reports.differences import MOST, grouped, show
+from workbook.reports.differences import MOST, show
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert, libreoffice_path
@@ -84,15 +84,6 @@ def test_one_changed_lift_names_that_and_the_results_of_its_axis(folder, data):
     assert {one.place.partition(": ")[2].partition(" ")[0] for one in found.results} == {"MC03"}
     assert {abs(round(one.per_cent, 9)) for one in found.results} == {5.0}
     assert not found.checks
-
-
-def test_the_best_pairs_stand_for_the_matrices_of_all_pairs(tmp_path):
-    description = FOLDER / "machine.toml"
-    data = read_machine(description).model_dump()
-    slower = edited(tmp_path, data, "slower", lambda entries: entries["master"].update(rate=100.0))
-    sheets = {one.place.partition(":")[0] for one in differences(description, slower).results}
-    assert "Selection" in sheets
-    assert "Pairs" not in sheets
 
 
 def test_an_axis_put_before_the_others_is_all_that_is_new(folder, data):
@@ -196,14 +187,3 @@ def test_people_read_what_moved_and_a_formula_once_and_all_where_they_ask(everyt
     if not everything:
         assert f"… and {31 - MOST} more results; --all lists them" in said
         assert "+ Cycle 1!C15 … 114, 100 cells (position, row 15): =A15*2" in said
-
-
-def test_formulas_that_differ_in_more_than_numbers_are_lines_of_their_own():
-    lines = [
-        ("+", "S!C1: =A1*2"),
-        ("+", "S!C2: =A2*3"),
-        ("−", "S!C3: =A3*2"),
-        ("+", "S!D4: =A4*2"),
-        ("+", "S!C5: =B5*2"),
-    ]
-    assert grouped(lines) == ["+ S!C1 … 2, 2 cells: =A1*2", "− S!C3: =A3*2", "+ S!D4: =A4*2", "+ S!C5: =B5*2"]

@@ -12,7 +12,6 @@ from tests.tiers import by_day
 from tests.workbook.press import too_weak
 from workbook.build import build
 from workbook.judging.batch import Outcome, exit_code
-from workbook.judging.report import Check, Finding, Report, WitnessRun
 from workbook.judging.verify import verify
 from workbook.templates import TEMPLATES
 
@@ -78,15 +77,3 @@ def test_the_gravest_of_many_counts():
     assert code("agrees", "fails") == code("fails") == 3
     assert code("fails", "disagrees", "agrees") == 1
     assert code("fails", "disagrees", "unreadable") == code("no machine") == 2
-
-
-def test_an_unfinished_design_does_not_hold():
-    report = Report(Path("b.xlsx"), "t", witnesses=[WitnessRun("pycel", "1", compared=5, unfinished=2)])
-    assert report.agrees
-    assert not report.holds
-    report.witnesses[0].unfinished = 0
-    assert report.holds
-    report.checks = [Check("A", "A1", "x", "unfinished")]
-    assert not report.holds
-    report.findings = [Finding("A", "A1", "value", 1, 2)]
-    assert not report.agrees

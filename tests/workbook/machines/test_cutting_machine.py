@@ -10,9 +10,7 @@ import pytest
 
 from tests import cutting
 from tests.cutting import TEMPLATE
-from tests.laws import MOVING
-from tests.mutation.draw_machine import SHAPED
-from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.cells import computed
 from workbook.build import build
 from workbook.judging.verify import verify
 
@@ -109,24 +107,6 @@ def test_s1_equation_of_the_motors_torque():
     assert value("drive1_tmax") == pytest.approx(
         0.0065 * 8 * accelerated + (67.0 + 1.164 * accelerated) / 8 / 0.95, rel=1e-12
     )
-
-
-@pytest.mark.parametrize("law", MOVING)
-@pytest.mark.sample(2)
-def test_pycel_agrees_with_the_engine_in_every_cell(law):
-    """A law that its drive cannot integrate moves the axes without one."""
-    wrong, count = disagreeing(TEMPLATE, described(laws=(law if law in SHAPED else "MTP", law, law)))
-    assert wrong == []
-    assert count > 3000
-
-
-def test_a_book_that_was_built_is_verified_and_comes_back(tmp_path):
-    machine = described(selection="MC01")
-    build(machine, tmp_path / "book.xlsx")
-    report = verify(tmp_path / "book.xlsx")
-    assert report.findings == []
-    assert report.own == []
-    assert entered(TEMPLATE, machine) == (machine, [])
 
 
 def test_the_committed_book_shows_the_figures_of_s1_without_edits():

@@ -2,21 +2,19 @@
 
 import random
 from dataclasses import replace
-from math import pi, radians, sqrt
+from math import pi, sqrt
 
 import pytest
 
-from engine.flying.cut import Cut, flying_saw, rotary_drum
-from engine.laws import Cycloidal
+from engine.flying.cut import flying_saw
 from tests.engine.selection.tasks import sampled_task
 from tests.laws import MOVING
 from tests.mutation.draw_flying import varied
 from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing
-from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
 from workbook.machines.flying.view import CutterView, ToolDrive
-from workbook.reading.descriptions import read_machine, validated
+from workbook.reading.descriptions import read_machine
 from workbook.template_outputs import judged_limits
 from workbook.templates import TEMPLATES
 
@@ -125,16 +123,6 @@ def test_at_the_highest_line_speed_the_shaft_is_at_its_first_limit():
         assert (at("fly_ok_speed"), at("fly_ok_acceleration")) == ("OK", "OK")
 
 
-def test_lengths_are_the_cuts_of_each_length():
-    value, drum = computed(TEMPLATE, described()), rotary_drum(3, RADIUS, radians(30))
-    cuts = [Cut(drum, length / 1e3, LINE, Cycloidal()) for length in value("lengths", "length")]
-    assert value("lengths", "high") == pytest.approx([c.speed_range[1] for c in cuts], rel=1e-12)
-    assert value("lengths", "a") == pytest.approx([c.max_acceleration for c in cuts], rel=1e-9)
-    beta = [4 * INERTIA * c.rms_angular_acceleration**2 for c in cuts]
-    assert value("lengths", "beta") == pytest.approx(beta, rel=1e-9)
-    assert {"keeps moving", "waits"} == set(value("lengths", "does"))
-
-
 @pytest.mark.parametrize("law", MOVING)
 def test_the_stroke_of_a_saw_is_exact_with_every_law(law):
     machine = entries(SAW, law=law)
@@ -225,20 +213,6 @@ def test_the_last_look_at_a_turn_is_exact(law, changed):
     assert set(turns) <= set(value("drive_iv", "begin"))
 
 
-def test_the_variations_show_every_case_and_fail_every_limit():
-    books = [TEMPLATE.declare(machine) for machine in TEMPLATE.variants(described())]
-
-    def shown(name):
-        return {book.blocks[name].quantities[0].value for book in books}
-
-    assert shown("fly_kind") == {"drum", "saw"}
-    assert shown("fly_law") == set(MOVING)
-    assert shown("fly_case") == {"faster", "in step", "slower"}
-    assert shown("fly_does") == {"keeps moving", "waits", "reverses"}
-    for limit in ("speed", "acceleration", "stroke"):
-        assert shown(f"fly_ok_{limit}") == {"OK", "FAIL"}
-
-
 @pytest.mark.parametrize(("law", "length", "asked", "said"), [
     ("ACS", 180.0, "acceleration", "works at line speed to moves by its law at 0 s: acceleration jumps by 46.76"),
     ("CIC", 900.0, "jerk", "works at line speed to moves by its law at 0 s: jerk jumps by "),
@@ -249,15 +223,3 @@ def test_the_tool_is_as_smooth_as_asked_or_the_joint_is_named(law, length, asked
     value = computed(TEMPLATE, described(law=law, product_length=length, smoothness=asked))
     assert value("fly_ok_smooth") == ("FAIL" if said else "OK")
     assert value("fly_ok_smooth_says").startswith(said or "what must not jump")
-
-
-@pytest.mark.parametrize(
-    ("changed", "line"),
-    [
-        ({"law": "DWL"}, "law.*a dwell does not move; expected one of ACS, TVP"),
-        ({"kind": "knife"}, "kind.*found 'knife'; expected drum or saw"),
-    ],
-)
-def test_entries_that_cannot_be_get_one_line(changed, line):
-    with pytest.raises(InputError, match=line):
-        validated(TEMPLATE, entries(**changed), str)

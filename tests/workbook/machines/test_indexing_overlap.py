@@ -5,10 +5,8 @@ import pytest
 from engine.laws.inverse import HEIGHT, inverse
 from tests.laws import MOVING
 from tests.workbook.cells import computed
-from workbook.errors import InputError
 from workbook.law_sheets.library import RISING, laws
-from workbook.machines.overlap.view import OverlapView
-from workbook.reading.descriptions import read_machine, validated
+from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["indexing-overlap"]
@@ -128,33 +126,3 @@ def test_the_picture_moves_with_the_angle():
     assert min(value("tool1_punch", "yb")) == pytest.approx(50, abs=1e-12)
     assert min(other("tool1_punch", "yb")) == min(other("tool1_punch", "ya")) == pytest.approx(0, abs=1e-9)
     assert max(value("view_line", "theta")) == 60
-
-
-def test_the_table_of_margins_is_the_engine_s_schedule_of_each():
-    value = computed(TEMPLATE, described())
-    for margin, angle, ratio in zip(*(value("tool1_margins", c) for c in ("margin", "in", "ratio")), strict=True):
-        machine = described(passage__margin=margin)
-        (station,) = OverlapView(machine, laws(machine.laws)).stations
-        assert angle == pytest.approx(station.as_set.angle_in * 57.29577951308232, rel=1e-9)
-        before, _, after = station.peaks
-        assert ratio == pytest.approx(before / after, rel=1e-9)
-
-
-def test_the_variations_fail_both_checks_of_the_clearance():
-    books = [TEMPLATE.declare(machine) for machine in TEMPLATE.variants(described())]
-    clear = ("tool1_ok_margin", "tool1_ok_collide")
-    failed = [{q.name for _, q in book.checks if q.value == "FAIL" and q.name in clear} for book in books]
-    assert {"tool1_ok_margin"} in failed
-    assert {"tool1_ok_margin", "tool1_ok_collide"} in failed
-    assert "COLLISION" in [book.blocks["stands"].quantities[-1].value[0] for book in books]
-
-
-@pytest.mark.parametrize(
-    ("changed", "line"),
-    [
-        ({"transfer__law": "DWL"}, "law.*a dwell does not move; expected one of ACS, TVP"),
-    ],
-)
-def test_entries_that_cannot_be_get_one_line(changed, line):
-    with pytest.raises(InputError, match=line):
-        validated(TEMPLATE, entries(**changed), str)

@@ -123,11 +123,6 @@ def test_the_cells_of_a_gap_by_pairs_are_the_engine_s_and_its_check_says_where()
     assert value("clearances", "gap")[0] == pytest.approx(views(made)[0].exact, rel=0.02)
 
 
-def test_pairs_that_do_not_cover_the_travel_fail():
-    made = machine(BY_PAIRS | {"pairs": [[0, 30], [15, 40]]})
-    assert computed(TEMPLATE, made)("clear1_covered") == "FAIL"
-
-
 @pytest.mark.parametrize(
     ("pairs", "said"),
     [

@@ -92,12 +92,6 @@ def test_a_tie_of_rate_and_end_holds_in_cells_and_engine(own):
         assert computed(TEMPLATE, there)(RATE_CHECK) == verdict
 
 
-def test_a_machine_without_a_common_range_runs_at_none():
-    found = computed(TEMPLATE, machine(100.0, {"peak_torque": 0.01}, {}))
-    assert found(RATE_CHECK) == "FAIL"
-    assert found(f"{RATE_CHECK}_says") == "runs at 100; the drives hold at no rate (A1: peak torque)"
-
-
 @pytest.mark.parametrize(
     ("low", "high", "holds"),
     [(0.0, NONE_BINDS, True), (70.0, 100.0, True), (79.5, 100.0, False), (70.0, 79.0, False),

@@ -1,7 +1,6 @@
 """A machine without a master shaft: its cycle and all places over it in s; the same machine told in degrees."""
 
 import copy
-import math
 import random
 
 import numpy as np
@@ -10,7 +9,7 @@ import pytest
 import tomli_w
 
 from tests.tiers import by_day, nights
-from tests.workbook.cells import computed, disagreeing
+from tests.workbook.cells import computed
 from tests.workbook.machines.in_seconds import convert_to_seconds
 from workbook.build import build, read_description, read_inputs
 from workbook.entries.design import as_entered
@@ -118,17 +117,6 @@ def test_out_in_and_through(tmp_path):
     assert read_description(tmp_path / "again.toml") == given
 
 
-def test_a_longer_cycle_leaves_a_rest_and_moves_as_before():
-    given = told(axis("A", OUT, {**BACK, "stop": 0.3}))
-    one = computed(MACHINE, validated(MACHINE, given, counted_from_1))
-    longer = computed(MACHINE, validated(MACHINE, given | {"master": {"cycle": 0.4}}, counted_from_1))
-    for column in ("v", "a", "j", "rms"):
-        assert longer("axis1", column) == pytest.approx(one("axis1", column), rel=1e-12)
-    assert (one("overall"), longer("overall")) == ("OK", "OK")
-    assert longer("axis1_steps", "span")[4] == pytest.approx(math.tau / 4, rel=1e-12)
-    assert longer("cycle1", "y")[9:] == pytest.approx([0.0] * 4, abs=1e-9)
-
-
 def test_instants_that_coincide_but_for_rounding_do():
     edge = 0.1 + 0.2  # 0.30000000000000004
     given = machine(axis("A", {**OUT, "start": 0.1 + 0.1 + 0.1 - 0.1, "stop": edge}, closes="feed"), cycle=0.3)
@@ -196,28 +184,6 @@ def test_both_a_rate_and_a_cycle_are_refused_in_a_line():
     data["master"]["rate"] = 200.0
     with pytest.raises(InputError, match=r"^master\.rate: entered beside cycle; expected one of them"):
         validated(MACHINE, data, counted_from_1)
-
-
-def test_an_exported_axis_and_its_sheet_are_over_seconds():
-    given = machine(axis(shift=0.05), export={"axis": 1}, sizes=SMALL | {"export": 12})
-    (cam,) = MACHINE.axes(given)
-    assert (cam.x_unit, cam.units[1]) == ("s", "mm/s")
-    value = computed(MACHINE, given)
-    assert disagreeing(MACHINE, given)[0] == []
-    assert value("export", "at")[-1] == pytest.approx(0.3, rel=1e-12)
-    assert value("export", "y") == pytest.approx(value("cycle1", "y"), abs=1e-9)
-    assert [x / 1000 for x in value("export", "y1")] == pytest.approx(value("cycle1", "v"), abs=1e-9)
-    assert [x / 1000 for x in value("export", "y2")] == pytest.approx(value("cycle1", "a"), abs=1e-6)
-
-
-@pytest.mark.parametrize("cycle", [1e-3, 0.3, 5000.0])
-def test_variations_agree_whatever_the_cycle(cycle):
-    """Also one of more seconds than a turn has degrees."""
-    told_so = [phase | {end: phase[end] / 0.3 * cycle for end in ("start", "stop")} for phase in (OUT, BACK)]
-    given = machine(axis("A", *told_so), cycle=cycle, switches=[{"name": "V", "on": [[0.0, cycle / 3]]}])
-    assert given.design.faults == ()
-    for one in MACHINE.variants(given)[:2]:
-        assert disagreeing(MACHINE, one)[0] == []
 
 
 @pytest.mark.parametrize("number", [0, *nights(6)])

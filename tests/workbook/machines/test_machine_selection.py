@@ -11,7 +11,6 @@ from workbook.entries.design import as_entered
 from workbook.judging.verify import verify
 from workbook.reading.files import find_places
 from workbook.selection.entries import Limits
-from workbook.templates import TEMPLATES
 
 PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
          {"start": 150.0, "stop": 230.0, "force": -400.0, "resists": "always"}]  # fmt: skip
@@ -68,18 +67,6 @@ def test_a_pair_of_the_grid_does_what_a_drive_with_it_does():
         assert value("sel_reducers", "n")[r - 1] == pytest.approx(drive("drive2_speed"), rel=1e-9)
 
 
-def test_the_smallest_motor_that_does_it_with_margin_is_proposed():
-    value = computed(TEMPLATE, machine(**WIDE | {"rms_reserve": 1.3}))
-    usable = [(m, r) for r in range(1, 5) for m, word in enumerate(value(f"sel_word{r}", "v"), 1) if word == "yes"]
-    smallest = min(m for m, _ in usable)
-    assert value("sel_motor") == f"M{smallest}"
-    best = max((r for m, r in usable if m == smallest), key=lambda r: -value(f"sel_share{r}", "v")[smallest - 1])
-    assert value("sel_reducer") == f"R{best}"
-    margins = [margin for margin in value("sel_best", "margin") if margin]
-    assert len(margins) == min(20, len(usable))
-    assert min(margins) >= 1.3
-
-
 @pytest.mark.parametrize(("limit", "beyond", "word"), [
     ("inertia_ratio", 1e-6, "inertia"), ("rms_reserve", 1e6, "RMS"), ("greatest_margin", 1e-6, "large"),
 ])  # fmt: skip
@@ -133,12 +120,6 @@ def test_an_axis_that_is_renamed_while_selection_names_it_fails_by_the_name(axes
 def test_what_it_cannot_look_at_is_refused(selection, said):
     with pytest.raises(ValueError, match=said.split(": ")[1].split(";")[0]):
         machine(**selection)
-
-
-def test_the_variations_turn_the_axis_and_find_all_and_none():
-    made = TEMPLATES["machine"].variants(machine())
-    assert {one.selection.axis for one in made} == {"A1", "B2"}
-    assert {one.selection.rank for one in made} == {"smallest motor", "margin", "inertia match", "mass", "cost"}
 
 
 def test_motors_behind_the_reducer_of_each_drive_fail_what_their_pairs_fail():

@@ -20,13 +20,6 @@ def test_the_keys_are_those_of_old_and_what_each_law_costs() -> None:
     assert [row["code"] for row in catalogue()] == [entry.code for entry in CATALOGUE]
 
 
-def test_the_cubic_costs_least_and_its_jerk_is_infinite_against_rest() -> None:
-    cubic = next(row for row in catalogue() if row["code"] == "CUB")
-    assert abs(cubic["C_a,rms²/12"] - 1.0) < 1e-15
-    assert (cubic["C_j"], cubic["smooth_at_ends"], cubic["smooth_inside"]) == ("inf", "velocity", "jerk")
-    assert cubic["names"]["siemens"] == "POLY_3 (4)"
-
-
 def test_all_of_each_name_is_printed_on_a_wide_terminal_and_none_is_cut_on_a_narrow_one() -> None:
     wide, narrow = printed(200), printed(80)
     for row in catalogue():

@@ -41,10 +41,3 @@ def test_lines_stay_within_the_picture_and_names_apart() -> None:
     assert "A &amp; B &lt;" in words
     with pytest.raises(ValueError, match="no lines"):
         plot("", ("", ""), [])
-
-
-def test_an_axis_without_a_name_has_no_figures() -> None:
-    x = np.linspace(0.0, 10.0, 5)
-    for label, shown in (("", 0), ("y [mm]", 1)):
-        svg = read(plot("", ("x", label), [Line("lane", x, 100.0 + x)]))
-        assert [text.text for text in svg.iter("text")].count("104") == shown
