@@ -1,57 +1,14 @@
 """The reader of formulas: what it says of a text, in time that grows as the text does."""
 
-from collections.abc import Callable
-from time import process_time
-
 import pytest
 
 from workbook.book.address import Address
-from workbook.book.formula import LONGEST, TOKEN, Area, FormulaError, read
+from workbook.book.formula import LONGEST, Area, FormulaError, read
 from workbook.reading.contents import Contents
-
-SHORT, TIMES = 2**12, 2**7  # characters, and how many times as many
-LINEAR = TIMES * 24  # the square would be 16,384 times the work: far from both on a busy machine
 
 
 def area(name: str, sheet: str) -> Area:
     return Area(name.rstrip("!"), 1, 1, 1, 1, single=True)
-
-
-def scan(text: str) -> None:
-    for token in TOKEN.finditer(text):
-        if token.lastgroup == "other":
-            return
-
-
-def seconds(task: Callable[[], object]) -> float:
-    def once() -> float:
-        begin = process_time()
-        task()
-        return process_time() - begin
-
-    return min(once() for _ in range(5))
-
-
-LONG_TOKENS = {
-    "a number that is none": lambda n: "1" * n + "a",
-    "a decimal that is none": lambda n: "1" * (n // 2) + "." + "1" * (n // 2) + "a",
-    "an exponent that is none": lambda n: "1E" + "1" * n + "a",
-    "a sheet that is none": lambda n: "a" * n + "!",
-    "a quotation without end": lambda n: "'" * (n | 1),
-    "a text without end": lambda n: '"' * (n | 1),
-    "whole rows that are none": lambda n: "1:" + "1" * n + "a",
-    "spaces": lambda n: " " * n,
-    "a word": lambda n: "A" * n,
-    "a function without end": lambda n: "A." * (n // 2),
-    "references": lambda n: "$A$1:B2+" * (n // 8),
-    "many functions": lambda n: "A(" * (n // 2),
-}
-
-
-@pytest.mark.parametrize("text", LONG_TOKENS.values(), ids=LONG_TOKENS)
-def test_the_scan_of_a_formula_grows_as_its_length(text: Callable[[int], str]) -> None:
-    short, long = text(SHORT), text(SHORT * TIMES)
-    assert seconds(lambda: scan(long)) < LINEAR * max(seconds(lambda: scan(short)), 1e-5)
 
 
 def test_a_formula_longer_than_excel_takes_is_refused() -> None:

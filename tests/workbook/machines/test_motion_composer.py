@@ -11,8 +11,7 @@ from tests.laws import MOVING
 from tests.mutation.machines import own_pieces, stages
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import EXERCISE, MACHINE, composed
-from workbook.build import COMMITTED, DIGESTS, build, committed_descriptions, read_inputs, stale_templates
-from workbook.errors import InputError
+from workbook.build import COMMITTED, DIGESTS, build, committed_descriptions, stale_templates
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.writing.archive import book_digest
@@ -145,37 +144,7 @@ def test_axis_titles_follow_the_units_entered(tmp_path):
         assert titles == expected
 
 
-@pytest.mark.parametrize(
-    ("column", "entry", "said"),
-    [
-        ("law", "Sine", "expected one of "),
-        ("stop", "long", "expected a number"),
-    ],
-)
-def test_a_wrong_entry_names_the_cell(column, entry, said, tmp_path):
-    path = tmp_path / "book.xlsx"
-    build(described(), path)
-    book = openpyxl.load_workbook(path)
-    block = MACHINE.declare(described()).blocks["axis1"]
-    cell = book["Timing"].cell(block.row + 1, block.columns[column])  # the second phase
-    cell.value = entry
-    book.save(path)
-    with pytest.raises(InputError) as raised:
-        read_inputs(path)
-    assert f"Timing!{cell.coordinate}" in str(raised.value)
-    assert said in str(raised.value)
-
-
 # --- Against the engine ---------------------------------------------------------------------------
-
-
-def test_every_check_of_the_motion_that_can_fail_does_so_in_some_variant():
-    verdicts = {}
-    for machine in MACHINE.variants(composed(EXERCISE)):
-        for _, q in MACHINE.declare(machine).checks:
-            verdicts.setdefault(q.name, set()).add(q.value)
-    for name in ("axis1_position", "axis1_smooth", "axis1_closes"):
-        assert verdicts[name] == {"OK", "FAIL"}, name
 
 
 @pytest.mark.parametrize("seed", range(25))

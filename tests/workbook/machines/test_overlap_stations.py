@@ -8,11 +8,10 @@ import pytest
 from tests.mutation.machines import machine as drawn_machine
 from tests.workbook.cells import computed, disagreeing, entered
 from workbook.book.limits import EXPECTED
-from workbook.build import build, read_inputs
+from workbook.build import build
 from workbook.errors import InputError
 from workbook.machines.overlap.entries import MOST_TOOLS
 from workbook.reading.descriptions import counted_from_1, read_machine, validated, write_machine
-from workbook.reading.files import open_book
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
@@ -156,20 +155,3 @@ def test_a_book_of_any_number_of_tools_comes_back_and_agrees(number, tmp_path):
     assert entered(TEMPLATE, machine) == (machine, [])
     text.write_text(write_machine(machine), encoding="utf-8")
     assert read_machine(text) == machine
-
-
-def test_a_lost_name_of_the_second_tool_is_missed(tmp_path):
-    path = tmp_path / "book.xlsx"
-    build(described(entries()), path)
-    file = open_book(path)
-    del file.workbook.defined_names["tool2_name"]
-    file.workbook.save(path)
-    with pytest.raises(InputError, match="Tool 2: cells are gone, or have no name, of tool2_name"):
-        read_inputs(path)
-
-
-def test_the_variations_fail_the_clearance_of_every_tool_and_each_smoothness():
-    books = [TEMPLATE.declare(machine) for machine in TEMPLATE.variants(described(entries()))]
-    failed = {q.name for book in books for _, q in book.checks if q.value == "FAIL"}
-    tools = {f"tool{i}_ok_{check}" for i in (1, 2, 3) for check in ("collide", "margin", "smooth")}
-    assert failed == tools | {"overlap_ok_smooth"}
