@@ -1,4 +1,4 @@
-"""Workbooks that nobody here wrote, each declared in Python: what is found in them, and faults put into them."""
+"""Workbooks that nobody here wrote, each declared in Python: what is found in them."""
 
 from collections import Counter
 

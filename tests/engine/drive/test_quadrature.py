@@ -142,7 +142,7 @@ def test_the_rule_integrates_polynomials_to_the_fifteenth_degree():
         assert WEIGHTS @ SHARES**n == pytest.approx(1.0 / (n + 1), rel=1e-13)
 
 
-@pytest.mark.parametrize("number", [*range(30), *nights(40)])
+@pytest.mark.parametrize("number", [*range(12), *nights(40)])
 def test_a_constant_ratio_at_points_is_the_exact_engines(request, number):
     drive_cycle, by = found(name_of(request, number))
     exact = drive_cycle.train.viscous == 0.0
@@ -153,7 +153,7 @@ def test_a_constant_ratio_at_points_is_the_exact_engines(request, number):
     assert max(by.energy, by.returned) <= 0.03
 
 
-@pytest.mark.parametrize("number", [*range(12), *nights(40)])
+@pytest.mark.parametrize("number", [*range(6), *nights(40)])
 def test_a_changing_ratio_at_points_is_the_exact_engines(request, number):
     drive_cycle, by = found(name_of(request, number), linked=True)
     stated = stated_bounds(drive_cycle.train)
@@ -163,7 +163,7 @@ def test_a_changing_ratio_at_points_is_the_exact_engines(request, number):
     assert max(by.energy, by.returned) <= stated.energy
 
 
-@pytest.mark.parametrize("number", [*range(6), *nights(30)])
+@pytest.mark.parametrize("number", [*range(3), *nights(30)])
 def test_a_law_that_turns_back_is_cut_where_it_turns(request, number):
     drive_cycle, by = found(name_of(request, number), back=True)
     assert by.rms <= 1e-3

@@ -37,8 +37,8 @@ def test_points_and_weights_are_those_of_gauss_and_lobatto():
         assert float(WEIGHTS @ SHARES**power) == pytest.approx(1.0 / (power + 1), rel=1e-13)
 
 
-def test_the_bounds_hold_on_a_thousand_random_laws():
-    for seed in range(1000):
+def test_the_bounds_hold_on_random_laws():
+    for seed in range(300):
         pieces = tuple(drawn(seed))
         exact, law = PieceLaw(pieces).coefficients, PointedLaw(pieces)
         found, true = law.coefficients, extremes_of(pieces, 0.0)

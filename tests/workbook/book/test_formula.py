@@ -1,4 +1,4 @@
-"""The reader of formulas: what it says of a text, in time that grows as the text does."""
+"""The reader of formulas: what it says of a text, and what it refuses."""
 
 import pytest
 

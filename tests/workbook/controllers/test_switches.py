@@ -201,6 +201,7 @@ def test_switches_alone(run, laned, tmp_path):
         assert said in " ".join(err.split())
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", TAKING)
 def test_switches_come_back_and_are_compared(run, laned, tmp_path, name):
     assert run("export", laned, "--switches", "--to", name, "-o", "s", "--unverified")[0] == 0

@@ -1,4 +1,4 @@
-"""The laws in the workbook: pages found from the registry, what a page leaves out, a page that is wrong, variations."""
+"""The laws in the workbook: pages found from the registry, what a page leaves out, variations."""
 
 import re
 from pathlib import Path

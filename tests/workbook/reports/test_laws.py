@@ -1,4 +1,4 @@
-"""What the command prints of the laws: its keys stay, infinity is a word, names elsewhere are whole."""
+"""What the command prints of the laws: its keys stay, names elsewhere are whole."""
 
 from rich.console import Console
 
