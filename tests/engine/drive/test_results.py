@@ -291,6 +291,12 @@ def test_a_window_counts_where_it_is_and_across_the_end_of_the_cycle():
     assert not Window(1.0, 1.0, 5.0).acts_at(1.0, 6.0)
 
 
+def test_the_cubic_mean_of_a_constant_torque_is_that_torque():
+    drive = Drive(KINDS["lead screw"].of(Load(0.0, 200.0), 100, gears=[Stage("gear", 3.0)]), 0.0)
+    one = drive_cycle(Drivetrain(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
+    assert DriveResults(one).mean_shaft_torque(1) == pytest.approx(200 * 0.01 / (2 * pi), rel=1e-12)
+
+
 def test_what_cannot_be_is_refused():
     train = screw(0.01, Load(1.0))
     with pytest.raises(ValueError, match="speed"):

@@ -71,10 +71,11 @@ def lossy(viscous=300.0, mechanism=SCREW, **entries):
 
 
 def small(one, **sizes):
-    """A machine of one axis with little room, and straight lines among its laws."""
+    """A machine of one axis with little room, and the laws that its phases have."""
     data = described(**{"phases": 2, "rotors": 2} | sizes).model_dump()
     others = {"axes": [one], "switches": [], "clearances": [], "power": {}, "selection": {}}
-    return TEMPLATE.model.model_validate(data | {"laws": data["laws"] | {"LIN": {"family": "LIN"}}} | others)
+    laws = {phase["law"]: {"family": phase["law"]} for phase in one["phases"]}
+    return TEMPLATE.model.model_validate(data | {"laws": laws | data["laws"]} | others)
 
 
 def with_everything():
