@@ -1,0 +1,102 @@
+"""Laws shaped for their drive: a measured machine, a constant inertia, and a drive with losses and process forces."""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from numpy.polynomial import Polynomial
+
+from engine.drive import Drive, Mechanism, Slide, Stage
+from engine.drive.cycle import DriveCycle
+from engine.drive.drivetrain import Drivetrain, Window
+from engine.drive.results import DriveResults
+from engine.drive.shaped import shape, shape_phase
+from engine.laws import Dwell, law
+from engine.motion import Motion, Phase
+
+LIFT, TIME = 3.0299, 0.07375  # rad, s
+INERTIA = Polynomial([3.62477004e-3, -8.11242143e-5, 1.54632995e-2, -1.01883497e-2, 1.68396654e-3])  # kg m²
+LOAD = Polynomial([0.10244372, 1.22240552, -0.13085737, -1.22211419, 0.62392123, -0.08375826])  # Nm
+
+
+def bolt_torque(y, v, a):
+    """The torque of the machine of Van Oosterwyck et al., by its measured inertia and load."""
+    return LOAD(y) + INERTIA(y) * a + 0.5 * INERTIA.deriv()(y) * v**2
+
+
+def rms_of(move) -> float:
+    """By Simpson's rule, piece by piece of the law."""
+    total, edges = 0.0, [0.0, *move.breaks, 1.0]
+    for low, high in pairwise(edges):
+        xi = np.linspace(low + 1e-8, high - 1e-8, 4001)
+        s, v, a, _ = move.evaluate(xi)
+        squares = bolt_torque(LIFT * s, LIFT / TIME * v, LIFT / TIME**2 * a) ** 2
+        weights = np.full(xi.size, 2.0)
+        weights[1::2], weights[0], weights[-1] = 4.0, 1.0, 1.0
+        total += float(weights @ squares) * (high - low) / (3.0 * (xi.size - 1))
+    return math.sqrt(total)
+
+
+@pytest.mark.parametrize(("name", "printed"), [("TVP", 17.145), ("PO5", 22.502), ("PO7", 28.475)])
+def test_the_torque_of_the_measured_machine_is_as_printed(name: str, printed: float) -> None:
+    assert round(rms_of(law(name)), 3) == printed
+
+
+@pytest.mark.parametrize(("degree", "rest", "printed"), [(7, 2, 13.788), (9, 2, 12.479), (9, 3, 16.134)])
+def test_a_law_shaped_for_the_measured_machine_takes_the_printed_torque(degree: int, rest: int, printed: float) -> None:
+    shaped = shape(bolt_torque, LIFT, TIME, degree, rest)
+    assert round(shaped.rms_torque, 3) == printed
+    s = Polynomial(shaped.coefficients)
+    assert s(1.0) == pytest.approx(1.0, abs=1e-9)
+    for k in range(1, rest + 1):
+        assert [s.deriv(k)(0.0), s.deriv(k)(1.0)] == pytest.approx([0.0, 0.0], abs=1e-7)
+
+
+def test_a_law_of_degree_7_becomes_a_piece_with_the_same_torque() -> None:
+    shaped = shape(bolt_torque, LIFT, TIME, 7)
+    assert rms_of(shaped.law) == pytest.approx(shaped.rms_torque, rel=1e-6)
+
+
+@pytest.mark.parametrize("rest", [1, 2, 3])
+def test_no_law_takes_less_of_a_constant_inertia_than_the_cubic(rest: int) -> None:
+    each = [shape(lambda y, v, a: a, 1.0, 1.0, degree, rest).rms_torque for degree in (9, 11, 13)]
+    assert each == sorted(each, reverse=True)
+    assert min(each) >= math.sqrt(12.0) - 1e-12
+    if rest == 1:
+        assert each == pytest.approx([math.sqrt(12.0)] * 3)
+
+
+@pytest.mark.parametrize(("degree", "rest", "match"), [(5, 2, "expected 6 to 13"), (15, 2, "13"), (9, 4, "rest is 4")])
+def test_another_degree_is_refused(degree: int, rest: int, match: str) -> None:
+    with pytest.raises(ValueError, match=match):
+        shape(bolt_torque, LIFT, TIME, degree, rest)
+
+
+def test_a_law_of_too_high_a_degree_is_no_piece() -> None:
+    with pytest.raises(ValueError, match="coefficients"):
+        _ = shape(bolt_torque, LIFT, TIME, 9).law
+
+
+@pytest.mark.parametrize("lift", [0.3, -0.3])
+def test_the_law_of_a_phase_takes_what_the_exact_engine_says_and_less_than_its_neighbours(lift: float) -> None:
+    stages = Stage("reducer", 5.0, 0.8), Stage("screw", 300.0, 0.9)
+    mechanism = Mechanism("screw", stages, (), Slide(40.0, 0.1, 0.3, 200.0, 9.81, 0.0).load)
+    train = Drivetrain(Drive(mechanism, 1e-3, no_load=0.1), windows=[Window(0.5, 1.0, 300.0, "moving")])
+
+    def cycle_of(move):
+        motion = Motion([Phase(move, lift, 2.0), Phase(Dwell(), 0.0, 2.0), Phase(law("PO5"), -lift, 2.0)])
+        return motion, DriveCycle(train, motion, 4.0)
+
+    def squares(move) -> float:
+        motion, cycle = cycle_of(move)
+        return DriveResults(cycle).rms_torque ** 2 * motion.total
+
+    motion, cycle = cycle_of(law("MSN"))
+    shaped = shape_phase(cycle, motion, 0)
+    without = squares(law("MSN")) - squares(shaped.law)
+    assert without > 0.0
+    bump = Polynomial([0.0, 1.0, -1.0]) ** 3
+    for size in (-0.2, 0.2):
+        other = shaped._replace(coefficients=tuple((Polynomial(shaped.coefficients) + size * bump).coef.tolist()))
+        assert squares(other.law) > squares(shaped.law)
