@@ -47,15 +47,19 @@ def rate_range(checks: LimitChecks) -> RateRange:
 
 def located(checks: LimitChecks) -> tuple[Array, NDArray[np.bool_]]:
     """Return factors of the cycle's speed in order, 1 among them, and whether all limits are held there at points."""
-    cycle, motor, reducer = checks.drive_cycle, checks.motor, checks.reducer
-    points = DrivePoints(QuadratureCycle(cycle, cycle.unshifted.moved, NEAR * cycle.unshifted.total).points())
-    speed = points.size(points.speed)
-    fastest = min(motor.max_speed, reducer.input_speed)
-    top = fastest / speed if speed > 0.0 and fastest < math.inf else FAR
+    here = at_points(checks)
+    fastest = min(checks.motor.max_speed, checks.reducer.input_speed)
+    top = fastest / here.speed if here.speed > 0.0 and fastest < math.inf else FAR
     factors = np.unique([1.0, *np.geomspace(min(1.0, top) / FAR, top * (1.0 + STEP), int(math.log(FAR) / STEP) * 2)])
-    here = RateSearch(points, speed, motor, reducer, 1.0 / cycle.time)
     holds = np.array([here.at(factor).holds for factor in factors])
     return factors, holds | ((factors == 1.0) & checks.ok)
+
+
+def at_points(checks: LimitChecks) -> RateSearch:
+    """Return the search of the rates that hold all limits by the points of a cycle."""
+    cycle = checks.drive_cycle
+    points = DrivePoints(QuadratureCycle(cycle, cycle.unshifted.moved, NEAR * cycle.unshifted.total).points())
+    return RateSearch(points, points.size(points.speed), checks.motor, checks.reducer, 1.0 / cycle.time)
 
 
 def _end(checks: LimitChecks, inside: float, step: float) -> tuple[float, str]:

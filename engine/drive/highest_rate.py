@@ -1,0 +1,131 @@
+"""The highest rate of a drive, exact from an estimate by points: what limits it, in which phase, and what does next."""
+
+import math
+from collections.abc import Iterable, Iterator
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.drive.cycle import TorqueInterval
+from engine.drive.limits import BELOW, CYCLES, NAMES, LimitChecks, at_speed
+from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
+from engine.drive.rate_range import at_points
+from engine.drive.results import DriveResults, Extreme
+from engine.drive.search import integral
+from engine.laws.base import Array
+
+EXACT_NAMES = {PEAK_TORQUE: BELOW, CYCLES: REDUCER_TORQUE}  # of limits that the points tell apart
+NEARLY = 0.9  # use of a limit by points from which the exact engine is asked
+STEP, CLOSE = 0.02, 1e-6  # of the rate: by which it is looked for, to which it is known
+WIDENED = 40  # how often it is looked for a step farther
+
+
+class RateLimit(NamedTuple):
+    """A limit of a drive and the rate at which it is reached."""
+
+    rate: float  # cycles per second; infinite without limits, 0 where no rate holds them
+    limit: str  # empty without limits
+
+
+def highest_rate(checks: LimitChecks) -> RateLimit:
+    """Return the highest rate at which a drive holds all limits, right to 2e-6 of it, and the limit there.
+
+    Of the limits, those that the points find nearly used at their own highest rate are asked of the exact engine.
+    """
+    search = at_points(checks)
+    estimate = search.range.high
+    if not 0.0 < estimate < math.inf:
+        return RateLimit(estimate, search.range.high_limit)
+    uses = search.at(estimate / search.rate).uses
+    names = dict.fromkeys(EXACT_NAMES.get(name, name) for name, use in uses.items() if use > NEARLY)
+    rate = reached(checks, names, estimate)
+    there = at_speed(checks, rate * checks.drive_cycle.unshifted.total)
+    return RateLimit(rate, max(there.of(names), key=lambda check: check.use).name)
+
+
+def limits_in_order(checks: LimitChecks) -> Iterator[RateLimit]:
+    """Yield the rate at which each limit of a drive alone is reached, in no order; limits that no rate reaches not."""
+    search = at_points(checks)
+    estimates: dict[str, float] = {}
+    for name, ends in search.estimated.items():
+        exact = EXACT_NAMES.get(name, name)
+        estimates[exact] = min(ends.high, estimates.get(exact, math.inf))
+    for name in NAMES:
+        if 0.0 < estimates.get(name, math.inf) < math.inf:
+            yield RateLimit(reached(checks, [name], estimates[name]), name)
+
+
+def reached(checks: LimitChecks, names: Iterable[str], estimate: float) -> float:
+    """Return the rate at which the first of some limits is reached.
+
+    Parameters
+    ----------
+    checks : LimitChecks
+    names : iterable of str
+        Of the limits.
+    estimate : float, 1/s
+        The rate near which it is looked for.
+
+    Returns
+    -------
+    float, 1/s
+        On the safe side, to 2e-6 of it.
+    """
+    from scipy.optimize import brentq  # slow to import
+
+    asked, total = list(names), checks.drive_cycle.unshifted.total
+
+    def excess(rate: float) -> float:
+        uses = [check.use for check in at_speed(checks, rate * total).of(asked)]
+        return min(max(uses), 2.0) - 1.0
+
+    low, high = estimate, estimate * (1.0 + STEP)
+    for _ in range(WIDENED):
+        if excess(low) <= 0.0:
+            break
+        low, high = low / (1.0 + STEP), low
+    for _ in range(WIDENED):
+        if excess(high) > 0.0:
+            break
+        low, high = high, high * (1.0 + STEP)
+    met = brentq(excess, low, high, rtol=CLOSE) if excess(low) <= 0.0 < excess(high) else low
+    return float(met * (1.0 - 2.0 * CLOSE))
+
+
+class Moment(NamedTuple):
+    """Where a limit is used most."""
+
+    phase: int  # number of the phase, from 0
+    x: float  # abscissa of the unshifted motion at which the quantity is extreme; of a mean, of the torque
+    share: float  # what the phase adds to the mean; 1 of a quantity that has a moment
+
+
+def moment_of(checks: LimitChecks, limit: str) -> Moment:
+    """Return where a limit is used most: the extreme, or of a mean the phase that adds most to it."""
+    results = checks.results
+    if limit in ("motor speed", "reducer input speed"):
+        ends: tuple[Extreme, ...] = results.speed
+    else:
+        ends = results.shaft_torque(1) if limit.startswith("reducer") else results.torque
+    if limit not in ("RMS torque", "reducer mean torque"):
+        most = max(ends, key=lambda extreme: abs(extreme.value))
+        return Moment(most.phase, most.x, 1.0)
+    shares = shares_of_phases(results, 1 if limit.startswith("reducer") else 0)
+    phase = max(shares, key=lambda number: shares[number])
+    return Moment(phase, max(ends, key=lambda extreme: abs(extreme.value)).x, shares[phase])
+
+
+def shares_of_phases(results: DriveResults, shaft: int) -> dict[int, float]:
+    """Return by phase its share in the integral of T² of the motor (shaft 0), else of |ω| |T|³ behind the reducer."""
+
+    def burden(part: TorqueInterval, u: Array) -> Array:
+        torque = np.abs(part.torque(u, shaft))
+        return torque**2 if shaft == 0 else np.abs(part.motor_speed(u)) * torque**3
+
+    added: dict[int, float] = {}
+    for part in results.drive_cycle.torque_intervals:
+        more = integral(partial(burden, part), part.low, part.high)
+        added[part.piece.phase] = added.get(part.piece.phase, 0.0) + more
+    whole = math.fsum(added.values())
+    return {phase: more / whole if whole else 0.0 for phase, more in added.items()}
