@@ -10,7 +10,7 @@ from workbook.book.summary import TITLE, checks_sheet, close_summary, head, repe
 from workbook.book_layout import NAME as LAYOUT
 from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine
-from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
+from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Improving, Scaling
 from workbook.text_files import FOLDER as FOLDER  # known by this module to many
 from workbook.unfinished_book import with_entries
 
@@ -32,6 +32,7 @@ class Template(Generic[M]):
     axes: Callable[[M], list[CamAxis]] = lambda machine: []  # the motions that a controller can be given
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []  # what it is to turn on and off meanwhile
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
+    improving: Improving[M] | None = None  # says what would make it faster
     judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED  # of its book, by the exact engine
     folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template
 

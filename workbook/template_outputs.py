@@ -13,12 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.drive.bounds import stated_bounds
+from engine.drive.highest_rate import Moment
 from engine.drive.limits import BELOW, LimitChecks
 from engine.drive.motor import LimitCheck
 from engine.motion.profile import CamProfile
 from engine.timing import Switch
 from workbook.book.quantity import FAIL, OK
 from workbook.book.sentence import rounded
+from workbook.fields.paths import Place
 from workbook.fields.units import KW, RPM, shown
 
 M = TypeVar("M")
@@ -88,6 +90,26 @@ class Scaling(NamedTuple, Generic[M]):
 
     part: Callable[[str], str]
     results: Callable[[M, Mapping[str, Column]], Results]
+
+
+class Change(NamedTuple):
+    """A change of a machine: in words, the entries that differ by their places, whether it is of a law alone."""
+
+    words: str
+    entries: Mapping[Place, Any]
+    is_law: bool
+
+
+class Improving(NamedTuple, Generic[M]):
+    """What :mod:`workbook.studies.improve` asks of a kind of machine.
+
+    ``limits`` returns functions that give the limits of its drives, by the names of their axes; ``changes`` yields the
+    single changes of an axis, ``where`` says where a limit of an axis is used most.
+    """
+
+    limits: Callable[[M], Mapping[str, Callable[[], LimitChecks]]]
+    changes: Callable[[M, str, float], Iterator[Change]]  # at the highest rate (1/s)
+    where: Callable[[M, str, Moment], str]
 
 
 class JudgedLimit(NamedTuple):

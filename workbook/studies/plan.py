@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -88,22 +88,26 @@ class Plan:
 
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
-        data = self.data
-        for path, value in self.changes(chosen).items():
-            data = dict(replaced(data, path, value))
-        try:
-            machine, faults = validated(type(self.base), self.template.check, data)
-        except EntryError as error:
-            return Impossible(f"{error.field}: {error}")
-        except RefusedError as error:
-            sentences = (fault.message if isinstance(fault, Fault) else str(fault["msg"]) for fault in error.faults)
-            return Impossible("; ".join(line.removeprefix("Value error, ") for line in sentences))
-        if machine is None:  # a rule's sentence, or the entry and its limits
-            sentences = (
-                fault.message if fault.rule else f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults
-            )
-            return "; ".join(dict.fromkeys(sentences))
-        return machine
+        return changed_machine(self.base, self.data, self.changes(chosen))
+
+
+def changed_machine(base: Machine, data: dict[str, Any], changes: Mapping[Place, Any]) -> Machine | str:
+    """Return the machine with other entries by their paths, or why there is none such; ``data`` describes the base."""
+    for path, value in changes.items():
+        data = dict(replaced(data, path, value))
+    try:
+        machine, faults = validated(type(base), TEMPLATES[base.template].check, data)
+    except EntryError as error:
+        return Impossible(f"{error.field}: {error}")
+    except RefusedError as error:
+        sentences = (fault.message if isinstance(fault, Fault) else str(fault["msg"]) for fault in error.faults)
+        return Impossible("; ".join(line.removeprefix("Value error, ") for line in sentences))
+    if machine is None:  # a rule's sentence, or the entry and its limits
+        sentences = (
+            fault.message if fault.rule else f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults
+        )
+        return "; ".join(dict.fromkeys(sentences))
+    return machine
 
 
 EDGES = {"stop": ("start", 1.0), "start": ("stop", 1.0), "duration": ("duration", -1.0)}

@@ -1,0 +1,187 @@
+"""The single changes of a machine that may make it faster: of laws, edges, motor, reducer, inertia and reserves."""
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import Any
+
+from engine.drive.highest_rate import Moment
+from engine.drive.limits import LimitChecks, at_speed
+from engine.drive.shaped import shape_phase
+from engine.laws.base import Kinematics
+from workbook.book.sentence import figure
+from workbook.entries.phase import TURN
+from workbook.fields.paths import Place
+from workbook.fields.types import ANGLE_TOLERANCE
+from workbook.fields.units import DEGREE, shown
+from workbook.law_sheets.library import NamedLaw, laws, named_laws
+from workbook.laws.entries import ENTRIES, Laws
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
+from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.view import MachineView
+from workbook.template_outputs import Change, Improving
+
+FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
+EDGE = 10.0  # degrees of a turn by which an edge may move
+LIGHTER = 0.9  # of the inertias of load and parts
+RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}  # by what must not jump: the highest derivative that is 0 at ends
+RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
+NEAR = 1e-9  # of the rise: ends of laws that differ by less are the same
+
+
+def drives(machine: AnyMachine) -> dict[str, Any]:
+    """Return functions that make the drives of a machine with their limits, by the names of their axes."""
+    view = MachineView(machine, laws(machine.laws))
+    return {axis.given.name: partial(Driven, axis, machine) for axis in view.axes if axis.given.motor}
+
+
+def limit_checks(machine: AnyMachine) -> dict[str, Any]:
+    """Return functions that give the limits of the drives of a machine, by the names of their axes."""
+    return {name: partial(lambda make: make().limit_checks, make) for name, make in drives(machine).items()}
+
+
+def where(machine: AnyMachine, name: str, moment: Moment) -> str:
+    """Return in words where a limit of an axis is used most: its phase, and the share or the place there."""
+    driven = drives(machine)[name]()
+    over, axis = machine.over, driven.axis
+    at = f"{figure(round(over.shown(shown(moment.x, DEGREE)), 2))}{over.after}"
+    if moment.phase not in axis.entered:
+        return f"rest at {at}"
+    phase = f"phase {axis.entered.index(moment.phase) + 1}"
+    return f"{phase}, at {at}" if moment.share == 1.0 else f"{phase}, {100.0 * moment.share:.0f} % of it"
+
+
+def changes(machine: AnyMachine, name: str, rate: float) -> Iterator[Change]:
+    """Yield the single changes of an axis: laws shaped for a rate (1/s) among them."""
+    i = [axis.name for axis in machine.axes].index(name)
+    yield from law_changes(machine, i, rate)
+    yield from edge_changes(machine, i)
+    yield from product_changes(machine, i)
+    yield from lighter(machine.axes[i], i)
+    yield from reserve_changes(machine, i)
+
+
+def law_changes(machine: AnyMachine, i: int, rate: float) -> Iterator[Change]:
+    """Yield another law for each phase of an axis that moves from rest to rest, of all families; shaped ones too."""
+    axis = machine.axes[i]
+    known = {each.name: each for each in from_rest_to_rest(machine)}
+    driven = drives(machine)[axis.name]()
+    checks = at_speed(driven.limit_checks, rate * math.tau)
+    for k, phase in enumerate(axis.phases):
+        passes = phase.passes or axis.phases[(k + 1) % len(axis.phases)].passes
+        if not phase.lift or passes or phase.law not in known:
+            continue
+        path, begin = ("axes", str(i), "phases", str(k), "law"), f"{axis.name} phase {k + 1}: {known[phase.law].words}"
+        yield shaped(driven, checks, path, begin, rate)
+        for law in known.values():
+            new = {} if law.name in machine.laws.names else {("laws", law.name): {}}
+            if law.name != phase.law:
+                yield Change(f"{begin} → {law.words}", new | {path: law.name}, True)
+
+
+def from_rest_to_rest(machine: AnyMachine) -> Iterator[NamedLaw]:
+    """Yield the laws of a machine, and those of all families, that rise from rest to rest."""
+    codes = [code for code in ENTRIES if code not in (*machine.laws.names, *FREE)]
+    more = named_laws(Laws.model_validate({code: {} for code in codes}))
+    for law in (*named_laws(machine.laws), *(law for law in more if law.name in codes)):
+        ends: Sequence[Kinematics[float]] = law.law.start, law.law.end
+        if (
+            abs(ends[1].s - 1.0) < NEAR
+            and max(abs(end.v) for end in ends) < NEAR
+            and (not law.basic or law.name != "OWN")
+        ):
+            yield law
+
+
+def shaped(driven: Driven, checks: LimitChecks, path: Place, begin: str, rate: float) -> Change:
+    """Return the change to a law that is shaped for the drive at a rate, frozen into pieces."""
+    k, axis = int(path[3]), driven.axis
+    law = shape_phase(checks.drive_cycle, axis.motion, axis.entered[k], rest=RESTS[axis.given.smoothness]).law
+    pieces = [
+        {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
+    ]
+    pieces[-1]["duration"] = 1.0 - math.fsum(piece["duration"] for piece in pieces[:-1])
+    words = f"Shaped for its drive at {60.0 * rate:.1f} cycles/min"
+    entered = {"family": "OWN", "name": words, "pieces": pieces}
+    title = f"{axis.given.name} {k + 1} shaped"[-40:]
+    return Change(f"{begin} → shaped for its drive", {("laws", title): entered, path: title}, True)
+
+
+def edge_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
+    """Yield each edge of an axis moved by 10° of a turn, or as far as the order of all edges lets it."""
+    axis, over = machine.axes[i], machine.over
+    step, near = over.shown(EDGE), over.shown(ANGLE_TOLERANCE)
+    cycle = over.shown(TURN)
+    others = [place % cycle for k, other in enumerate(machine.axes) if k != i for place in places_of(other)]
+    edges: dict[float, dict[Place, str]] = {}
+    for k, phase in enumerate(axis.phases):
+        for end in ("start", "stop"):
+            place = getattr(phase, end)
+            edges.setdefault(place, {})["axes", str(i), "phases", str(k), end] = f"{end} of phase {k + 1}"
+    inner = sorted(place for place in edges if near < place < cycle - near)
+    for place in inner:
+        for way in (-1.0, 1.0):
+            apart = [way * (other - place) for other in (0.0, cycle, *edges) if way * (other - place) > near]
+            room = min(0.5 * min(apart, default=cycle), step)
+            passed = [(way * (other - place - axis.shift)) % cycle for other in others]
+            passed = [0.0 if distance > cycle - near else distance for distance in passed]
+            moved = round(place + way * min([room, *passed]), 9)
+            if abs(moved - place) > near:
+                words = (
+                    f"{axis.name}: {' and '.join(edges[place].values())} {figure(place)} → {figure(moved)}{over.after}"
+                )
+                yield Change(words, dict.fromkeys(edges[place], moved), False)
+
+
+def places_of(axis: Axis) -> Iterator[float]:
+    """Yield the places of the edges of an axis' phases and process forces, in the unit of the cycle."""
+    for phase in axis.phases:
+        yield from (phase.start + axis.shift, phase.stop + axis.shift)
+    for window in axis.load.windows:
+        yield from (window.start, window.stop)
+
+
+def product_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
+    """Yield the next motor up and down by the rated torque, and other ratios, of the catalogues."""
+    axis, products, limits = machine.axes[i], machine.selection, machine.limits.of_axis(machine.axes[i].limits)
+    motor, reducer = motor_in_use(axis, products, limits), reducer_in_use(axis, products, limits)
+    rated = motor.rated_torque * limits.rms_reserve
+    rows = sorted(products.motors, key=lambda row: row.rated_torque)
+    above = [row for row in rows if row.rated_torque > rated * (1.0 + NEAR)][:1]
+    below = [row for row in rows if row.rated_torque < rated * (1.0 - NEAR)][-1:]
+    for row in (*above, *below):
+        way = "up" if row in above else "down"
+        yield Change(f"{axis.name}: next motor {way}, {row.name}", {("axes", str(i), "motor", "name"): row.name}, False)
+    for other in products.reducers:
+        if abs(other.reduction - reducer.ratio) > NEAR:
+            words = f"{axis.name}: ratio {figure(reducer.ratio)} → {figure(other.reduction)}, {other.name}"
+            yield Change(words, {("axes", str(i), "reducer", "name"): other.name}, False)
+
+
+def lighter(axis: Axis, i: int) -> Iterator[Change]:
+    """Yield load and parts with 10 % less inertia."""
+    entries: dict[Place, Any] = {}
+    for name in ("mass", "inertia"):
+        if getattr(axis.load, name):
+            entries["axes", str(i), "load", name] = LIGHTER * getattr(axis.load, name)
+    for k, part in enumerate(axis.parts):
+        name = "density" if part.inertia is None else "inertia"
+        if getattr(part, name):
+            entries["axes", str(i), "parts", str(k), name] = LIGHTER * getattr(part, name)
+    if entries:
+        yield Change(f"{axis.name}: load and parts with 10 % less inertia", entries, False)
+
+
+def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
+    """Yield each reserve of an axis that is above 1 lowered by 0.1, or to 1."""
+    axis, limits = machine.axes[i], machine.limits.of_axis(machine.axes[i].limits)
+    for name, words in RESERVES.items():
+        held = getattr(limits, name)
+        lower = max(1.0, round(held - 0.1, 9))
+        if lower < held:
+            said = f"{axis.name}: reserve of {words} {figure(held)} → {figure(lower)}"
+            yield Change(said, {("axes", str(i), "limits", name): lower}, False)
+
+
+IMPROVING = Improving(limit_checks, changes, where)
