@@ -104,12 +104,14 @@ class Improving(NamedTuple, Generic[M]):
     """What :mod:`workbook.studies.improve` asks of a kind of machine.
 
     ``limits`` returns functions that give the limits of its drives, by the names of their axes; ``changes`` yields the
-    single changes of an axis, ``where`` says where a limit of an axis is used most.
+    single changes of an axis, ``where`` says where a limit of an axis is used most, ``breaks`` names the checks beside
+    limits of drives that do not hold.
     """
 
     limits: Callable[[M], Mapping[str, Callable[[], LimitChecks]]]
     changes: Callable[[M, str, float], Iterator[Change]]  # at the highest rate (1/s)
     where: Callable[[M, str, Moment], str]
+    breaks: Callable[[M], set[str]]
 
 
 class JudgedLimit(NamedTuple):

@@ -1,13 +1,15 @@
 """Laws shaped for their drive: between two rests, of pieces of a degree, with the least RMS torque. SI units."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
+from engine.drive.highest_rate import shares_of_phases
+from engine.drive.limits import LimitChecks
 from engine.drive.quadrature import LoadPoints
 from engine.drive.search import gauss_legendre
 from engine.laws import Piece, PieceLaw
@@ -15,6 +17,7 @@ from engine.laws.base import Array
 from engine.laws.piece import POWERS
 from engine.motion import Motion
 
+PEAKS = 129  # points at which peaks are taken
 NODES, LEAST_NODES = 64, 16  # of Gauss and Legendre over a law, and at least on each piece
 MOST = 13  # the highest degree: of a higher one the powers lose digits
 RESTS = (1, 2, 3)  # the highest derivative that is 0 at both ends: of velocity, acceleration, jerk
@@ -71,32 +74,70 @@ def shape(torque: Torque, lift: float, time: float, degree: int = 9, rest: int =
     ValueError
         For a degree or an order of rest that leaves nothing to choose, or is too high.
     """
-    from scipy.interpolate import BSpline  # slow to import, as is:
-    from scipy.optimize import least_squares
+    family = Splines(degree, rest, pieces)
+    tables = family.tables(family.inner, (lift, lift / time, lift / time**2))
+    chosen = family.least_squares(torque, tables)
+    return family.law(chosen, family.rms(torque, tables, chosen))
 
-    if rest not in RESTS:
-        raise ValueError(f"rest is {rest}; expected one of {', '.join(map(str, RESTS))}")
-    free, least = pieces + degree - 2 * (rest + 1), 2 * rest + 3 - pieces
-    if free < 1 or not rest < degree <= MOST:
-        raise ValueError(f"degree is {degree}; expected {max(least, rest + 1)} to {MOST}")
-    edges = edges_of(pieces)
-    knots = np.concatenate([np.zeros(degree), edges, np.ones(degree)])
-    basis = BSpline(knots, np.eye(pieces + degree), degree)
-    xi, roots = gauss_points(edges)
-    rates = lift, lift / time, lift / time**2
-    tables = [rate * basis(xi, nu=order) for order, rate in enumerate(rates)]
 
-    def controls(chosen: Array) -> Array:
-        return np.concatenate([np.zeros(rest + 1), chosen, np.ones(rest + 1)])
+class Splines:
+    """The laws from rest to rest of pieces of a degree, by the coefficients of a B-spline that are free.
 
-    def weighted(chosen: Array) -> Array:
-        return np.asarray(roots * torque(*(table @ controls(chosen) for table in tables)))
+    Raises ValueError for a degree or an order of rest that leaves nothing to choose, or is too high.
+    """
 
-    start = np.linspace(0.0, 1.0, free + 2)[1:-1]
-    solved = least_squares(weighted, start, jac="3-point", method="lm", ftol=1e-14, xtol=1e-14)
-    spline, orders = BSpline(knots, controls(solved.x), degree), range(degree + 1)
-    powers = np.array([spline(edges[:-1], nu=k) / math.factorial(k) for k in orders]).T.tolist()
-    return ShapedLaw(tuple(np.diff(edges).tolist()), tuple(map(tuple, powers)), math.sqrt(2.0 * solved.cost))
+    def __init__(self, degree: int, rest: int, pieces: int) -> None:
+        from scipy.interpolate import BSpline  # slow to import
+
+        if rest not in RESTS:
+            raise ValueError(f"rest is {rest}; expected one of {', '.join(map(str, RESTS))}")
+        free, least = pieces + degree - 2 * (rest + 1), max(2 * rest + 3 - pieces, rest + 1)
+        if free < 1 or not least <= degree <= MOST:
+            raise ValueError(f"degree is {degree}; expected {least} to {MOST}")
+        self.degree, self.rest, self.edges = degree, rest, edges_of(pieces)
+        self.even = np.linspace(0.0, 1.0, free + 2)[1:-1]  # coefficients to begin with
+        knots = np.concatenate([np.zeros(degree), self.edges, np.ones(degree)])
+        self.basis = BSpline(knots, np.eye(pieces + degree), degree)
+        nodes, weights = gauss_legendre(max(LEAST_NODES, NODES // pieces))
+        halves = 0.5 * np.diff(self.edges)[:, None]
+        self.inner = (self.edges[:-1, None] + halves * (1.0 + nodes)).ravel()
+        """points of Gauss and Legendre, and their weights"""
+        self.weights = (halves * weights).ravel()
+
+    def controls(self, chosen: Array) -> Array:
+        """Return all coefficients: the first are 0, the last 1."""
+        return np.concatenate([np.zeros(self.rest + 1), chosen, np.ones(self.rest + 1)])
+
+    def tables(self, xi: Array, rates: Sequence[float]) -> list[Array]:
+        """Return what all coefficients add to position, velocity and acceleration at ξ, each times its rate."""
+        return [rate * self.basis(xi, nu=n) for n, rate in enumerate(rates)]
+
+    def moved(self, tables: Sequence[Array], chosen: Array) -> list[Array]:
+        """Return position, velocity and acceleration of a law by tables of its family."""
+        return [table @ self.controls(chosen) for table in tables]
+
+    def rms(self, torque: Torque, tables: Sequence[Array], chosen: Array) -> float:
+        """Return the RMS torque over a law, by its tables at the inner points."""
+        return math.sqrt(float(self.weights @ torque(*self.moved(tables, chosen)) ** 2))
+
+    def least_squares(self, torque: Torque, tables: Sequence[Array]) -> Array:
+        """Return the coefficients of the law with the least RMS torque, by its tables at the inner points."""
+        from scipy.optimize import least_squares  # slow to import
+
+        roots = np.sqrt(self.weights)
+
+        def weighted(chosen: Array) -> Array:
+            return np.asarray(roots * torque(*self.moved(tables, chosen)))
+
+        solved = least_squares(weighted, self.even, jac="3-point", method="lm", ftol=1e-14, xtol=1e-14)
+        return np.asarray(solved.x)
+
+    def law(self, chosen: Array, rms_torque: float) -> ShapedLaw:
+        """Return a law by its pieces."""
+        orders, begins = range(self.degree + 1), self.edges[:-1]
+        powers = [self.basis(begins, nu=n) @ self.controls(chosen) / math.factorial(n) for n in orders]
+        durations = tuple(np.diff(self.edges).tolist())
+        return ShapedLaw(durations, tuple(map(tuple, np.array(powers).T.tolist())), rms_torque)
 
 
 def edges_of(pieces: int) -> Array:
@@ -104,25 +145,42 @@ def edges_of(pieces: int) -> Array:
     return np.asarray(0.5 - 0.5 * np.cos(np.pi * np.arange(pieces + 1) / pieces))
 
 
-def gauss_points(edges: Array) -> tuple[Array, Array]:
-    """Return the points of Gauss and Legendre between edges, and the roots of their weights."""
-    nodes, weights = gauss_legendre(max(LEAST_NODES, NODES // (len(edges) - 1)))
-    halves = 0.5 * np.diff(edges)[:, None]
-    points = edges[:-1, None] + halves * (1.0 + nodes)
-    return points.ravel(), np.sqrt(halves * weights).ravel()
+class PhaseLoad:
+    """The motor over a phase between two rests, for any law of it, at the rate of a cycle."""
+
+    def __init__(self, cycle: DriveCycle, motion: Motion, number: int, xi: Array) -> None:
+        phase, self.train = motion.phases[number], cycle.train
+        self.begin, time = motion.ends[number].begin.y, phase.duration / cycle.speed
+        self.rates = phase.lift, phase.lift / time, phase.lift / time**2
+        self.x = float(motion.edges[number]) + phase.duration * xi
+        acting = [self.train.acting(at + cycle.shift, motion.total) for at in self.x.tolist()]
+        levels = [np.array([self.train.force(way, loads).level for loads in acting]) for way in (0.0, 1.0)]
+        self.steady, self.friction = levels[0], levels[1] - levels[0]
+
+    def points(self, y: Array, v: Array, a: Array) -> DrivePoints:
+        """Return the motor at positions since the begin, velocities and accelerations of the load."""
+        ratio, rests = self.train.ratio(self.begin + y), np.zeros(y.shape)
+        where = self.train, self.x, self.begin + y, v, a, np.sign(v)
+        return DrivePoints(LoadPoints(*where, self.steady, self.friction, *ratio, rests, rests))
+
+    def torque(self, y: Array, v: Array, a: Array) -> Array:
+        """Return the torque of the motor (Nm)."""
+        return self.points(y, v, a).torque
 
 
 def shape_phase(
-    cycle: DriveCycle, motion: Motion, number: int, degree: int = 5, rest: int = 2, pieces: int = 4
+    checks: LimitChecks, motion: Motion, number: int, degree: int = 5, rest: int = 2, pieces: int = 8
 ) -> ShapedLaw:
-    """Return the law of a phase from rest to rest that takes the least RMS torque of the motor.
+    """Return the law of a phase from rest to rest with which the drive uses its limits least at the rate of its cycle.
 
-    Inertia by position, losses by the direction of power, process forces and weight are those of the drive.
+    The largest use among RMS torque, peak torque and speed of the motor is as small as it can be: a minimum near the
+    law of the least RMS torque. Inertia by position, losses by the direction of power, process forces and weight are
+    those of the drive; peaks are taken at 129 points.
 
     Parameters
     ----------
-    cycle : DriveCycle
-        The drive at its rate.
+    checks : LimitChecks
+        The drive at its rate, with its limits.
     motion : Motion
         Its motion by phases.
     number : int
@@ -139,16 +197,34 @@ def shape_phase(
     OutOfReachError
         If the mechanism cannot reach a position.
     """
-    phase, begin, train = motion.phases[number], motion.ends[number].begin.y, cycle.train
-    x = float(motion.edges[number]) + phase.duration * gauss_points(edges_of(pieces))[0]
-    acting = [train.acting(at + cycle.shift, motion.total) for at in x.tolist()]
-    steady, moving = (np.array([train.force(way, loads).level for loads in acting]) for way in (0.0, 1.0))
-    rests = np.zeros(x.shape)
+    from scipy.optimize import minimize  # slow to import
 
-    def torque(y: Array, v: Array, a: Array) -> Array:
-        position = begin + y
-        ratio = train.ratio(position)
-        load = LoadPoints(train, x, position, v, a, np.sign(v), steady, moving - steady, *ratio, rests, rests)
-        return DrivePoints(load).torque
+    cycle, motor = checks.drive_cycle, checks.motor
+    family, even = Splines(degree, rest, pieces), np.linspace(0.0, 1.0, PEAKS)
+    inner, spread = (PhaseLoad(cycle, motion, number, xi) for xi in (family.inner, even))
+    tables, tables_of_peaks = family.tables(family.inner, inner.rates), family.tables(even, spread.rates)
+    share = motion.phases[number].duration / motion.total
+    others = checks.results.rms_torque**2 * (1.0 - shares_of_phases(checks.results, 0).get(number, 0.0))
+    fastest = min(motor.max_speed, checks.reducer.input_speed)
 
-    return shape(torque, phase.lift, phase.duration / cycle.speed, degree, rest, pieces)
+    def rms(chosen: Array) -> float:
+        return family.rms(inner.torque, tables, chosen)
+
+    def uses(chosen: Array) -> Array:
+        at = spread.points(*family.moved(tables_of_peaks, chosen))
+        peaks = at.torque / motor.peak_at(np.minimum(np.abs(at.speed), motor.max_speed))
+        lasting = math.sqrt(others + share * rms(chosen) ** 2) / checks.continuous
+        return np.concatenate([[lasting], peaks, -peaks, at.speed / fastest, -at.speed / fastest])
+
+    start = family.least_squares(inner.torque, tables)
+    most = float(uses(start).max())
+    solved = minimize(
+        lambda both: both[-1],
+        np.append(start, most),
+        jac=lambda both: np.append(np.zeros(start.size), 1.0),
+        constraints={"type": "ineq", "fun": lambda both: both[-1] - uses(both[:-1])},
+        method="SLSQP",
+        options={"maxiter": 60, "ftol": 1e-7},
+    )
+    chosen = solved.x[:-1] if float(uses(solved.x[:-1]).max()) < most else start
+    return family.law(chosen, rms(chosen))

@@ -130,6 +130,26 @@ def study(
 
 
 @app.command()
+def improve(
+    machine: Path = Argument(..., metavar="MACHINE.toml", help="A machine with drives."),
+    output: Path | None = to("BETTER.toml", "Write the description with the best laws, at the rate that it reaches."),
+    jobs: int | None = option("N", "Processes at once; else this one alone.", "--jobs", min=1),
+    force: Force = False,
+) -> None:
+    """Say what limits the highest rate of a machine, and what each single change would gain.
+
+    Tried are other laws for each phase, laws shaped for their drive, edges moved within their order, the next motors,
+    other ratios, less inertia and smaller reserves of the axis that limits. Then the best laws together. Every gain is
+    worked out by the exact engine; a change that breaks a check is left out. Ctrl+C leaves the best so far.
+
+    Exit code 0: done. 2: it cannot be done. 3: a check of what was written fails.
+    """
+    from workbook.commands import improve as improving
+
+    raise typer.Exit(improving.improve(machine, output, jobs, force))
+
+
+@app.command()
 def serve(
     folder: Path = Argument(Path(), metavar="[FOLDER]", help="The folder with your machines."),
     port: int = Option(0, min=0, max=65535, help="The port; 0 takes a free one."),

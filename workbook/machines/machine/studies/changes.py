@@ -5,10 +5,13 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from engine.drive.highest_rate import Moment
 from engine.drive.limits import LimitChecks, at_speed
 from engine.drive.shaped import shape_phase
 from engine.laws.base import Kinematics
+from workbook.book.quantity import OK
 from workbook.book.sentence import figure
 from workbook.entries.phase import TURN
 from workbook.fields.paths import Place
@@ -19,14 +22,17 @@ from workbook.laws.entries import ENTRIES, Laws
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.rates_summary import RATE_CHECK
+from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.view import MachineView
-from workbook.template_outputs import Change, Improving
+from workbook.template_outputs import LIMITS, Change, Improving
 
 FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
 EDGE = 10.0  # degrees of a turn by which an edge may move
 LIGHTER = 0.9  # of the inertias of load and parts
 RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}  # by what must not jump: the highest derivative that is 0 at ends
 RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
+PIECES = 8  # of a law that is shaped for its drive
 NEAR = 1e-9  # of the rise: ends of laws that differ by less are the same
 
 
@@ -75,7 +81,7 @@ def law_changes(machine: AnyMachine, i: int, rate: float) -> Iterator[Change]:
         path, begin = ("axes", str(i), "phases", str(k), "law"), f"{axis.name} phase {k + 1}: {known[phase.law].words}"
         yield shaped(driven, checks, path, begin, rate)
         for law in known.values():
-            new = {} if law.name in machine.laws.names else {("laws", law.name): {}}
+            new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
             if law.name != phase.law:
                 yield Change(f"{begin} → {law.words}", new | {path: law.name}, True)
 
@@ -97,7 +103,7 @@ def from_rest_to_rest(machine: AnyMachine) -> Iterator[NamedLaw]:
 def shaped(driven: Driven, checks: LimitChecks, path: Place, begin: str, rate: float) -> Change:
     """Return the change to a law that is shaped for the drive at a rate, frozen into pieces."""
     k, axis = int(path[3]), driven.axis
-    law = shape_phase(checks.drive_cycle, axis.motion, axis.entered[k], rest=RESTS[axis.given.smoothness]).law
+    law = shape_phase(checks, axis.motion, axis.entered[k], rest=RESTS[axis.given.smoothness], pieces=PIECES).law
     pieces = [
         {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
     ]
@@ -184,4 +190,14 @@ def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
             yield Change(said, {("axes", str(i), "limits", name): lower}, False)
 
 
-IMPROVING = Improving(limit_checks, changes, where)
+BY_RATE = tuple(check for check, _ in LIMITS.values())  # names of checks of limits, behind the drive's
+
+
+def breaks(machine: AnyMachine) -> set[str]:
+    """Return the names of the checks, but for limits of drives at the rate, that do not hold."""
+    asked = results(machine, {})
+    names = (name for name in asked.checks if not name.endswith(BY_RATE) and name not in (RATE_CHECK, *asked.slow))
+    return {name for name in names if not np.all(asked.named[name]() == OK)}
+
+
+IMPROVING = Improving(limit_checks, changes, where, breaks)
