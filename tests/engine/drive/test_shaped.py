@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
 
-from engine.drive import Drive, Mechanism, Slide, Stage
+from engine.drive import Drive, Mechanism, Motor, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain, Window
-from engine.drive.results import DriveResults
+from engine.drive.limits import LimitChecks
 from engine.drive.shaped import shape, shape_phase
 from engine.laws import Dwell, law
 from engine.motion import Motion, Phase
@@ -83,25 +83,42 @@ def test_a_law_of_too_high_a_degree_is_no_piece() -> None:
         _ = shape(bolt_torque, LIFT, TIME, 9).law
 
 
-@pytest.mark.parametrize("lift", [0.3, -0.3])
-def test_the_law_of_a_phase_takes_what_the_exact_engine_says_and_less_than_its_neighbours(lift: float) -> None:
+def screw(windows=()) -> Drivetrain:
+    """A screw up a slope, with losses either way."""
     stages = Stage("reducer", 5.0, 0.8), Stage("screw", 300.0, 0.9)
     mechanism = Mechanism("screw", stages, (), Slide(40.0, 0.1, 0.3, 200.0, 9.81, 0.0).load)
-    train = Drivetrain(Drive(mechanism, 1e-3, no_load=0.1), windows=[Window(0.5, 1.0, 300.0, "moving")])
+    return Drivetrain(Drive(mechanism, 1e-3, no_load=0.1), windows=windows)
 
-    def cycle_of(move):
-        motion = Motion([Phase(move, lift, 2.0), Phase(Dwell(), 0.0, 2.0), Phase(law("PO5"), -lift, 2.0)])
-        return motion, DriveCycle(train, motion, 4.0)
 
-    def squares(move) -> float:
-        motion, cycle = cycle_of(move)
-        return DriveResults(cycle).rms_torque ** 2 * motion.total
+def checks_of(move, lift: float, motor: Motor, windows=()) -> tuple[Motion, LimitChecks]:
+    motion = Motion([Phase(move, lift, 2.0), Phase(Dwell(), 0.0, 2.0), Phase(law("PO5"), -lift, 2.0)])
+    return motion, LimitChecks(DriveCycle(screw(windows), motion, 4.0), motor)
 
-    motion, cycle = cycle_of(law("MSN"))
-    shaped = shape_phase(cycle, motion, 0, degree=7, pieces=1)
-    without = squares(law("MSN")) - squares(shaped.law)
-    assert without > 0.0
+
+@pytest.mark.parametrize("lift", [0.3, -0.3])
+def test_a_phase_whose_rms_torque_limits_has_the_law_of_least_rms_by_the_exact_engine(lift: float) -> None:
+    motor, windows = Motor(1e-3, rated_torque=1.0), [Window(0.5, 1.0, 300.0, "moving")]
+
+    def rms(move) -> float:
+        return checks_of(move, lift, motor, windows)[1].results.rms_torque
+
+    motion, checks = checks_of(law("MSN"), lift, motor, windows)
+    shaped = shape_phase(checks, motion, 0, degree=7, pieces=1)
+    assert rms(shaped.law) < rms(law("MSN"))
     bump = Polynomial([0.0, 1.0, -1.0]) ** 3
     for size in (-0.2, 0.2):
         other = shaped._replace(powers=[(Polynomial(shaped.powers[0]) + size * bump).coef.tolist()])
-        assert squares(other.law) > squares(shaped.law)
+        assert rms(other.law) > rms(shaped.law)
+
+
+def test_a_phase_whose_peak_torque_limits_uses_it_less_than_the_law_of_least_rms_torque() -> None:
+    _, checks = checks_of(law("PO5"), 0.3, Motor(1e-3))
+    peak = checks.results.torque.peak
+
+    def most_use(move, motor: Motor) -> float:
+        return checks_of(move, 0.3, motor)[1].worst.use
+
+    by_rms, by_peak = Motor(1e-3, 1.0), Motor(1e-3, 1e3, peak)
+    shaped = {motor: shape_phase(*reversed(checks_of(law("PO5"), 0.3, motor)), 0).law for motor in (by_rms, by_peak)}
+    assert most_use(shaped[by_peak], by_peak) < 0.97 * most_use(shaped[by_rms], by_peak)
+    assert most_use(shaped[by_rms], by_rms) < most_use(shaped[by_peak], by_rms)
