@@ -151,6 +151,7 @@ class PhaseLoad:
     def __init__(self, cycle: DriveCycle, motion: Motion, number: int, xi: Array) -> None:
         phase, self.train = motion.phases[number], cycle.train
         self.begin, time = motion.ends[number].begin.y, phase.duration / cycle.speed
+        self.reach = sorted((0.0, phase.lift))
         self.rates = phase.lift, phase.lift / time, phase.lift / time**2
         self.x = float(motion.edges[number]) + phase.duration * xi
         acting = [self.train.acting(at + cycle.shift, motion.total) for at in self.x.tolist()]
@@ -158,9 +159,13 @@ class PhaseLoad:
         self.steady, self.friction = levels[0], levels[1] - levels[0]
 
     def points(self, y: Array, v: Array, a: Array) -> DrivePoints:
-        """Return the motor at positions since the begin, velocities and accelerations of the load."""
-        ratio, rests = self.train.ratio(self.begin + y), np.zeros(y.shape)
-        where = self.train, self.x, self.begin + y, v, a, np.sign(v)
+        """Return the motor at positions since the begin, velocities and accelerations of the load.
+
+        A search may try laws that overshoot: beyond the ends the mechanism, which may not reach so far, counts as there.
+        """
+        position = self.begin + np.clip(y, *self.reach)
+        ratio, rests = self.train.ratio(position), np.zeros(y.shape)
+        where = self.train, self.x, position, v, a, np.sign(v)
         return DrivePoints(LoadPoints(*where, self.steady, self.friction, *ratio, rests, rests))
 
     def torque(self, y: Array, v: Array, a: Array) -> Array:

@@ -50,9 +50,8 @@ def show_gains(design: Design, workers: Pool, done: Done) -> Design:
     """Print the gains of single changes and of the best laws, as they come; return the best design, also cut short."""
     best = design
     try:
-        said = [say(OUT, f"  {gain.line}") for gain in single_gains(design, workers, done)]
-        if not said:
-            say(OUT, "No single change makes it faster.")
+        for gain in single_gains(design, workers, done):
+            say(OUT, f"  {gain.line}")
         for best in better_laws(design, workers, done):
             done(1, 1, f"best laws so far, {per_minute(best.rate)}")
     except KeyboardInterrupt:

@@ -1,0 +1,148 @@
+"""What would make a machine faster: gains against a machine built with them, drawn machines, the file written."""
+
+import math
+from itertools import pairwise
+
+import pytest
+
+from engine.drive.limits import at_speed
+from engine.drive.rate_range import rate_range
+from tests.tiers import seed
+from tests.workbook.machines.drawn_drives import drawn_machine
+from tests.workbook.studies.studied import base
+from workbook.commands import improve as command
+from workbook.errors import AGREES, InputError
+from workbook.fields.paths import table
+from workbook.fields.units import PER_MINUTE, si
+from workbook.machines.machine.exact import drives_of, limits_of
+from workbook.machines.machine.studies import changes
+from workbook.pool import THIS_PROCESS
+from workbook.reading.descriptions import read_machine
+from workbook.studies.improve import RATE, better_laws, edited, first_design, obstacles, rate_to_write, single_gains
+from workbook.studies.plan import changed_machine
+from workbook.templates import TEMPLATES
+
+CUTTING = TEMPLATES["machine"].description.with_name("cutting-machine.toml")
+
+
+def silent(count, total, words):
+    """Progress that nobody looks at."""
+
+
+def at_rate(design, rate):
+    """The machine of a design at a rate (cycles/min)."""
+    return changed_machine(design.base, dict(design.data), {**design.changes, RATE: rate})
+
+
+@pytest.fixture(scope="module")
+def cutting():
+    return first_design(read_machine(CUTTING), True)
+
+
+def test_the_limits_of_the_cutting_machine_come_in_their_order(cutting) -> None:
+    told = obstacles(cutting)
+    assert [limit.limit.limit for limit in told] == ["RMS torque", "motor speed", "torque below the curve"]
+    assert told[0].limit.rate * 60.0 == pytest.approx(112.079, abs=1e-3)
+    assert told[0].where == "phase 1, 98 % of it"
+    assert all(before.limit.rate <= after.limit.rate for before, after in pairwise(told))
+
+
+def test_each_gain_is_that_of_the_exact_engine_with_the_machine_changed(cutting) -> None:
+    gains = list(single_gains(cutting, THIS_PROCESS, silent))
+    tried = {change.words: change for change in changes.changes(cutting.machine, "MC01", gains[0].before)}
+    assert any("shaped" in gain.words for gain in gains)
+    for gain in gains[:3]:
+        machine = changed_machine(cutting.base, dict(cutting.data), tried[gain.words].entries)
+        (view,) = drives_of(machine)
+        assert gain.after == pytest.approx(rate_range(view.driven.limit_checks).high / math.tau, rel=1e-5)
+
+
+def test_an_edge_keeps_the_order_of_all_edges_and_stays_within_10_degrees() -> None:
+    machine = read_machine(TEMPLATES["machine"].description)
+
+    def order(given):
+        every = [(at, i, k) for i, axis in enumerate(given.axes) for k, at in enumerate(changes.places_of(axis))]
+        return [[a[0] < b[0] - 1e-6 for a in every] for b in every]
+
+    before = order(machine)
+    for i, axis in enumerate(machine.axes):
+        for change in changes.edge_changes(machine, i):
+            other = changed_machine(machine, table(machine), change.entries)
+            assert not isinstance(other, str), (axis.name, change.words, other)
+            for row, later in zip(before, order(other), strict=True):
+                assert not any(was and not now for was, now in zip(row, later, strict=True)) or "phase" in change.words
+            assert all(abs(value - at(machine, path)) <= 10.0 + 1e-9 for path, value in change.entries.items())
+
+
+def at(machine, path):
+    return getattr(machine.axes[int(path[1])].phases[int(path[3])], path[4])
+
+
+def numbers(night: int):
+    by_night = (pytest.param(k, seed("faster"), marks=pytest.mark.nightly, id=f"night {k}") for k in range(night))
+    return [*(pytest.param(k, "faster", id=str(k)) for k in range(8)), *by_night]
+
+
+@pytest.mark.parametrize(("number", "drawn_from"), numbers(200))
+def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number: int, drawn_from: str) -> None:
+    try:
+        design = first_design(drawn_machine(number, drawn_from), True)
+    except InputError:
+        return  # no drive limits it
+    best = design
+    for other in better_laws(design, THIS_PROCESS, silent):
+        assert other.rate > best.rate
+        best = other
+    assert best.breaks() <= design.breaks()
+    rate = rate_to_write(best)
+    if not rate:
+        return
+    for view in drives_of(at_rate(best, rate)):
+        if view.driven.entered.rate is None:
+            assert [limit.line for limit in limits_of(view) if not limit.ok] == []
+        else:
+            speed = si(rate, PER_MINUTE) * math.tau
+            assert at_speed(view.driven.limit_checks, speed).worst.use <= 1.0 + 1e-9
+
+
+def test_what_is_written_keeps_comments_and_is_the_best_design(tmp_path) -> None:
+    text = base(tmp_path).read_text("utf-8").replace("[master]", "# a remark\n[master]")
+    path, better = tmp_path / "feed.toml", tmp_path / "better.toml"
+    path.write_text(text, encoding="utf-8")
+    assert command.improve(path, better, None, False) == AGREES
+    assert "# a remark" in better.read_text("utf-8")
+    before, after = (first_design(read_machine(file), False) for file in (path, better))
+    assert after.rate > before.rate * 1.01
+    assert after.machine.per_minute == pytest.approx(rate_to_write(after), abs=0.02)
+    untouched = [line for line in text.splitlines() if not line.startswith(("rate", "law"))]
+    assert set(untouched) <= set(better.read_text("utf-8").splitlines())
+
+
+def test_interrupted_it_keeps_the_best_so_far(cutting, monkeypatch, capsys) -> None:
+    kept = next(better_laws(cutting, THIS_PROCESS, silent))
+
+    def interrupted(*_):
+        yield kept
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(command, "better_laws", interrupted)
+    monkeypatch.setattr(command, "single_gains", lambda *_: iter(()))
+    assert command.show_gains(cutting, THIS_PROCESS, silent) is kept
+    assert "best so far" in capsys.readouterr().err
+
+
+def test_a_machine_without_drives_says_so() -> None:
+    machine = read_machine(TEMPLATES["motion-laws"].description)
+    with pytest.raises(InputError, match="expected machine"):
+        first_design(machine, True)
+    axes = [axis.model_copy(update={"motor": None, "mechanism": None}) for axis in read_machine(CUTTING).axes[1:]]
+    with pytest.raises(InputError, match="no drive of this machine limits its rate"):
+        first_design(read_machine(CUTTING).model_copy(update={"axes": axes}), True)
+
+
+def test_a_law_that_nothing_takes_any_more_is_not_written(cutting) -> None:
+    first, second = ({("laws", name): {"family": "PO5"}, ("axes", "0", "phases", "0", "law"): name} for name in "AB")
+    one = cutting.changed(changes.Change("", first, True), "MC01")
+    two = one.changed(changes.Change("", second, True), "MC01")
+    assert "[laws.B]" in edited(CUTTING, two)
+    assert "[laws.A]" not in edited(CUTTING, two)
