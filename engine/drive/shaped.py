@@ -151,7 +151,7 @@ class PhaseLoad:
     def __init__(self, cycle: DriveCycle, motion: Motion, number: int, xi: Array) -> None:
         phase, self.train = motion.phases[number], cycle.train
         self.begin, time = motion.ends[number].begin.y, phase.duration / cycle.speed
-        self.reach = sorted((0.0, phase.lift))
+        self.low, self.high = min(0.0, phase.lift), max(0.0, phase.lift)
         self.rates = phase.lift, phase.lift / time, phase.lift / time**2
         self.x = float(motion.edges[number]) + phase.duration * xi
         acting = [self.train.acting(at + cycle.shift, motion.total) for at in self.x.tolist()]
@@ -161,9 +161,9 @@ class PhaseLoad:
     def points(self, y: Array, v: Array, a: Array) -> DrivePoints:
         """Return the motor at positions since the begin, velocities and accelerations of the load.
 
-        A search may try laws that overshoot: beyond the ends the mechanism, which may not reach so far, counts as there.
+        A search may try laws that overshoot: the mechanism, which may not reach so far, counts as at the ends.
         """
-        position = self.begin + np.clip(y, *self.reach)
+        position = self.begin + np.clip(y, self.low, self.high)
         ratio, rests = self.train.ratio(position), np.zeros(y.shape)
         where = self.train, self.x, position, v, a, np.sign(v)
         return DrivePoints(LoadPoints(*where, self.steady, self.friction, *ratio, rests, rests))

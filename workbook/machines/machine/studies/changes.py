@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from functools import partial
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -16,9 +17,9 @@ from workbook.book.sentence import figure
 from workbook.entries.phase import TURN
 from workbook.fields.paths import Place
 from workbook.fields.types import ANGLE_TOLERANCE
-from workbook.fields.units import DEGREE, shown
+from workbook.fields.units import DEGREE, PER_MINUTE, shown
 from workbook.law_sheets.library import NamedLaw, laws, named_laws
-from workbook.laws.entries import ENTRIES, Laws
+from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
@@ -79,7 +80,7 @@ def law_changes(machine: AnyMachine, i: int, rate: float) -> Iterator[Change]:
         if not phase.lift or passes or phase.law not in known:
             continue
         path, begin = ("axes", str(i), "phases", str(k), "law"), f"{axis.name} phase {k + 1}: {known[phase.law].words}"
-        yield shaped(driven, checks, path, begin, rate)
+        yield shaped(driven, checks, k, begin, free_name(machine, i, k))
         for law in known.values():
             new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
             if law.name != phase.law:
@@ -100,18 +101,26 @@ def from_rest_to_rest(machine: AnyMachine) -> Iterator[NamedLaw]:
             yield law
 
 
-def shaped(driven: Driven, checks: LimitChecks, path: Place, begin: str, rate: float) -> Change:
-    """Return the change to a law that is shaped for the drive at a rate, frozen into pieces."""
-    k, axis = int(path[3]), driven.axis
-    law = shape_phase(checks, axis.motion, axis.entered[k], rest=RESTS[axis.given.smoothness], pieces=PIECES).law
+def free_name(machine: AnyMachine, i: int, k: int) -> str:
+    """Return a name for a law that is shaped for a phase; that of the law that it has, if no other phase takes that."""
+    begin, own = f"Shaped {i + 1}-{k + 1}", machine.axes[i].phases[k].law
+    users = [reference.name for reference in references(machine)].count(own)
+    if own.startswith(begin) and users == 1:
+        return own
+    return next(name for n in count(1) if (name := f"{begin} {n}") not in machine.laws.names)
+
+
+def shaped(driven: Driven, checks: LimitChecks, k: int, begin: str, name: str) -> Change:
+    """Return the change of a phase to a law that is shaped for its drive, frozen into pieces."""
+    axis, rest = driven.axis, RESTS[driven.axis.given.smoothness]
+    law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=PIECES).law
     pieces = [
         {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
     ]
-    pieces[-1]["duration"] = 1.0 - math.fsum(piece["duration"] for piece in pieces[:-1])
-    words = f"Shaped for its drive at {60.0 * rate:.1f} cycles/min"
-    entered = {"family": "OWN", "name": words, "pieces": pieces}
-    title = f"{axis.given.name} {k + 1} shaped"[-40:]
-    return Change(f"{begin} → shaped for its drive", {("laws", title): entered, path: title}, True)
+    words = f"Shaped for its drive at {shown(1.0 / checks.drive_cycle.time, PER_MINUTE):.1f} cycles/min"
+    entries: dict[Place, Any] = {("laws", name): {"family": "OWN", "name": words, "pieces": pieces}}
+    path = ("axes", str(axis.number - 1), "phases", str(k), "law")
+    return Change(f"{begin} → shaped for its drive", entries | {path: name}, True)
 
 
 def edge_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
