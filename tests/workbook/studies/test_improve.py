@@ -1,7 +1,8 @@
 """What would make a machine faster: gains against a machine built with them, drawn machines, the file written."""
 
 import math
-from itertools import pairwise
+import re
+from itertools import islice, pairwise, permutations
 
 import pytest
 
@@ -59,23 +60,15 @@ def test_each_gain_is_that_of_the_exact_engine_with_the_machine_changed(cutting)
 
 def test_an_edge_keeps_the_order_of_all_edges_and_stays_within_10_degrees() -> None:
     machine = read_machine(TEMPLATES["machine"].description)
-
-    def order(given):
-        every = [(at, i, k) for i, axis in enumerate(given.axes) for k, at in enumerate(changes.places_of(axis))]
-        return [[a[0] < b[0] - 1e-6 for a in every] for b in every]
-
-    before = order(machine)
-    for i, axis in enumerate(machine.axes):
-        for change in changes.edge_changes(machine, i):
-            other = changed_machine(machine, table(machine), change.entries)
-            assert not isinstance(other, str), (axis.name, change.words, other)
-            for row, later in zip(before, order(other), strict=True):
-                assert not any(was and not now for was, now in zip(row, later, strict=True)) or "phase" in change.words
-            assert all(abs(value - at(machine, path)) <= 10.0 + 1e-9 for path, value in change.entries.items())
-
-
-def at(machine, path):
-    return getattr(machine.axes[int(path[1])].phases[int(path[3])], path[4])
+    before = [place for axis in machine.axes for place in changes.places_of(axis)]
+    moved = [change for i in range(len(machine.axes)) for change in changes.edge_changes(machine, i)]
+    assert len(moved) > 4
+    for change in moved:
+        other = changed_machine(machine, table(machine), change.entries)
+        after = [place for axis in other.axes for place in changes.places_of(axis)]
+        for (was, now), (first, then) in permutations(zip(before, after, strict=True), 2):
+            assert was >= first or now <= then + 1e-6, change.words
+        assert 0.0 < max(abs(now - was) for was, now in zip(before, after, strict=True)) <= 10.0 + 1e-9
 
 
 def numbers(night: int):
@@ -90,7 +83,7 @@ def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number
     except InputError:
         return  # no drive limits it
     best = design
-    for other in better_laws(design, THIS_PROCESS, silent):
+    for other in islice(better_laws(design, THIS_PROCESS, silent), 1 if drawn_from == "faster" else None):
         assert other.rate > best.rate
         best = other
     assert best.breaks() <= design.breaks()
@@ -114,7 +107,7 @@ def test_what_is_written_keeps_comments_and_is_the_best_design(tmp_path) -> None
     before, after = (first_design(read_machine(file), False) for file in (path, better))
     assert after.rate > before.rate * 1.01
     assert after.machine.per_minute == pytest.approx(rate_to_write(after), abs=0.02)
-    untouched = [line for line in text.splitlines() if not line.startswith(("rate", "law"))]
+    untouched = [line for line in text.splitlines() if not re.search(r"\b(rate|law) = ", line)]
     assert set(untouched) <= set(better.read_text("utf-8").splitlines())
 
 
