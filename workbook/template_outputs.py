@@ -101,7 +101,7 @@ class Change(NamedTuple):
 
 
 class Improving(NamedTuple, Generic[M]):
-    """What :mod:`workbook.studies.improve` asks of a kind of machine.
+    """The functions by which :mod:`workbook.studies.improve` makes a kind of machine faster.
 
     ``limits`` returns functions that give the limits of its drives, by the names of their axes; ``changes`` yields the
     single changes of an axis, ``where`` says where a limit of an axis is used most, ``breaks`` names the checks beside

@@ -94,7 +94,7 @@ def reached(checks: LimitChecks, names: Iterable[str], estimate: float) -> float
 
 
 class Moment(NamedTuple):
-    """Where a limit is used most."""
+    """The moment at which a limit is used most."""
 
     phase: int  # number of the phase, from 0
     x: float  # abscissa of the unshifted motion at which the quantity is extreme; of a mean, of the torque

@@ -28,7 +28,7 @@ class ShapedLaw(NamedTuple):
     """A law shaped for its drive."""
 
     durations: tuple[float, ...]  # of the pieces, in ξ
-    powers: tuple[tuple[float, ...], ...]  # of each piece, of s by the time since its begin, from the constant one
+    powers: tuple[tuple[float, ...], ...]  # of each piece, of s by the time since its begin, from the constant term
     rms_torque: float  # over the move (Nm)
 
     @property
@@ -77,7 +77,7 @@ def shape(torque: Torque, lift: float, time: float, degree: int = 9, rest: int =
     family = Splines(degree, rest, pieces)
     tables = family.tables(family.inner, (lift, lift / time, lift / time**2))
     chosen = family.least_squares(torque, tables)
-    return family.law(chosen, family.rms(torque, tables, chosen))
+    return family.law(chosen, family.torque_over(torque, tables, chosen))
 
 
 class Splines:
@@ -109,14 +109,14 @@ class Splines:
         return np.concatenate([np.zeros(self.rest + 1), chosen, np.ones(self.rest + 1)])
 
     def tables(self, xi: Array, rates: Sequence[float]) -> list[Array]:
-        """Return what all coefficients add to position, velocity and acceleration at ξ, each times its rate."""
+        """Return the shares of all coefficients in position, velocity and acceleration at ξ, times their rates."""
         return [rate * self.basis(xi, nu=n) for n, rate in enumerate(rates)]
 
     def moved(self, tables: Sequence[Array], chosen: Array) -> list[Array]:
         """Return position, velocity and acceleration of a law by tables of its family."""
         return [table @ self.controls(chosen) for table in tables]
 
-    def rms(self, torque: Torque, tables: Sequence[Array], chosen: Array) -> float:
+    def torque_over(self, torque: Torque, tables: Sequence[Array], chosen: Array) -> float:
         """Return the RMS torque over a law, by its tables at the inner points."""
         return math.sqrt(float(self.weights @ torque(*self.moved(tables, chosen)) ** 2))
 
@@ -158,7 +158,7 @@ class PhaseLoad:
         levels = [np.array([self.train.force(way, loads).level for loads in acting]) for way in (0.0, 1.0)]
         self.steady, self.friction = levels[0], levels[1] - levels[0]
 
-    def points(self, y: Array, v: Array, a: Array) -> DrivePoints:
+    def motor_points(self, y: Array, v: Array, a: Array) -> DrivePoints:
         """Return the motor at positions since the begin, velocities and accelerations of the load.
 
         A search may try laws that overshoot: the mechanism, which may not reach so far, counts as at the ends.
@@ -168,9 +168,9 @@ class PhaseLoad:
         where = self.train, self.x, position, v, a, np.sign(v)
         return DrivePoints(LoadPoints(*where, self.steady, self.friction, *ratio, rests, rests))
 
-    def torque(self, y: Array, v: Array, a: Array) -> Array:
+    def torque_at(self, y: Array, v: Array, a: Array) -> Array:
         """Return the torque of the motor (Nm)."""
-        return self.points(y, v, a).torque
+        return self.motor_points(y, v, a).torque
 
 
 def shape_phase(
@@ -202,8 +202,6 @@ def shape_phase(
     OutOfReachError
         If the mechanism cannot reach a position.
     """
-    from scipy.optimize import minimize  # slow to import
-
     cycle, motor = checks.drive_cycle, checks.motor
     family, even = Splines(degree, rest, pieces), np.linspace(0.0, 1.0, PEAKS)
     inner, spread = (PhaseLoad(cycle, motion, number, xi) for xi in (family.inner, even))
@@ -213,15 +211,23 @@ def shape_phase(
     fastest = min(motor.max_speed, checks.reducer.input_speed)
 
     def rms(chosen: Array) -> float:
-        return family.rms(inner.torque, tables, chosen)
+        return family.torque_over(inner.torque_at, tables, chosen)
 
     def uses(chosen: Array) -> Array:
-        at = spread.points(*family.moved(tables_of_peaks, chosen))
+        at = spread.motor_points(*family.moved(tables_of_peaks, chosen))
         peaks = at.torque / motor.peak_at(np.minimum(np.abs(at.speed), motor.max_speed))
         lasting = math.sqrt(others + share * rms(chosen) ** 2) / checks.continuous
         return np.concatenate([[lasting], peaks, -peaks, at.speed / fastest, -at.speed / fastest])
 
-    start = family.least_squares(inner.torque, tables)
+    start = family.least_squares(inner.torque_at, tables)
+    chosen = least_use(uses, start)
+    return family.law(chosen, rms(chosen))
+
+
+def least_use(uses: Callable[[Array], Array], start: Array) -> Array:
+    """Return the coefficients near some at which the largest of several uses is least; these if there is none less."""
+    from scipy.optimize import minimize  # slow to import
+
     most = float(uses(start).max())
     solved = minimize(
         lambda both: both[-1],
@@ -231,5 +237,5 @@ def shape_phase(
         method="SLSQP",
         options={"maxiter": 60, "ftol": 1e-7},
     )
-    chosen = solved.x[:-1] if float(uses(solved.x[:-1]).max()) < most else start
-    return family.law(chosen, rms(chosen))
+    chosen = np.asarray(solved.x[:-1])
+    return chosen if float(uses(chosen).max()) < most else start

@@ -77,12 +77,12 @@ class Shaper:
     """
 
     KINDS: ClassVar[tuple[str, ...]] = ("ZV", "ZVD", "EI")
-    kind: str  # one of KINDS
+    kind: str  # of KINDS
     damping: float = 0.0  # damping ratio ζ that it is made for, below 0.2; 0 of EI
 
     def __post_init__(self) -> None:
         if self.kind not in self.KINDS:
-            raise ValueError(f"kind is {self.kind!r}; expected one of {', '.join(self.KINDS)}")
+            raise ValueError(f"kind is {self.kind!r}; expected {', '.join(self.KINDS)}")
         _require_damping(self.damping, 1e-9 if self.kind == "EI" else 0.2)
 
     @property
@@ -101,14 +101,14 @@ class Shaper:
         return (len(self.shares) - 1) / 2.0 / math.sqrt(1.0 - self.damping**2)
 
     def left(self, ratio: float) -> float:
-        """Return the share of the vibration that it leaves at a natural frequency over the one it is made for."""
+        """Return the share of the vibration that it leaves at a natural frequency over its design frequency."""
         natural = 2.0 * math.pi * ratio * (self.damping + 1j * math.sqrt(1.0 - self.damping**2))
         times = np.linspace(0.0, self.time, len(self.shares))
         return float(abs(np.exp(natural * (times - self.time)) @ np.array(self.shares)))
 
     @property
     def band(self) -> tuple[float, float]:
-        """The natural frequencies, over the one it is made for, between which it leaves at most 5 %."""
+        """The natural frequencies, over its design frequency, between which it leaves at most 5 %."""
         from scipy.optimize import brentq  # slow to import
 
         low, high = (

@@ -133,7 +133,7 @@ def study(
 def improve(
     machine: Path = Argument(..., metavar="MACHINE.toml", help="A machine with drives."),
     output: Path | None = to("BETTER.toml", "Write the description with the best laws, at the rate that it reaches."),
-    jobs: int | None = option("N", "Processes at once; else this one alone.", "--jobs", min=1),
+    jobs: int | None = option("N", "Processes at once; else this process alone.", "--jobs", min=1),
     force: Force = False,
 ) -> None:
     """Say what limits the highest rate of a machine, and what each single change would gain.

@@ -1,4 +1,4 @@
-"""What would make a machine faster: what limits its highest rate, single changes by their gain, the best laws."""
+"""Make a machine faster: its limits in their order, single changes by what they gain, the best laws."""
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -20,7 +20,7 @@ from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 
 GAIN = 1e-4  # share of the rate: less is no gain
-ORDER = 5  # limits that are told in their order
+ORDER = 5  # limits that are listed in their order
 ROUNDS = 6  # over all phases of the axis that limits, at most
 RATE = ("master", "rate")
 Done = Callable[[int, int, str], None]  # takes how many changes of how many are tried, and words
@@ -38,7 +38,7 @@ class Design:
 
     @property
     def improving(self) -> Improving[Any]:
-        """What its kind of machine says about improving it; raise InputError where it says nothing."""
+        """The functions by which its kind of machine is improved; raise InputError where there are none."""
         improving = TEMPLATES[self.base.template].improving
         if improving is None:
             raise InputError([f"a machine of the kind {self.base.template} has no highest rate; expected machine"])
@@ -108,12 +108,12 @@ class Obstacle(NamedTuple):
 def obstacles(design: Design) -> list[Obstacle]:
     """Return the limits of all drives that are reached first, in their order."""
     every = [(limit, axis) for axis in design.rates for limit in limits_in_order(design.limits(axis))]
-    told = []
+    first = []
     for limit, axis in sorted(every)[:ORDER]:
         checks = design.limits(axis)
         moment = moment_of(at_speed(checks, limit.rate * checks.drive_cycle.unshifted.total), limit.limit)
-        told.append(Obstacle(axis, limit, design.improving.where(design.machine, axis, moment)))
-    return told
+        first.append(Obstacle(axis, limit, design.improving.where(design.machine, axis, moment)))
+    return first
 
 
 class Gain(NamedTuple):
@@ -160,7 +160,7 @@ def single_gains(design: Design, pool: Pool, done: Done) -> Iterator[Gain]:
 
 
 def better_laws(design: Design, pool: Pool, done: Done) -> Iterator[Design]:
-    """Yield designs with better laws, each faster than the one before: phase by phase of the axis that limits."""
+    """Yield designs with better laws, each faster than the last: phase by phase of the axis that limits."""
     broken = design.breaks()
     for _ in range(ROUNDS):
         axis, begin = design.limiting, design.rate

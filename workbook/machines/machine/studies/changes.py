@@ -195,8 +195,8 @@ def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
         held = getattr(limits, name)
         lower = max(1.0, round(held - 0.1, 9))
         if lower < held:
-            said = f"{axis.name}: reserve of {words} {figure(held)} → {figure(lower)}"
-            yield Change(said, {("axes", str(i), "limits", name): lower}, False)
+            sentence = f"{axis.name}: reserve of {words} {figure(held)} → {figure(lower)}"
+            yield Change(sentence, {("axes", str(i), "limits", name): lower}, False)
 
 
 BY_RATE = tuple(check for check, _ in LIMITS.values())  # names of checks of limits, behind the drive's
