@@ -34,6 +34,7 @@ from engine.drive.rate_estimates import (
     RateRange,
     Shares,
     estimates_of,
+    growth_power,
     largest,
 )
 
@@ -58,12 +59,17 @@ class RateSearch:
     def estimated(self) -> dict[str, Ends]:
         """The estimated range of each limit; beyond its cycles a reducer's full torque is held up to these."""
         ends = {
-            name: Ends(estimate.least * self.rate, estimate.most * self.rate)
+            name: Ends(estimate.least * self.rate, estimate.most(2.0 if name in SPEEDS else self.growth) * self.rate)
             for name, estimate in self.estimates.items()
         }
         cycles = self.estimates[CYCLES]
         ends[CYCLES] = Ends(0.0, self._beyond_full(ends[CYCLES].high, cycles.standing / cycles.limit))
         return ends
+
+    @cached_property
+    def growth(self) -> float:
+        """The power of the rate with which torques grow, in estimates."""
+        return growth_power(self.points)
 
     def _beyond_full(self, high: float, use: float) -> float:
         """Return up to which rate (1/s) the reducer's torque at its cycles is held, where it begins at a use of it."""
@@ -156,7 +162,7 @@ class RateSearch:
     @property
     def target(self) -> float:
         """The use of a limit at the ends of the range, less than 1 for what lies between points."""
-        between = not self.has_constant_ratio or self.points.load.train.viscous > 0.0
+        between = not self.has_constant_ratio or self.is_viscous
         return TARGET_BETWEEN if between else TARGET
 
     @property
@@ -172,24 +178,38 @@ class RateSearch:
 
     @cached_property
     def way(self) -> tuple[float, float]:
-        """The powers of the rate's factor between which is interpolated, of the order of :attr:`order`."""
-        tried = self.factor**self.order
-        return ((1.0, tried), (tried, 1.0), (0.0, tried))[self.begin]
+        """The factors of the rate between which is interpolated."""
+        return ((1.0, self.factor), (self.factor, 1.0), (0.0, self.factor))[self.begin]
+
+    def order(self, name: str) -> float:
+        """Return the power of the rate over which what a limit is used by is a straight line between two rates.
+
+        As of inertia it is 2. Viscous friction grows with the rate itself: from standstill through both rates a power
+        is drawn, below which A n + B n² lies between these; beyond them a line over the square is above it.
+        """
+        if not self.is_viscous or (self.holds and self.share(name) < 1.0):
+            return 2.0
+        grown_by = REDUCER_TORQUE if name == CYCLES else name
+        estimate = self.estimates.get(grown_by)
+        rest = estimate.standing / estimate.limit if estimate else 0.0
+        now, then = (uses.get(grown_by, 0.0) - rest for uses in (self.uses, self.uses_tried))
+        if min(now, then) <= 0.0:
+            return 1.0
+        return max(1.0, min(2.0, math.log(then / now) / (math.log(self.factor) + TINY)))
 
     @property
-    def order(self) -> float:
-        """The power of the rate over which torques and uses are straight lines between two rates.
-
-        Viscous friction grows with the rate itself: over the square a straight line would lie below the torque.
-        """
-        return 1.0 if self.points.load.train.viscous > 0.0 else 2.0
+    def is_viscous(self) -> bool:
+        """Whether the load has viscous friction."""
+        return self.points.load.train.viscous > 0.0
 
     @cached_property
     def curve_target(self) -> CurveTarget:
         """The use of a falling curve at the ends of the range."""
         at, fall = min(self.estimated[BELOW].high, self.tried) / self.rate, self.motor.falling.fall
         begin = 0.0 if self.begin == 2 else 1.0
-        return CurveTarget.of(at, (begin, self.factor), fall * self.speed / self.estimates[BELOW].limit, self.order)
+        return CurveTarget.of(
+            at, (begin, self.factor), fall * self.speed / self.estimates[BELOW].limit, self.is_viscous
+        )
 
     @cached_property
     def caps(self) -> dict[str, float]:
@@ -231,18 +251,21 @@ class RateSearch:
         """The range of each limit by lines between the points at both rates."""
         return {name: self._ends(name) for name in self.estimates}
 
+    def share(self, name: str) -> float:
+        """Return the inverse of the part of the way between both rates after which a limit is reached, or 0."""
+        return max(self.between[name][self.begin]) if name in self.between else 0.0
+
     def part(self, name: str) -> float:
         """Return the part of the way between both rates after which a limit is reached, or infinite."""
-        share = max(self.between[name][self.begin])
-        if self.holds and self.order == 1.0 and LEAST_USE < share < 1.0:  # beyond it a line over the square is safe
-            return (math.sqrt(max(0.0, 1.0 + (self.factor**2 - 1.0) / share)) - 1.0) / (self.factor - 1.0 + TINY)
+        share = self.share(name)
         return 1.0 / share - LEAST_USE if share > LEAST_USE else math.inf  # the largest share is reached at once
 
     def met(self, name: str) -> float:
         """Return the rate (1/s) at which a limit is reached by the line between both rates, or infinite."""
-        (begin, end), part = self.way, self.part(name)
+        order, part = self.order(name), self.part(name)
+        begin, end = (factor**order for factor in self.way)
         power = begin + (end - begin) * part if math.isfinite(part) else math.inf
-        met = self.rate * max(0.0, power) ** (1.0 / self.order)
+        met = self.rate * max(0.0, power) ** (1.0 / order)
         return self._beyond_full(met, self.cycles_use[self.begin]) if name == CYCLES else met
 
     def _ends(self, name: str) -> Ends:

@@ -51,11 +51,10 @@ class Estimate(NamedTuple):
     from_forward: float = 0.0  # x from which it is held, of torques forward
     from_backward: float = 0.0  # likewise
 
-    @property
-    def most(self) -> float:
-        """The factor of the rate up to which it is held; infinite if there is no limit."""
+    def most(self, power: float) -> float:
+        """Return the factor of the rate up to which it is held, growing with that power; infinite if none is met."""
         share = max(self.forward, self.backward)
-        return 1.0 / math.sqrt(share) if share > LEAST_USE else math.inf
+        return (1.0 / math.sqrt(share)) ** (2.0 / power) if share > LEAST_USE else math.inf
 
     @property
     def least(self) -> float:
@@ -87,6 +86,16 @@ def mean_squares(points: DrivePoints) -> tuple[float, float, float]:
     """Return the means of S², S·I and I² over the points (N²m²)."""
     standing, grows = points.standing, points.torque - points.standing
     return points.mean(standing**2), points.mean(standing * grows), points.mean(grows**2)
+
+
+def growth_power(points: DrivePoints) -> float:
+    """Return the power of the rate with which torques grow: 2 as of inertia, down to 1 as of viscous friction.
+
+    It is 2 − w, where w is the mean square of the torque of viscous friction, c v²/ω, over that of all that grows.
+    """
+    (velocity, _), speed = points.load.moving, points.speed
+    viscous = points.load.train.viscous * velocity**2 / (speed + TINY)
+    return 2.0 - min(1.0, points.mean(viscous**2) / (mean_squares(points)[2] + TINY))
 
 
 class ContinuousTorqueLine(NamedTuple):
@@ -216,7 +225,7 @@ class CurveTarget(NamedTuple):
     use: float
 
     @classmethod
-    def of(cls, at: float, ends: tuple[float, float], speed: float, order: float) -> "CurveTarget":
+    def of(cls, at: float, ends: tuple[float, float], speed: float, is_viscous: bool) -> "CurveTarget":
         """Return the target: less what the speed is above its line.
 
         What is left is for peaks between points: a sum of torque and speed is largest there at a constant ratio too.
@@ -229,15 +238,15 @@ class CurveTarget(NamedTuple):
             Factors of the rate between which lines are drawn.
         speed : float
             The use of the curve by the present speed alone.
-        order : float
-            The power of the rate over which lines are drawn.
+        is_viscous : bool
+            Whether lines are drawn through what torque and speed use together, also at standstill.
 
         Returns
         -------
         CurveTarget
         """
         begin, end = ends
-        above = (order - 1.0) * max(0.0, (at - begin) * (end - at)) / (end + begin)
+        above = 0.0 if is_viscous else max(0.0, (at - begin) * (end - at)) / (end + begin)
         return cls(at, above, TARGET_CURVE - speed * above)
 
 

@@ -146,7 +146,19 @@ def means(view: DriveView) -> list[Quantity]:
         cell("@square_s", mean.square, scale=most_behind**2),
         cell("@root_s", math.sqrt(max(0.0, mean.square)), scale=most_behind),
         cell("@least_use", LEAST_USE),
+        *([growth(view)] if is_viscous(view) else []),
     ]
+
+
+def is_viscous(view: DriveView) -> bool:
+    """Return whether a drive has a cell for viscous friction."""
+    return view.driven.entered.load.viscous is not None
+
+
+def growth(view: DriveView) -> Quantity:
+    """Return the row of the power of the rate with which torques grow in estimates."""
+    speed = "[@pt.vs]" if view.slides else "[@pt.v]"
+    return CELLS["growth of a viscous load"]("@growth", view.search.growth, speed=speed)
 
 
 SHARES = {"forward": "forward", "backward": "backward", "from": "from_forward", "from_back": "from_backward"}
@@ -165,10 +177,11 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
         return [shown(value, RPM) if name in SPEEDS else value for name, value in zip(names, each, strict=True)]
 
     limit = in_units(estimate.limit for estimate in estimates)
-    up_to = f'IF([most]<=@least_use,"{NOT_REACHED}",@rate/SQRT([most]))'
+    root = "{}^(1/@growth)" if is_viscous(view) else "SQRT({})"
+    speed, torque = (f'IF([most]<=@least_use,"{NOT_REACHED}",@rate/{of.format("[most]")})' for of in ("SQRT({})", root))
     cycles = (
         f'IF(AND([most]<=@least_use,[stands]<[cap]),"{NOT_REACHED}",'
-        "MAX(@full/60,IF([stands]<[cap],@rate/SQRT([most]+tiny),0)))"
+        f"MAX(@full/60,IF([stands]<[cap],@rate/{root.format('([most]+tiny)')},0)))"
     )
     since = f'IF(MAX([from],[from_back])*@least_use>=1,"{NEVER_HELD}",@rate*SQRT(MAX([from],[from_back])))'
     sheet.row += 1
@@ -193,7 +206,7 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
         cell(
             "rate",
             [met(estimate.high) for estimate in estimated],
-            up_to=[cycles if name == CYCLES else up_to for name in names],
+            up_to=[cycles if name == CYCLES else speed if name in SPEEDS else torque for name in names],
         ),
         cell(
             "low",

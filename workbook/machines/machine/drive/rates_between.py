@@ -32,6 +32,7 @@ from workbook.machines.machine.drive.max_rate import (
     cubic,
     estimates_table,
     grown,
+    is_viscous,
     largest,
     means,
     met,
@@ -106,7 +107,6 @@ def tried(view: DriveView) -> list[Quantity]:
         cell(
             "@cycles_use", search.cycles_use[search.begin], cycles_use=CYCLES_USE.format(list(LIMITS).index(CYCLES) + 1)
         ),
-        order(view),
         cell("@from", search.way[0]),
         cell("@to", search.way[1]),
         target(view),
@@ -118,7 +118,7 @@ def tried(view: DriveView) -> list[Quantity]:
 def target(view: DriveView) -> Quantity:
     """Return the row of the use of a limit at the ends of the range."""
     value = view.search.target
-    if view.varies or view.driven.by_angle or view.driven.entered.load.viscous is None:
+    if view.varies or view.driven.by_angle or not is_viscous(view):
         return CELLS["target"]("@target", value)
     return CELLS["target of a viscous load"]("@target", value, between=TARGET_BETWEEN, at_an_end=TARGET)
 
@@ -130,15 +130,9 @@ def curve_target(view: DriveView) -> list[Quantity]:
     target = search.curve_target if falls else CurveTarget(search.factor, 0.0, TARGET_CURVE)
     return [
         cell("@at_curve", target.at, row=names_of(view).index(BELOW) + 1),
-        cell("@above_line", target.above, scale=1.0),
+        cell("@above_line", target.above, inertia="(@viscous=0)*" if is_viscous(view) else "", scale=1.0),
         cell("@target_curve", target.use, most=TARGET_CURVE),
     ]
-
-
-def order(view: DriveView) -> Quantity:
-    """Return the row of the power of the rate over which is interpolated."""
-    cell = CELLS["order"] if view.driven.entered.load.viscous is None else CELLS["order of a viscous load"]
-    return cell("@order", view.search.order)
 
 
 CYCLES_USE = "IF(@holds=1,@smax,IF(@holds_tried=1,@SN_max,[@held.stands.{}]))*@reducer_fs/@reducer_peak"
@@ -173,8 +167,8 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
     ends = [search.ends.get(name, Ends(0.0, math.inf)) for name in names]
     rows = list(enumerate(names, 1))
     now, then = ([f"={USES[name][k].format(limit=f'[@held.limit.{row}]')}" for row, name in rows] for k in (0, 1))
-    met_at = [met(search.met(name)) if name in search.between else NOT_REACHED for name in names]
-    by_load = cell if view.driven.entered.load.viscous is None else CELLS["between, of a viscous load"]
+    meets = [met(search.met(name)) if name in search.between else NOT_REACHED for name in names]
+    viscous = CELLS["between, of a viscous load"]
     low = [f"=IF(@to<@from,IF(ISNUMBER([met]),[met],0),[@held.low.{row}])" for row, _ in rows]
     sheet.row += 1
     sheet.table(
@@ -194,16 +188,40 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
             for column, (begin, sign) in WAYS.items()
         ),
         cell("share", [max(share[search.begin]) for share in shares], scale=1.0),
-        by_load("part", [part(search, name) for name in names], not_reached=NOT_REACHED, scale=1.0),
-        cell("met", met_at, formula=[CYCLES_MEET if name == CYCLES else LIMIT_MEETS for name in names]),
+        cell("part", [part(search, name) for name in names], not_reached=NOT_REACHED, scale=1.0),
+        *(
+            [viscous("order", [search.order(name) for name in names], formula=[order(row, name) for row, name in rows])]
+            if is_viscous(view)
+            else []
+        ),
+        cell("met", meets, formula=[met_at(view, name) for name in names]),
         cell("high", [met(end.high) for end in ends], formula=[high(row, name, search) for row, name in rows]),
         cell("low", [met(end.low, NEVER_HELD) for end in ends], formula=low, scale=view.rate),
     )
 
 
-AT = "@rate*MAX(0,@from+(@to-@from)*[part])^(1/@order)"
-LIMIT_MEETS = f'=IF(ISNUMBER([part]),{AT},"{NOT_REACHED}")'
-CYCLES_MEET = f'=IF(OR(ISNUMBER([part]),@cycles_use>=1),MAX(@full/60,IF(@cycles_use<1,{AT},0)),"{NOT_REACHED}")'
+ORDER = "IF(@viscous=0,2,IF(@holds*([share]<1)=1,2,IF(MIN({now},{then})<={rest},1,MAX(1,MIN(2,{power})))))"
+POWER = "LN(({then}-{rest})/({now}-{rest}))/(LN(@times)+tiny)"
+
+
+def order(row: int, name: str) -> str:
+    """Return the formula of the power of the rate over which the use of a limit of a viscous load is a line."""
+    row = list(LIMITS).index(REDUCER_TORQUE) + 1 if name == CYCLES else row
+    limit = f"[@held.limit.{row}]"
+    used = {"now": f"[@between.now.{row}]*{limit}", "then": f"[@between.then.{row}]*{limit}"}
+    words = used | {"rest": f"[@held.stands.{row}]"}
+    return "=" + ORDER.format(power=POWER.format(**words), **words)
+
+
+def met_at(view: DriveView, name: str) -> str:
+    """Return the formula of the rate at which a limit is reached by the line between both rates."""
+    over, under = ("^[order]", "^(1/[order])") if is_viscous(view) else ("^2", "^(1/2)")
+    at = f"@rate*MAX(0,@from{over}+(@to{over}-@from{over})*[part]){under}"
+    if name != CYCLES:
+        return f'=IF(ISNUMBER([part]),{at},"{NOT_REACHED}")'
+    return f'=IF(OR(ISNUMBER([part]),@cycles_use>=1),MAX(@full/60,IF(@cycles_use<1,{at},0)),"{NOT_REACHED}")'
+
+
 WAYS = {"on": (0, 0), "on_b": (0, 1), "back": (1, 0), "back_b": (1, 1), "rest": (2, 0), "rest_b": (2, 1)}
 """of the columns of shares: where they begin, and whether torques are forward (0) or backward (1)"""
 
