@@ -54,10 +54,11 @@ class Mains:
         mains, resistor = bus * self.mains, bus * self.resistor
         self.proves = bus * (mains - (resistor.sum() - resistor))  # what the bus takes at least, by a drive's peak
         self.burns = bus * (resistor - (mains.sum() - mains))  # what it burns at least
-        self.peak = min(self.cuts.most, max(0.0, float(self.sum.max()), float(self.proves.max())))
-        self.burnt_peak = min(self.cuts.most_back, max(0.0, -float(self.sum.min()), float(self.burns.max())))
+        self.peak = min(self.cuts.peak_most, max(0.0, float(self.sum.max()), float(self.proves.max())))
+        self.burnt_peak = min(self.cuts.burnt_most, max(0.0, -float(self.sum.min()), float(self.burns.max())))
         self.without = MeanBusPower(*(float(bus @ [powers[k] for powers in self.each]) for k in (0, 1)))
-        self.saved_most = min(*self.without, self.cuts.saved) if bus.sum() > 1.0 else 0.0
+        moved = (math.fsum(self.without) - self.cuts.sure_mean) / 2.0
+        self.saved_most = max(0.0, min(*self.without, moved)) if bus.sum() > 1.0 else 0.0
         self.saved = min(self.saved_most, float(self.weights @ (self.apart - np.maximum(self.sum, 0.0))))
         self.common = MeanBusPower(*(power - self.saved for power in self.without))
 
@@ -70,7 +71,7 @@ def supply(bus: Mains) -> list[Quantity]:
     others = [powers for powers, on_bus in zip(bus.each, bus.on_bus, strict=True) if not on_bus]
     return [
         cell("about_peak", kw(bus.peak + alone), beside=beside.format("peak"), scale=size),
-        cell("about_peak_most", kw(bus.cuts.most + alone), beside=beside.format("peak"), scale=size),
+        cell("about_peak_most", kw(bus.cuts.peak_most + alone), beside=beside.format("peak"), scale=size),
         cell(
             "about_bus_year",
             shown(total_bus_power([bus.common, *others]).energy_a_year(hours), KWH),
@@ -134,13 +135,13 @@ def common(bus: Mains) -> list[Quantity]:
     return [
         cell("bus_alone", kw(apart)),
         cell("bus_mains_peak", kw(bus.peak)),
-        cell("bus_mains_most", kw(bus.cuts.most)),
+        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=of_all.format("peak")),
         cell("bus_resistor_peak", kw(bus.burnt_peak)),
-        cell("bus_resistor_most", kw(bus.cuts.most_back)),
+        cell("bus_resistor_most", kw(bus.cuts.burnt_most), of_all=of_all.format("burnt")),
         cell("bus_apart", kw(whole.mains), of_all=of_all.format("mains")),
         cell("bus_net", kw(whole.net), of_all=of_all.format("resistor")),
         cell("bus_saved", kw(bus.saved), sampled=sampled),
-        cell("bus_saved_most", kw(bus.saved_most)),
+        cell("bus_saved_most", kw(bus.saved_most), sure="SUMPRODUCT([bus_cuts.span],[bus_cuts.sure])/360"),
         cell("bus_mains", kw(power.mains)),
         cell("bus_resistor", kw(power.resistor)),
         cell("bus_year", shown(power.energy_a_year(entered.hours), KWH), format=YEAR),
