@@ -1,6 +1,7 @@
 """Machines as they are built, drawn: sheets against the exact engine, and both against the equation of motion.
 
-``python -m tests.workbook.machines.test_drawn_drives 1000`` prints the worst of each kind as a table.
+``python -m tests.workbook.machines.test_drawn_drives 1000`` prints the worst of each kind as a table; a word behind the
+number draws others.
 """
 
 import io
@@ -8,7 +9,7 @@ import sys
 from collections import defaultdict
 from concurrent.futures import ProcessPoolExecutor
 from filecmp import cmp
-from functools import lru_cache
+from functools import lru_cache, partial
 from math import pi
 
 import openpyxl
@@ -247,9 +248,9 @@ def is_cut_everywhere(view):
     return view.turns_cut == len(view.tables.turning.turns)
 
 
-def examined(number):
+def examined(number, text):
     """Of the drives of a machine: how many, how many are not cut everywhere, deviations, and what breaks a bound."""
-    drawn, shares = Drawn(number, "drawn"), []
+    drawn, shares = Drawn(number, text), []
     both = list(zip(drawn.views, drawn.simulated, strict=True))
     for view, simulated in both:
         exact, kind = exact_results(view), view.driven.given.kind
@@ -261,11 +262,11 @@ def examined(number):
     return len(both), len(both) - len(cut), shares, wrong, [line for view in cut for line in results_of(view)]
 
 
-def main(count):
+def main(count, text="drawn"):
     """Print the worst deviation of each result of so many machines, of the sheets and of the equation of motion."""
     worst, drives, uncut, wrong, beyond = defaultdict(lambda: (0.0, 0, "")), 0, 0, [], []
     with ProcessPoolExecutor() as pool:
-        for driven, not_cut, shares, false, off in pool.map(examined, range(count), chunksize=4):
+        for driven, not_cut, shares, false, off in pool.map(partial(examined, text=text), range(count), chunksize=4):
             drives, uncut, wrong, beyond = drives + driven, uncut + not_cut, wrong + false, beyond + off
             for name, way, *found in shares:
                 worst[name, way] = max(worst[name, way], tuple(found))
@@ -286,4 +287,4 @@ def main(count):
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]))
+    main(int(sys.argv[1]), *sys.argv[2:])

@@ -73,7 +73,7 @@ class BusCuts:
 
     def __init__(self, drives: Sequence[DriveView], on_bus: Array, peaks: Array) -> None:
         self.drives, near = drives, drives[0].tables.machine.near
-        self.alone = (peaks @ on_bus).tolist()
+        self.alone: list[float] = (peaks @ on_bus).tolist()
         powers = np.array([(view.points.power.max(), -view.points.power.min()) for view in drives]).T
         counted = powers > SMALL * peaks[::-1]
         self.shares = on_bus * np.divide(peaks, powers, out=np.zeros(peaks.shape), where=counted)
