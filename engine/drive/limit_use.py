@@ -2,7 +2,8 @@
 
 With T_s the torque at standstill and I = T − T_s, a rate of √x times the present rate takes T_s + x I: so a first range
 is estimated. Near its upper end the points are worked out anew, and between them and the present ones each limit's use
-is a straight line over x. Torques are convex in x where losses change sides, so that the line is on the safe side.
+is a straight line over x. Torques are convex in x where losses change sides, so that the line is on the safe side. With
+viscous friction that grows with the rate itself the line is over a power of the rate between both, of each limit.
 """
 
 import math
