@@ -87,7 +87,7 @@ def test_a_short_movement_in_a_long_cycle_has_its_exact_power_on_the_bus():
 
 @pytest.mark.parametrize("number", [0, *nights(2)])
 def test_many_drives_whose_cuts_all_differ_are_bounded_with_few_samples(number):
-    """Each drive begins and ends elsewhere, between samples of 30°, with jumps of its acceleration; no bound is wide."""
+    """Each drive begins and ends elsewhere, between samples of 30°, with jumps of acceleration; no bound is wide."""
     drawn, count, least = random.Random(f"cuts {number}"), 24 if number else 6, 4.0 if number == 1 else 60.0
     axes = []
     for k in range(count):

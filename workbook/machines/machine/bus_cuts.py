@@ -27,79 +27,80 @@ SMALL = 1e-9  # share of a drive's larger peak up to which the other is none; th
 kw = partial(shown, unit=KW)
 
 
+INNER = np.array([SHARES[1:HALF], SHARES[HALF + 1 : -1]]) * 2.0 - [[0.0], [1.0]]
+"""the shares of both halves of an interval at which their inner points lie"""
 SHORT = 1e-3  # degrees: the line of a shorter half is level
 
 
-def inner_shares(half: int) -> tuple[float, ...]:
-    """Return the shares of a half of an interval, the first (0) or the second (1), at which its inner points lie."""
-    return tuple(2.0 * share - half for share in SHARES[1 + HALF * half : HALF * (1 + half)])
+ACTS = "([bus_cuts.from]<[at])*([at]<[bus_cuts.to])+([at]+360<[bus_cuts.to])"
+SINCE = "([at]-[bus_cuts.from]+360*([bus_cuts.from]>[at]))"
+"""in cells: whether a half acts behind a cut, and how far it has come there"""
 
 
-class HalfPowers(NamedTuple):
-    """The power of a drive in the halves of its intervals, and a straight line from their first points: arrays."""
+class HalfLines(NamedTuple):
+    """The power of drives in halves of their intervals, beside straight lines: arrays, in degrees and W."""
 
-    begin: Array  # of the half (°)
-    length: Array  # of the half (°)
-    first: Array  # power at its begin (W)
-    rise: Array  # of the line to its end (W)
-    above: Array  # by which points lie above the line at most (W)
-    below: Array  # by which they lie below it (W)
+    begin: Array  # of the half
+    length: Array  # of the half
+    first: Array  # power at its begin, where the line begins
+    rise: Array  # of the line to its end
+    above: Array  # by which points lie above the line at most
+    below: Array  # by which they lie below it
 
 
-def half_powers(view: DriveView) -> HalfPowers:
+def half_lines(view: DriveView) -> HalfLines:
     """Return the lines of a drive's power; spare halves are at the end of the cycle, without length."""
-    x, power, rows = shown(view.load.x, DEGREE), view.points.power, 2 * view.rows
-    halves = [np.stack([each[:, : HALF + 1], each[:, HALF:]], axis=1).reshape(-1, HALF + 1) for each in (x, power)]
-    begin, length = halves[0][:, 0], halves[0][:, -1] - halves[0][:, 0]
-    first = halves[1][:, 0]
-    rise = np.where(length < SHORT, 0.0, halves[1][:, -1] - first)
-    shares = np.array([[*inner_shares(half), 1.0] for half in (0, 1)] * (len(begin) // 2))
-    off = halves[1][:, 1:] - first[:, None] - rise[:, None] * shares
-    each = (begin, length, first, rise, np.maximum(off.max(axis=1), 0.0), np.maximum(-off.min(axis=1), 0.0))
-    spare = (TURN, 0.0, float(power[-1, -1]), 0.0, 0.0, 0.0)
-    return HalfPowers(*(np.array(filled(*column)) for column in zip(each, [rows] * len(each), spare, strict=True)))
+    load_at, power = shown(view.load.x, DEGREE), view.points.power
+    at, power = (
+        np.stack([each[:, : HALF + 1], each[:, HALF:]], axis=1).reshape(-1, HALF + 1) for each in (load_at, power)
+    )
+    first, length = power[:, 0], at[:, -1] - at[:, 0]
+    rise = np.where(length < SHORT, 0.0, power[:, -1] - first)
+    shares = np.tile(np.column_stack([INNER, (1.0, 1.0)]), (len(at) // 2, 1))
+    off = power[:, 1:] - first[:, None] - rise[:, None] * shares
+    each = at[:, 0], length, first, rise, np.maximum(off.max(axis=1), 0.0), np.maximum(-off.min(axis=1), 0.0)
+    spare = TURN, 0.0, float(power[-1, -1]), 0.0, 0.0, 0.0
+    return HalfLines(*(np.array(filled(column, 2 * view.rows, end)) for column, end in zip(each, spare, strict=True)))
 
 
 class BusCuts:
     """Bounds of the power on the bus between the ``cuts`` of all its drives, the begins of halves of their intervals.
 
-    ``begin`` and ``end`` of these halves of all drives are in degrees of the master shaft. There a drive takes from
-    the bus at most ``most``, ``climbs`` more a degree, and at least ``least``, ``grows`` more a degree (W, W/°); less
-    than 0 comes back. From each cut to the next all take at most ``sum_most``, ``sum_climbs`` more at the next, and at
-    least ``sum_least``, ``sum_grows`` more. ``shares`` are the ``peaks`` of each drive, on the mains and in its
-    resistor (W), over the largest powers at its points: 0 for a drive that is not ``on_bus``. ``alone`` are the sums
-    of these peaks of all drives that are.
+    ``begin`` and ``end`` of these halves are in degrees of the master shaft. There a drive takes from the bus at most
+    ``most``, ``climbs`` more a degree, and at least ``least``, ``grows`` more a degree (W, W/°); less than 0 comes
+    back. From each cut to the next all take at most ``sum_most``, ``sum_climbs`` more at the next, and at least
+    ``sum_least``, ``sum_grows`` more. ``shares`` are the ``peaks`` of each drive, on the mains and in its resistor (W),
+    over the largest powers at its points: 0 for a drive that is not ``on_bus``; ``alone`` are the sums of these peaks.
     """
 
     def __init__(self, drives: Sequence[DriveView], on_bus: Array, peaks: Array) -> None:
         self.drives, near = drives, drives[0].tables.machine.near
         self.alone: list[float] = (peaks @ on_bus).tolist()
-        powers = np.array([(view.points.power.max(), -view.points.power.min()) for view in drives]).T
-        counted = powers > SMALL * peaks[::-1]
-        self.shares = on_bus * np.divide(peaks, powers, out=np.zeros(peaks.shape), where=counted)
-        tables = [half_powers(view) for view in drives]
+        tops = np.array([(view.points.power.max(), -view.points.power.min()) for view in drives]).T
+        counted = tops > SMALL * peaks[::-1]
+        self.shares = on_bus * np.divide(peaks, tops, out=np.zeros(peaks.shape), where=counted)
+        tables = [half_lines(view) for view in drives]
         counts = [table.begin.size for table in tables]
-        self.halves = halves = HalfPowers(*(np.concatenate(column) for column in zip(*tables, strict=True)))
+        self.lines = lines = HalfLines(*map(np.concatenate, zip(*tables, strict=True)))
+        self.inner = np.tile(INNER, (lines.begin.size // 2, 1))
         (up, down), top = np.repeat(self.shares, counts, axis=1), np.repeat(peaks[0], counts)
-        high, low = halves.first + halves.above, halves.first - halves.below
-        lasting = halves.length + TINY
+        high, low, lasting = lines.first + lines.above, lines.first - lines.below, lines.length + TINY
+        end = high + lines.rise
         self.most = np.maximum(up * high, down * high)
-        self.climbs = (np.maximum(up * (high + halves.rise), down * (high + halves.rise)) - self.most) / lasting
-        share = np.where(low + np.minimum(halves.rise, 0.0) > SMALL * top, up, down)
-        self.least, self.grows = share * low, share * halves.rise / lasting
+        self.climbs = (np.maximum(up * end, down * end) - self.most) / lasting
+        share = np.where(low + np.minimum(lines.rise, 0.0) > SMALL * top, up, down)
+        self.least, self.grows = share * low, share * lines.rise / lasting
 
-        at = halves.begin + np.repeat([view.driven.axis.given.shift for view in drives], counts)
+        at = lines.begin + np.repeat([view.driven.axis.given.shift for view in drives], counts)
         self.begin = at - TURN * np.floor((at + near) / TURN)
-        self.end = self.begin + halves.length
+        self.end = self.begin + lines.length
         self.cuts = np.sort(self.begin) + near / 2.0
         self.span = np.diff(self.cuts, append=self.cuts[0] + TURN)
         here = self.cuts[:, None]
         acts = ((self.begin < here) & (here < self.end)) | (here + TURN < self.end)
-        since = here - self.begin + TURN * (self.begin > here)
-        self.sum_most, self.sum_least = (
-            (acts * (line + slope * since)).sum(axis=1)
-            for line, slope in ((self.most, self.climbs), (self.least, self.grows))
-        )
+        since = acts * (here - self.begin + TURN * (self.begin > here))
+        self.sum_most = acts @ self.most + since @ self.climbs
+        self.sum_least = acts @ self.least + since @ self.grows
         self.sum_climbs, self.sum_grows = self.span * (acts @ self.climbs), self.span * (acts @ self.grows)
 
     @property
@@ -120,70 +121,37 @@ class BusCuts:
         high, low = self.sum_most + self.sum_climbs / 2.0, self.sum_least + self.sum_grows / 2.0
         return np.asarray(np.maximum(0.0, np.maximum(low, -high)))
 
-    @property
-    def sure_mean(self) -> float:
-        """The mean of :attr:`sure` over the cycle (W)."""
-        return float(self.span @ self.sure / TURN)
-
 
 def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
     """Declare the lines of each drive in the halves of its intervals, and what all add up to between cuts."""
-    cell, halves = CELLS["bus_cuts"], cuts.halves
+    cell, lines = CELLS["bus_cuts"], cuts.lines
     each = [(row, drive.driven.number) for row, drive in enumerate(cuts.drives, 1) for _ in range(2 * drive.rows)]
+    row, number = ([*column] for column in zip(*each, strict=True))
     first = [1 + POINTS * k + side for drive in cuts.drives for k in range(drive.rows) for side in (0, HALF)]
-    numbers = [number for _, number in each]
-    shares = [list(column) for column in zip(*(inner_shares(half) for half in (0, 1)), strict=True)]
-    names = [f"s{n}" for n in range(1, HALF)]
-    at = "INDEX(drive{0}_at,[k])+[axes_taken.late.{0}]"
-    points = [f"INDEX(drive{{0}}_P,[k]+{n})-[first]-[{name}]*[rise]" for n, name in enumerate(names, 1)]
-    points.append(f"INDEX(drive{{0}}_P,[k]+{HALF})-[first]-[rise]")
-    acts = "([bus_cuts.from]<[at])*([at]<[bus_cuts.to])+([at]+360<[bus_cuts.to])"
-    since = "([at]-[bus_cuts.from]+360*([bus_cuts.from]>[at]))"
-
-    def of_drives(formula: str) -> list[str]:
-        return [f"={formula}".replace("{0}", str(number)) for number in numbers]
-
-    def line(power: str) -> list[str]:
-        return [power.format(up=f"[power.up.{row}]", down=f"[power.down.{row}]", row=row) for row, _ in each]
-
-    high, low = "([first]+[above])", "([first]-[below])"
-    end = high.replace(")", "+[rise])")
-    share = f"IF({low}+MIN(0,[rise])>check_zero*[power.peak.{{row}}],{{up}},{{down}})"
     sheet.heading("Bounds of the power of the bus", CUTS)
     sheet.table(
         "bus_cuts",
         "Halves of the intervals of all drives, and what they add up to between all cuts",
         len(each),
         cell("row", list(range(1, len(each) + 1))),
-        cell("axis", numbers),
+        cell("axis", number),
         cell("k", first),
-        *(cell(name, column * (len(each) // 2)) for name, column in zip(names, shares, strict=True)),
-        cell("from", cuts.begin, formula=of_drives(f"{at}-360*INT(({at}+eps)/360)"), scale=TURN),
-        cell(
-            "to",
-            cuts.end,
-            formula=of_drives(f"[from]+INDEX(drive{{0}}_at,[k]+{HALF})-INDEX(drive{{0}}_at,[k])"),
-            scale=TURN,
-        ),
-        cell("first", kw(halves.first), formula=of_drives("INDEX(drive{0}_P,[k])")),
-        cell(
-            "rise",
-            kw(halves.rise),
-            formula=of_drives(f"IF([to]-[from]<{SHORT},0,INDEX(drive{{0}}_P,[k]+{HALF})-[first])"),
-        ),
-        cell("above", kw(halves.above), formula=of_drives(f"MAX(0,{','.join(points)})")),
-        cell("below", kw(halves.below), formula=of_drives(f"MAX(0,{','.join(f'0-({point})' for point in points)})")),
-        cell("draws", kw(cuts.most), formula=line(f"=MAX({{up}}*{high},{{down}}*{high})")),
-        cell(
-            "climbs", kw(cuts.climbs), formula=line(f"=(MAX({{up}}*{end},{{down}}*{end})-[draws])/([to]-[from]+tiny)")
-        ),
-        cell("least", kw(cuts.least), formula=line(f"={share}*{low}")),
-        cell("grows", kw(cuts.grows), formula=line(f"={share}*[rise]/([to]-[from]+tiny)")),
+        *(cell(f"s{n}", shares.tolist()) for n, shares in enumerate(cuts.inner.T, 1)),
+        cell("from", cuts.begin, n=number, scale=TURN),
+        cell("to", cuts.end, n=number, scale=TURN),
+        cell("first", kw(lines.first), n=number),
+        cell("rise", kw(lines.rise), n=number, short=SHORT),
+        cell("above", kw(lines.above), n=number),
+        cell("below", kw(lines.below), n=number),
+        cell("draws", kw(cuts.most), row=row),
+        cell("climbs", kw(cuts.climbs), row=row),
+        cell("least", kw(cuts.least), row=row),
+        cell("grows", kw(cuts.grows), row=row),
         cell("at", cuts.cuts, scale=TURN),
         cell("span", cuts.span, len=len(each), scale=TURN),
-        cell("most", kw(cuts.sum_most), acts=acts, since=since),
-        cell("more", kw(cuts.sum_climbs), acts=acts),
-        cell("all_least", kw(cuts.sum_least), acts=acts, since=since),
-        cell("all_more", kw(cuts.sum_grows), acts=acts),
+        cell("most", kw(cuts.sum_most), acts=ACTS, since=SINCE),
+        cell("more", kw(cuts.sum_climbs), acts=ACTS),
+        cell("all_least", kw(cuts.sum_least), acts=ACTS, since=SINCE),
+        cell("all_more", kw(cuts.sum_grows), acts=ACTS),
         cell("sure", kw(cuts.sure)),
     )

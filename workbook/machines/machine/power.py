@@ -12,6 +12,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet, calc
 from workbook.book.rows import total
 from workbook.entries.facts import entry_cells
+from workbook.entries.phase import TURN
 from workbook.fields.units import KW, shown
 from workbook.machines.machine.bus_cuts import BusCuts, cuts_table
 from workbook.machines.machine.drive.view import DriveView
@@ -57,7 +58,7 @@ class Mains:
         self.peak = min(self.cuts.peak_most, max(0.0, float(self.sum.max()), float(self.proves.max())))
         self.burnt_peak = min(self.cuts.burnt_most, max(0.0, -float(self.sum.min()), float(self.burns.max())))
         self.without = MeanBusPower(*(float(bus @ [powers[k] for powers in self.each]) for k in (0, 1)))
-        moved = (math.fsum(self.without) - self.cuts.sure_mean) / 2.0
+        moved = (math.fsum(self.without) - float(self.cuts.span @ self.cuts.sure) / TURN) / 2.0
         self.saved_most = max(0.0, min(*self.without, moved)) if bus.sum() > 1.0 else 0.0
         self.saved = min(self.saved_most, float(self.weights @ (self.apart - np.maximum(self.sum, 0.0))))
         self.common = MeanBusPower(*(power - self.saved for power in self.without))
