@@ -28,8 +28,8 @@ from engine.drive.rate_estimates import (
     SPEEDS,
     TARGET,
     TARGET_BETWEEN,
+    TARGET_CURVE,
     TINY,
-    CurveTarget,
     Ends,
     Estimate,
     RateRange,
@@ -185,32 +185,38 @@ class RateSearch:
     def order(self, name: str) -> float:
         """Return the power of the rate over which what a limit is used by is a straight line between two rates.
 
-        As of inertia it is 2. Viscous friction grows with the rate itself: from standstill through both rates a power
-        is drawn, below which A n + B n² lies between these; beyond them a line over the square is above it.
+        As of inertia it is 2. Viscous friction and speed grow with the rate itself: through both rates and standstill,
+        or no use if there is more at standstill, a power is drawn; A n + B n² lies below it between both rates, and
+        beyond them below a line over the square.
         """
-        if not self.is_viscous or (self.holds and self.share(name) < 1.0):
+        if not (self.is_viscous or name == BELOW) or (self.holds and self.share(name) < 1.0):
             return 2.0
-        grown_by = REDUCER_TORQUE if name == CYCLES else name
-        estimate = self.estimates.get(grown_by)
-        rest = estimate.standing / estimate.limit if estimate else 0.0
-        now, then = (uses.get(grown_by, 0.0) - rest for uses in (self.uses, self.uses_tried))
-        if min(now, then) <= 0.0:
+        rest, now, then = self.uses_at_rates(name)
+        most = 2.0 if rest < min(now, then) else self.growth
+        return max(1.0, min(most, self.power(name)))
+
+    def power(self, name: str) -> float:
+        """Return the power of the rate that the use of a limit at standstill, or 0, and at both rates tells; or 1."""
+        rest, now, then = self.uses_at_rates(name)
+        base = rest if rest < min(now, then) else 0.0
+        if min(now, then) <= base:
             return 1.0
-        return max(1.0, min(2.0, math.log(then / now) / (math.log(self.factor) + TINY)))
+        return math.log((then - base) / (now - base)) / (math.log(self.factor) + TINY)
+
+    def uses_at_rates(self, name: str) -> tuple[float, float, float]:
+        """Return the use of a limit at standstill, the present rate and the tried; 0 of one that is not there.
+
+        Of the reducer's torque at its cycles it is that of its full torque.
+        """
+        name = REDUCER_TORQUE if name == CYCLES else name
+        estimate = self.estimates.get(name)
+        standing = estimate.standing / estimate.limit if estimate else 0.0
+        return standing, self.uses.get(name, 0.0), self.uses_tried.get(name, 0.0)
 
     @property
     def is_viscous(self) -> bool:
         """Whether the load has viscous friction."""
         return self.points.load.train.viscous > 0.0
-
-    @cached_property
-    def curve_target(self) -> CurveTarget:
-        """The use of a falling curve at the ends of the range."""
-        at, fall = min(self.estimated[BELOW].high, self.tried) / self.rate, self.motor.falling.fall
-        begin = 0.0 if self.begin == 2 else 1.0
-        return CurveTarget.of(
-            at, (begin, self.factor), fall * self.speed / self.estimates[BELOW].limit, self.is_viscous
-        )
 
     @cached_property
     def caps(self) -> dict[str, float]:
@@ -220,7 +226,7 @@ class RateSearch:
         for name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES):
             caps[name] *= min(self.estimates[name].limit, NO_LIMIT) / (motor if name == PEAK_TORQUE else behind)
         if BELOW in caps:
-            caps[BELOW] = self.curve_target.use
+            caps[BELOW] = TARGET_CURVE
         return caps
 
     @cached_property

@@ -217,39 +217,6 @@ def estimates_of(points: DrivePoints, speed: float, motor: Motor, reducer: Reduc
     return estimates
 
 
-class CurveTarget(NamedTuple):
-    """The use of a peak torque that falls with speed, at the ends of a range of rates."""
-
-    at: float  # estimated factor of the rate at which the curve is met
-    above: float  # that factor less the straight line over the square of the rate there
-    use: float
-
-    @classmethod
-    def of(cls, at: float, ends: tuple[float, float], speed: float, is_viscous: bool) -> "CurveTarget":
-        """Return the target: less what the speed is above its line.
-
-        What is left is for peaks between points: a sum of torque and speed is largest there at a constant ratio too.
-
-        Parameters
-        ----------
-        at : float
-            Estimated factor of the rate at which the curve is met.
-        ends : tuple of float
-            Factors of the rate between which lines are drawn.
-        speed : float
-            The use of the curve by the present speed alone.
-        is_viscous : bool
-            Whether lines are drawn through what torque and speed use together, also at standstill.
-
-        Returns
-        -------
-        CurveTarget
-        """
-        begin, end = ends
-        above = 0.0 if is_viscous else max(0.0, (at - begin) * (end - at)) / (end + begin)
-        return cls(at, above, TARGET_CURVE - speed * above)
-
-
 def largest(values: Array) -> float:
     """Return the largest absolute value."""
     return float(np.abs(values).max())

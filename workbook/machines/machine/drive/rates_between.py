@@ -13,7 +13,6 @@ from engine.drive.rate_estimates import (
     TARGET,
     TARGET_BETWEEN,
     TARGET_CURVE,
-    CurveTarget,
     Ends,
     Shares,
 )
@@ -110,7 +109,7 @@ def tried(view: DriveView) -> list[Quantity]:
         cell("@from", search.way[0]),
         cell("@to", search.way[1]),
         target(view),
-        *(curve_target(view) if view.knows_falling else []),
+        *([CELLS["curve"]("@target_curve", TARGET_CURVE)] if view.knows_falling else []),
         *([cell("@released", met(search.released), released=RELEASED, not_reached=NOT_REACHED)] if view.brakes else []),
     ]
 
@@ -121,18 +120,6 @@ def target(view: DriveView) -> Quantity:
     if view.varies or view.driven.by_angle or not is_viscous(view):
         return CELLS["target"]("@target", value)
     return CELLS["target of a viscous load"]("@target", value, between=TARGET_BETWEEN, at_an_end=TARGET)
-
-
-def curve_target(view: DriveView) -> list[Quantity]:
-    """Return the rows of the use of the motor's curve at the ends of the range."""
-    cell, search = CELLS["curve"], view.search
-    falls = BELOW in search.estimates
-    target = search.curve_target if falls else CurveTarget(search.factor, 0.0, TARGET_CURVE)
-    return [
-        cell("@at_curve", target.at, row=names_of(view).index(BELOW) + 1),
-        cell("@above_line", target.above, inertia="(@viscous=0)*" if is_viscous(view) else "", scale=1.0),
-        cell("@target_curve", target.use, most=TARGET_CURVE),
-    ]
 
 
 CYCLES_USE = "IF(@holds=1,@smax,IF(@holds_tried=1,@SN_max,[@held.stands.{}]))*@reducer_fs/@reducer_peak"
@@ -168,7 +155,6 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
     rows = list(enumerate(names, 1))
     now, then = ([f"={USES[name][k].format(limit=f'[@held.limit.{row}]')}" for row, name in rows] for k in (0, 1))
     meets = [met(search.met(name)) if name in search.between else NOT_REACHED for name in names]
-    viscous = CELLS["between, of a viscous load"]
     low = [f"=IF(@to<@from,IF(ISNUMBER([met]),[met],0),[@held.low.{row}])" for row, _ in rows]
     sheet.row += 1
     sheet.table(
@@ -189,33 +175,42 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
         ),
         cell("share", [max(share[search.begin]) for share in shares], scale=1.0),
         cell("part", [part(search, name) for name in names], not_reached=NOT_REACHED, scale=1.0),
-        *(
-            [viscous("order", [search.order(name) for name in names], formula=[order(row, name) for row, name in rows])]
-            if is_viscous(view)
-            else []
-        ),
+        *(orders(view) if has_orders(view) else []),
         cell("met", meets, formula=[met_at(view, name) for name in names]),
         cell("high", [met(end.high) for end in ends], formula=[high(row, name, search) for row, name in rows]),
         cell("low", [met(end.low, NEVER_HELD) for end in ends], formula=low, scale=view.rate),
     )
 
 
-ORDER = "IF(@viscous=0,2,IF(@holds*([share]<1)=1,2,IF(MIN({now},{then})<={rest},1,MAX(1,MIN(2,{power})))))"
-POWER = "LN(({then}-{rest})/({now}-{rest}))/(LN(@times)+tiny)"
+ORDER = "IF({beyond},2,MAX(1,MIN([power],IF([base]*[@held.limit.{row}]<[@held.stands.{row}]*(1-eps),{growth},2))))"
+BEYOND_BOTH = "@holds*([share]<1)=1"
 
 
-def order(row: int, name: str) -> str:
-    """Return the formula of the power of the rate over which the use of a limit of a viscous load is a line."""
-    row = list(LIMITS).index(REDUCER_TORQUE) + 1 if name == CYCLES else row
-    limit = f"[@held.limit.{row}]"
-    used = {"now": f"[@between.now.{row}]*{limit}", "then": f"[@between.then.{row}]*{limit}"}
-    words = used | {"rest": f"[@held.stands.{row}]"}
-    return "=" + ORDER.format(power=POWER.format(**words), **words)
+def has_orders(view: DriveView) -> bool:
+    """Return whether what limits are used by may grow with other powers of the rate than its square."""
+    return is_viscous(view) or view.knows_falling
+
+
+def orders(view: DriveView) -> list[Quantity]:
+    """Return the columns of the power of the rate over which the use of each limit is a line."""
+    cell, names, search = CELLS["orders"], names_of(view), view.search
+    rows = [names.index(REDUCER_TORQUE if name == CYCLES else name) + 1 for name in names]
+    growth, others = ("@growth", f"OR(@viscous=0,{BEYOND_BOTH})") if is_viscous(view) else ("2", "1=1")
+    order = [
+        ORDER.format(row=row, growth=growth, beyond=BEYOND_BOTH if name == BELOW else others)
+        for row, name in zip(rows, names, strict=True)
+    ]
+    uses = [search.uses_at_rates(name) for name in names]
+    return [
+        cell("base", [rest if rest < min(now, then) else 0.0 for rest, now, then in uses], row=rows),
+        cell("power", [search.power(name) for name in names], row=rows),
+        cell("order", [search.order(name) for name in names], order=order),
+    ]
 
 
 def met_at(view: DriveView, name: str) -> str:
     """Return the formula of the rate at which a limit is reached by the line between both rates."""
-    over, under = ("^[order]", "^(1/[order])") if is_viscous(view) else ("^2", "^(1/2)")
+    over, under = ("^[order]", "^(1/[order])") if has_orders(view) else ("^2", "^(1/2)")
     at = f"@rate*MAX(0,@from{over}+(@to{over}-@from{over})*[part]){under}"
     if name != CYCLES:
         return f'=IF(ISNUMBER([part]),{at},"{NOT_REACHED}")'
