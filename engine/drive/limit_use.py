@@ -204,7 +204,7 @@ class RateSearch:
         return math.log((then - base) / (now - base)) / (math.log(self.factor) + TINY)
 
     def uses_at_rates(self, name: str) -> tuple[float, float, float]:
-        """Return the use of a limit at standstill, the present rate and the tried; 0 of one that is not there.
+        """Return the use of a limit at standstill, the present rate and the tried; 0 where it is not there.
 
         Of the reducer's torque at its cycles it is that of its full torque.
         """

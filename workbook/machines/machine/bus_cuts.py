@@ -19,7 +19,7 @@ from workbook.machines.machine.drive.view import DriveView
 CELLS = cell_tables(__file__)
 
 CUTS = (
-    "In each half of an interval a drive takes at most what a straight line says, and at least what one below it does: "
+    "In each half of an interval a drive takes at most what a straight line says, and at least what another below it says: "
     "the sums of these lines between two cuts of any drive bound the bus, whatever its samples miss."
 )
 HALF = POINTS // 2  # points from the begin of an interval to its middle, and from there to its end
@@ -117,7 +117,7 @@ class BusCuts:
 
     @property
     def sure(self) -> Array:
-        """What the bus takes or burns from each cut to the next in the mean at least (W)."""
+        """The least that the bus takes or burns in the mean from each cut to the next (W)."""
         high, low = self.sum_most + self.sum_climbs / 2.0, self.sum_least + self.sum_grows / 2.0
         return np.asarray(np.maximum(0.0, np.maximum(low, -high)))
 
