@@ -19,8 +19,8 @@ from workbook.machines.machine.drive.view import DriveView
 CELLS = cell_tables(__file__)
 
 CUTS = (
-    "In each half of an interval a drive takes between what two straight lines say: the sums of these lines between two "
-    "cuts of any drive bound the bus, whatever its samples miss."
+    "In each half of an interval a drive takes between what two straight lines say: the sums of these lines between "
+    "two cuts of any drive bound the bus, whatever its samples miss."
 )
 HALF = POINTS // 2  # points from the begin of an interval to its middle, and from there to its end
 SMALL = 1e-9  # share of a drive's larger peak up to which the other is none; the cells' check_zero
