@@ -99,20 +99,6 @@ def test_a_row_left_blank_above_another_is_told_in_one_line(name, table, tmp_pat
     assert f"row {free + 1} of the table {table}" in line
 
 
-def test_a_point_that_cannot_be_is_told_by_its_row(tmp_path):
-    """A law with a name of its own, of a family that has numbers only in rows."""
-    machine = machine_of("motion-laws")
-    build(machine, tmp_path / "book.xlsx")
-    declared = TEMPLATES["motion-laws"].declare(machine)
-    place = next(block for name, block in declared.blocks.items() if name.endswith("_points") and "SPL" in name)
-    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
-    book[place.sheet.title].cell(place.row, place.columns["xi"]).value = -1.0
-    book.save(tmp_path / "edited.xlsx")
-    report = verify(tmp_path / "edited.xlsx")
-    assert report.findings == []
-    assert any("row 1" in c.says for c in report.failing)
-
-
 LISTS = {
     "a switch without times": {"switches": [{"name": "Valve"}]},
     "a switch whose list is empty": {"switches": [{"name": "Valve", "on": []}, {"name": "Sensor", "on": [[10, 20]]}]},

@@ -173,11 +173,6 @@ def test_kinds_of_end(law, expected):
     assert kinds(law) == expected
 
 
-@pytest.mark.parametrize(("v", "a", "expected"), [(0, 0, "R"), (1, 0, "G"), (0, -1, "U"), (-1, 1, "B")])
-def test_kind_of_an_end(v, a, expected):
-    assert kind(v, a) == kind(v + 1e-12, a - 1e-12) == expected
-
-
 @EVERY
 def test_the_kinds_of_a_law_are_what_its_ends_show(law):
     """Between rests a law is one of R and U at either end; with a velocity, one of G and B."""

@@ -213,9 +213,3 @@ def seven(*durations):
 )  # fmt: skip
 def test_a_family_contains(one, other):
     assert_same(one, other)
-
-
-def test_the_s_curve_of_least_jerk():
-    law = SCurve.of_shares(0.5, 1.0)
-    assert law.durations == (0.25, 0, 0.25, 0, 0.25, 0, 0.25)
-    assert (law.coefficients.cv, law.coefficients.ca, law.coefficients.cj) == pytest.approx((2, 8, 32), rel=1e-14)

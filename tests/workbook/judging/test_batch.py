@@ -241,26 +241,6 @@ def test_the_json_of_many_files_has_each_of_them(folder, wrong, verified):
     assert files["b.xlsx"]["findings"] == []
 
 
-def test_the_json_of_one_file_is_its_report_alone(good, verified):
-    code, said, _ = verified(good, "--json")
-    assert code == 0
-    said = json.loads(said)
-    assert said["agrees"] is True
-    assert said["findings"] == []
-    assert said["compared"] > 200
-
-
-def test_one_file_that_cannot_be_read_is_a_line_on_stderr(tmp_path, verified):
-    gone = tmp_path / "gone.xlsx"
-    assert verified(gone, "--json") == (2, "", f"{gone}: there is no such file\n")
-
-
-def test_the_folder_is_left_as_it_was(folder, verified):
-    before = {p: (p.stat().st_mtime_ns, p.read_bytes()) for p in folder.rglob("*") if p.is_file()}
-    verified(folder, "--with", "pycel", "--with", "formualizer")
-    assert {p: (p.stat().st_mtime_ns, p.read_bytes()) for p in folder.rglob("*") if p.is_file()} == before
-
-
 TELLING = """
 import signal
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell lets what runs in its background ignore it

@@ -168,15 +168,6 @@ def test_other_faults_are_still_told_beside_an_inserted_row(books, tmp_path):
     assert ("formula", cell.coordinate) in kinds
 
 
-def test_rows_inserted_in_two_tables_are_two_findings(books, tmp_path):
-    path = books("press")
-    (sheet, first, *_), (_, other, *_) = place(path, "axis2"), place(path, "axis1")
-    made = edited(path, tmp_path, excel.Lines(sheet, first + 2, 1), excel.Lines(sheet, other + 2, 2))
-    assert [(f.kind, f.cell) for f in sums(verify(made)).findings] == [
-        ("layout", f"{other + 2}:{other + 3}"), ("layout", f"{first + 4}:{first + 4}"),
-    ]  # fmt: skip
-
-
 def test_a_deleted_column_is_one_line_with_its_heading(books, tmp_path):
     path = books("press")
     line = refused(edited(path, tmp_path, excel.Lines("Timing", 8, -1, columns=True)))
@@ -247,11 +238,6 @@ def test_a_table_cut_and_pasted_to_another_sheet_is_one_finding(books, tmp_path)
     report = verify(edited(path, tmp_path, excel.Cut(sheet, f"A{top - 5}:{right}{bottom + 8}", 900, 0, "Drive MC01")))
     (found,) = sums(report).findings
     assert (found.kind, found.sheet, found.cell) == ("name", "Drive MC01", f"D{top + 895}")  # the name above the table
-
-
-def test_entries_with_their_labels_are_moved_freely(books, tmp_path):
-    path = books("press")
-    understood(verify(edited(path, tmp_path, excel.Cut("Timing", "B7:F8", 0, 45))))
 
 
 @needs_office

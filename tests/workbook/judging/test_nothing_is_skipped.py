@@ -173,15 +173,6 @@ def test_settings_that_show_other_values_are_found(attribute, says, press, tmp_p
     assert says in report.findings[0].computed
 
 
-@pytest.mark.parametrize(
-    "attribute", ['calcMode="autoNoTable"', 'iterate="0"', 'fullPrecision="1"', 'iterateCount="9"']
-)
-@pytest.mark.sample(2)
-def test_other_settings_are_no_finding(attribute, press, tmp_path):
-    change = {WORKBOOK: sub(rb"<calcPr ", f"<calcPr {attribute} ".encode())}
-    assert verify(repacked(press.path, tmp_path / "b.xlsx", change)).findings == []
-
-
 def test_the_rules_of_lotus_are_found(press, tmp_path):
     change = {press.part("Drive MC01"): sub(rb"<sheetPr>", b'<sheetPr transitionEvaluation="1">')}
     report = verify(repacked(press.path, tmp_path / "b.xlsx", change))

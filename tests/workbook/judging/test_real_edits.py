@@ -55,10 +55,6 @@ def numbers(machine):
     return dict(walk("", machine.model_dump()))
 
 
-def spot(cell):
-    return f"{cell.parent.title}!{cell.coordinate}"
-
-
 # What an engineer may do
 
 
@@ -92,23 +88,6 @@ def test_entries_of_the_cutting_machine_are_followed(tmp_path):
     assert [(one.force, one.resists) for one in feed.load.windows] == [(300, "moving")]
     assert len(entered.axes[1].phases) == blocks["axis2"].size == 8
     assert len(entered.laws["OWN"].pieces) == pieces == 8
-
-
-def test_input_that_holds_a_formula_is_taken_and_told(hands):
-    hands.cell("timing_rate").value = "=60/0.4"
-    report = hands.verify()
-    assert report.findings == []
-    assert any(spot(hands.cell("timing_rate")) in note for note in report.notes)
-    assert hands.entered().master.rate == pytest.approx(150, rel=1e-12)
-
-
-def test_sheets_reordered_and_added(hands):
-    hands.workbook.move_sheet("Drive MC01", -2)
-    notes = hands.workbook.create_sheet("My notes", 0)
-    notes["A1"], notes["B1"] = "mean power", "=AVERAGE('Drive MC01'!F80:F90)"
-    report = hands.verify()
-    assert report.findings == []
-    assert report.own == ["'My notes'!B1"]
 
 
 # What is a fault

@@ -485,14 +485,3 @@ def test_memory_stays_below_one_gibibyte(make, limit, tmp_path):
     assert run.returncode in (0, 2), run.stderr[-2000:]
     assert "Traceback" not in run.stderr
     assert "memory of this machine" not in run.stderr
-
-
-@pytest.mark.parametrize("arguments", [("verify",), ("inputs",), ("regenerate", "-o", "new.xlsx")])
-def test_the_commands_refuse_in_one_line_with_exit_code_2(arguments, book, motionbook, monkeypatch, tmp_path):
-    monkeypatch.chdir(tmp_path)
-    path = book({SHEET: sub(ROW, b"<!-- --><row><c r='A0'/></row>")})
-    name, *rest = arguments
-    code, out, err = motionbook(name, path, *rest)
-    assert (code, out, err.count("\n")) == (2, "", 1)
-    assert err.startswith(str(path))
-    assert os.listdir(tmp_path) == ["book.xlsx"]

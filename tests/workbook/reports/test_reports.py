@@ -14,7 +14,7 @@ from workbook.errors import WriteError
 from workbook.judging.batch import Outcome
 from workbook.judging.report import ORDER, Check, Finding, Report, WitnessRun
 from workbook.reports.html import xml_safe
-from workbook.reports.page import DESIGN, KINDS, junit, page, require_writable, write
+from workbook.reports.page import DESIGN, KINDS, junit, page, require_writable
 
 WHEN = datetime(2026, 3, 1, 13, 5, 9, tzinfo=UTC)
 EVIL = "<script>alert('&\"')</script>\x07\ud800"
@@ -149,18 +149,6 @@ def test_every_character_is_made_fit_or_kept():
         text = xml_safe(chr(code))
         ElementTree.fromstring(f"<a>{text}</a>" if text not in "<&" else "<a/>")
     assert xml_safe("ÿ_max ≤ 9 m/s², 中文 😀\u00a0\n\t") == "ÿ_max ≤ 9 m/s², 中文 😀\u00a0\n\t"
-
-
-def test_an_existing_report_is_kept_unless_told_otherwise(tmp_path):
-    path = tmp_path / "report.html"
-    path.write_text("mine")
-    with pytest.raises(WriteError, match="the file exists"):
-        require_writable(path, (".html",), overwrite=False)
-    with pytest.raises(WriteError, match="the file exists"):
-        write(path, lambda: "new", overwrite=False)
-    assert path.read_text() == "mine"
-    write(path, lambda: "new", overwrite=True)
-    assert path.read_text() == "new"
 
 
 @pytest.mark.parametrize("name", ["book.xlsx", "report", "report.xml"])

@@ -5,7 +5,6 @@ from __future__ import annotations
 import datetime
 import math
 import os
-from collections.abc import Iterable, Mapping
 from itertools import chain
 from typing import Any
 
@@ -56,15 +55,6 @@ def book(cells: dict[str, Any], names: dict[str, str] | None = None, other: dict
     for name, text in (names or {}).items():
         workbook.defined_names[name] = DefinedName(name, attr_text=text)
     return workbook
-
-
-def by_themselves(workbook: Workbook, wanted: Iterable[Address], held: Mapping[Address, Any]) -> dict[Address, Any]:
-    """The values of cells, each by itself, with what is held in the cells around it."""
-    cells = list(dict.fromkeys([*held, *wanted]))
-    model = PycelModel(workbook, given=cells)
-    numbers = [cells.index(a) for a in wanted]
-    values = model.each(numbers, [held.get(a, model.constants.get(a)) for a in cells])
-    return dict(zip(wanted, values, strict=True))
 
 
 def at(a1: str, sheet: str = SHEET) -> Address:
@@ -412,14 +402,6 @@ def test_evaluating_again_equals_evaluating_afresh(rounds: list[dict[str, Any]])
         assert [type(v) for v in again.values()] == [type(v) for v in afresh.values()]
 
 
-def test_with_right_values_around_it_a_fault_shows_in_its_own_cell_only() -> None:
-    wrong = book({"A1": 2, "A2": "=A1*3", "A3": "=A2+1", "A4": "=SUM(A2:A3)"})
-    right = {at("A2"): 4.0, at("A3"): 5.0, at("A4"): 9.0}  # where A2 should have been A1*2
-    assert by_themselves(wrong, right, right) == {at("A2"): 6, at("A3"): 5, at("A4"): 9}
-    assert by_themselves(wrong, [at("A4")], right) == {at("A4"): 9}
-    assert evaluate(wrong) == {at("A2"): 6, at("A3"): 7, at("A4"): 13}
-
-
 def test_a_range_that_grows_too_large_down_a_column_is_refused_in_its_own_row() -> None:
     contents = Contents(book({"A1": 5, "XFD3": "=SUM($A$1:XFC3)", "XFD13": "=SUM($A$1:XFC13)"}))
     model = PycelModel(contents)
@@ -451,20 +433,6 @@ def outcome(reading: Any) -> Any:
 
 
 NUMBERS = st.one_of(st.integers(-(10**6), 10**6), st.floats(-1e9, 1e9))
-
-
-COLUMNS = st.lists(st.one_of(NUMBERS, st.sampled_from(["x", None, True, "#N/A", "3"])), min_size=3, max_size=3)
-
-
-@given(
-    COLUMNS, st.sampled_from([*shortcuts.SIMPLE, "Div", "Pow", "BitAnd"]), st.one_of(COLUMNS, NUMBERS), st.booleans()
-)
-def test_the_straight_way_over_ranges_leads_where_pycels_own_leads(one: Any, name: str, two: Any, turned: bool) -> None:
-    left, right = (tuple((v,) for v in part) if isinstance(part, list) else part for part in (one, two))
-    if turned:
-        left, right = right, left
-    own = build_operators(lambda is_exception, message: None)
-    assert same_values(chain(*plain(shortcuts.operators()(left, name, right))), chain(*own(left, name, right)))
 
 
 FAR = NUMBERS.map(lambda x: x * 1e200)
