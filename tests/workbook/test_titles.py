@@ -8,6 +8,25 @@ from workbook.fields.texts import LONGEST, RESERVED, sheet_title
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
+TITLES = {
+    "MTP soft": "MTP soft",
+    "a/b\\c[d]:e*?": "a-b-c-d--e--",
+    "'quoted'": "quoted",
+    "x" * 40: "x" * 31,
+    "x" * 30 + "'s": "x" * 30,
+    "Timing": "Timing (2)",
+    "checks": "checks (2)",
+    "history": "history (2)",
+    "''": "Law",
+    "\U0001f529" * 16: "\U0001f529" * 15,
+    "stra\u00dfe": "stra\u00dfe (2)",
+}
+
+
+@pytest.mark.parametrize("name", TITLES)
+def test_a_sheet_has_a_title_that_excel_takes_and_no_other_has(name):
+    assert sheet_title(name, ["About", "Timing", "STRASSE"]) == TITLES[name]
+
 
 @given(st.lists(st.text(st.characters(blacklist_categories=["Cs", "Cc"]), max_size=50), max_size=6))
 def test_whatever_the_names_titles_are_such_as_excel_takes(names):
