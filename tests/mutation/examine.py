@@ -4,7 +4,6 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from tests.mutation.bench import Bench, Inputs
-from tests.mutation.equivalence import Equivalence
 from tests.mutation.mutants import Mutant
 from workbook.judging.verify import Report
 
@@ -13,12 +12,16 @@ ENTERED, VARIED, ELSEWHERE = "at the values entered", "at verify's variations", 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is known of one mutant: whether its text gives it away, where its value does, why it may be harmless."""
+    """What is known of one mutant: whether its text gives it away, and where its value does."""
 
     mutant: Mutant
     by_text: bool
     by_value: str = ""  # one of the three places above, or nowhere
-    equivalent: str = ""  # the rule that proves it
+
+    @property
+    def is_harmless(self) -> bool:
+        """Whether it computes what the original computes: only a $ is gone, and nothing is copied."""
+        return self.mutant.kind == "anchor"
 
     def found(self, values_only: bool) -> bool:
         """Whether ``verify`` finds it, or would find it by values alone."""
@@ -27,16 +30,13 @@ class Verdict:
 
 def examined(bench: Bench, mutants: Iterable[Mutant], elsewhere: list[Inputs]) -> Iterator[Verdict]:
     """Judge each mutant by its own cell; ``elsewhere`` is where to look for those that no variation shows."""
-    rules = Equivalence(bench)
     for mutant in mutants:
         by_text, at = bench.other_shape(mutant), bench.differs_at(mutant)
-        if at is not None:
-            yield Verdict(mutant, by_text, VARIED if at else ENTERED)
-        elif reason := rules.reason(mutant):
-            yield Verdict(mutant, by_text, equivalent=reason)
-        else:
-            shows = elsewhere and bench.differs_at(mutant, elsewhere) is not None
+        if at is None:
+            shows = elsewhere and mutant.kind != "anchor" and bench.differs_at(mutant, elsewhere) is not None
             yield Verdict(mutant, by_text, ELSEWHERE if shows else "")
+        else:
+            yield Verdict(mutant, by_text, VARIED if at else ENTERED)
 
 
 def names_it_first(report: Report, mutant: Mutant) -> bool:
@@ -54,8 +54,8 @@ class Tally:
 
     @property
     def survivors(self) -> list[Verdict]:
-        """Mutants that are not found and not proven equivalent."""
-        return [v for v in self.verdicts if not v.found(self.values_only) and not v.equivalent]
+        """Mutants that are not found and not harmless."""
+        return [v for v in self.verdicts if not v.found(self.values_only) and not v.is_harmless]
 
     @property
     def not_first(self) -> list[Mutant]:

@@ -34,13 +34,12 @@ STEPS = ((-1, 0), (1, 0), (0, -1), (0, 1))  # rows, columns
 
 @dataclass(frozen=True)
 class Mutant:
-    """One cell's formula with one fault in it; ``at`` is the token that the fault is in."""
+    """One cell's formula with one fault in it."""
 
     address: Address
     kind: str
     original: str
     mutated: Any
-    at: int = -1
 
     def __str__(self) -> str:
         return f"{self.address} [{self.kind}] {self.original}  ->  {self.mutated}"
@@ -81,11 +80,11 @@ class Mutator:
                     mutated = "=" + "".join(t.value if i != at else text for i, t in enumerate(tokens))
                     if mutated not in seen:
                         seen.add(mutated)
-                        yield Mutant(address, kind, formula, mutated, at)
-        for at, mutated in self._swaps(tokens):
+                        yield Mutant(address, kind, formula, mutated)
+        for mutated in self._swaps(tokens):
             if mutated not in seen:
                 seen.add(mutated)
-                yield Mutant(address, "name", formula, mutated, at)
+                yield Mutant(address, "name", formula, mutated)
 
     def _names(self, tokens: list[Token], at: int) -> Iterator[str]:
         """Put the name of the input before or after in place of an input's."""
@@ -94,14 +93,14 @@ class Mutator:
             yield self.inputs[i - 1]
             yield self.inputs[(i + 1) % len(self.inputs)]
 
-    def _swaps(self, tokens: list[Token]) -> Iterator[tuple[int, str]]:
+    def _swaps(self, tokens: list[Token]) -> Iterator[str]:
         """Exchange two names of single cells."""
         named = [i for i, t in enumerate(tokens) if t.value in self.scalars]
         for n, i in enumerate(named):
             for j in named[n + 1 :]:
                 texts = [t.value for t in tokens]
                 texts[i], texts[j] = texts[j], texts[i]
-                yield i, "=" + "".join(texts)
+                yield "=" + "".join(texts)
 
 
 def ranges(targets: dict[str, str], tokens: list[Token], at: int) -> Iterator[str]:
