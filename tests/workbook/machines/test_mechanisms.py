@@ -80,7 +80,6 @@ def test_each_variation_has_other_sizes_that_reach_its_positions(kind):
         assert [y for y in (low, 0.0, high) if linkage.beyond(y / 1000)] == []
 
 
-@pytest.mark.sample(4)
 @pytest.mark.parametrize("kind", MECHANISMS)
 def test_its_cells_agree_with_the_engine_and_its_entries_come_back(kind, tmp_path):
     """Where they do not, verify tells the causes first."""
