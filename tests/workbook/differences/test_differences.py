@@ -64,6 +64,7 @@ def test_a_book_is_the_same_as_its_description(folder):
     assert differences(folder / "old.toml", folder / "old.xlsx").same
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("save", ["openpyxl", "libreoffice", "opendocument"])
 def test_a_book_saved_by_another_program_is_the_same(folder, tmp_path, save):
     if save == "openpyxl":

@@ -1,6 +1,6 @@
 """Changes of display drawn from the file format's own vocabulary: what alters what is read never passes in silence.
 
-300 changes, one at a time, each to a copy of a small book: 200 that alter what is read, 100 of taste.
+300 changes, one at a time, each to a copy of a small book: 200 that alter what is read, 100 of taste; by day half of them.
 """
 
 import random
@@ -171,6 +171,7 @@ def told(book, drawn, kind):
 ALTERING = (formats, fonts, fills, alignments, rules, views, charts, formats)
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("turn", range(8))
 def test_none_of_200_changes_that_alter_what_is_read_passes_in_silence(turn, book):
     drawn = random.Random(f"{SEED} {turn}")
@@ -264,6 +265,7 @@ def fine_charts(drawn):
 TASTE = (decimals, fine_fonts, fine_places, fine_sheets, fine_words, fine_charts)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("turn", range(4))
 def test_none_of_100_changes_of_taste_is_told_as_a_finding(turn, book):
     drawn = random.Random(f"{SEED} taste {turn}")

@@ -142,6 +142,7 @@ def test_an_input_that_a_function_cannot_take_is_named(judged):
         judged(B1="none given")
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", WITNESSES)
 def test_every_witness_is_asked_at_other_inputs(tmp_path, name):
     witness = WITNESSES[name]()

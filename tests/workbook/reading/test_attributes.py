@@ -14,7 +14,7 @@ from workbook.build import build
 from workbook.errors import ReadError
 from workbook.reading.files import open_book
 
-DAY, NIGHT = 200, 60
+DAY, NIGHT = 100, 60
 COMMANDS = {"verify": ("book.xlsx", "--jobs", 1), "diff": ("sound.xlsx", "book.xlsx"),
             "export": ("book.xlsx", "--axis", "α", "--to", "csv", "-o", "../axis.csv", "--force")}  # fmt: skip
 

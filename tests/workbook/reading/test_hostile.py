@@ -21,7 +21,7 @@ from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.witnesses.agreement import agreed_values
 
-FILES, CHUNKS = 400, 4  # by day; a night has as many runs of a chunk as it has NIGHTS
+FILES, CHUNKS = 200, 4  # by day; a night has as many runs of a chunk as it has NIGHTS
 NIGHTS = 4
 VERIFIED = 40  # every so many files are verified too, not only read
 WITH_CHARTS = 20  # every so many files keep their charts

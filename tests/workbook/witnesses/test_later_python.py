@@ -14,6 +14,7 @@ from workbook.template import FOLDER
 SAYS = "every one computes what the engine computes"
 
 
+@pytest.mark.sample(1)
 @pytest.mark.parametrize("python", ["3.14", "3.15"])
 def test_the_cutting_machine_is_verified_with_the_trees_of_a_later_python(python, tmp_path):
     build(cutting.small(), tmp_path / "book.xlsx")
