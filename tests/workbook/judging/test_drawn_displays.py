@@ -1,6 +1,6 @@
 """Changes of display drawn from the file format's own vocabulary: what alters what is read never passes in silence.
 
-300 changes, one at a time, each to a copy of a small book: 200 that alter what is read, 100 of taste; by day half of them.
+300 changes, one at a time, each to a copy of a small book: 200 that alter what is read, 100 of taste; by day half.
 """
 
 import random
