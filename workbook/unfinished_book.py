@@ -1,18 +1,19 @@
 """The book of an unfinished design: entries as they are, FAIL where an entry breaks a rule, no value where needed.
 
-The book is declared for a machine whose entries do. Those that were replaced are put back; the formula cells that hang
-on them have no engine value (None), but for the checks of the rules themselves, and what these come to together.
+The book is declared for a machine whose entries do. Those that were replaced are put back, and the formula cells that
+depend on them have no value, until a program opens the book and works them out. The checks of the entries alone have
+one: what was entered tells it.
 """
 
-from collections.abc import Iterator
-from functools import cache
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from workbook.book.address import Address
-from workbook.book.declare import Book, Quantity
+from workbook.book.declare import Book, Cell
 from workbook.book.depends import Dependence
-from workbook.book.limits import EMPTY, EXPECTED, FULL, MESSAGE, MESSAGES, USED, Guard, in_use, room_text
-from workbook.book.quantity import FAIL, OK, SAYS, number_format, sample
+from workbook.book.limits import EMPTY, Guard
+from workbook.book.quantity import FAIL, SAYS, number_format, sample
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
 from workbook.book.summary import check_cells
@@ -20,163 +21,106 @@ from workbook.entries.machine import Fault, Machine
 from workbook.fields.paths import key_of
 from workbook.law_sheets.library import named_laws
 
-MOST_TURNS = 1000
-
 
 def with_entries(book: Book, machine: Machine) -> Book:
     """Return the book of a machine, with what was entered of its unfinished design."""
-    return UnfinishedBook(book, machine).book if machine.design.replaced else book
+    if machine.design.replaced:
+        UnfinishedDesign(book, machine).put_into_book()
+    return book
 
 
-class UnfinishedBook:
-    """A book changed to an unfinished design: first the entries, then checks, then the cells that depend on entries."""
+class UnfinishedDesign:
+    """The entries of an unfinished design, and its faults, by the cells of its book."""
 
     def __init__(self, book: Book, machine: Machine) -> None:
-        self.book, self.design = book, machine.design
+        self.book = book
         self.laws = {law.key: f"laws.{key_of(law.name)}" for law in named_laws(machine.laws)}
-        self.at = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
-        inputs = [(at, cell) for at, cell in self.at.items() if cell.quantity.role == "input"]
-        self.inputs = {self._key(cell.quantity.key, cell.i): at for at, cell in inputs}
+        self.cells = {Address(c.block.sheet.title, c.row, c.column): c for c in book.cells()}
+        inputs = [(at, cell.quantity.key, cell.i) for at, cell in self.cells.items() if cell.quantity.role == "input"]
+        self.inputs = {self._key(key, row): at for at, key, row in inputs}
+        replaced = {self.inputs[key]: old for key, old in machine.design.replaced.items() if key in self.inputs}
+        self.entered = {at: old.value for at, old in replaced.items()}
+        self.turns = {at: old.turn for at, old in replaced.items()}
+        self.faults: dict[tuple[str, str], Fault] = {}  # by the place and the rule
+        for fault in machine.design.faults:
+            self.faults.setdefault((fault.where, fault.rule), fault)
         self.dependence = Dependence(book)
-        self.hanging = cache(self.dependence.on)
-        self.values: dict[tuple[str, int], list[Any]] = {}
-        turns = dict(self._entered())
-        known = self._known(turns)
-        summed = {at for name in check_cells(book) for at in self._column(name)}
-        moved = [at for at, value in known.items() if self.at[at].expected != value]
-        for at in self.dependence.on([*turns, *moved], {*known, *summed}):
-            self._put(at, None)
-        for at, value in known.items():
-            self._put(at, value)
-        self._write()
-        for name, values in check_cells(book).items():
-            for at, value in zip(self._column(name), values, strict=True):
-                self._put(at, value)
-        self._write()
 
-    def _entered(self) -> Iterator[tuple[Address, int]]:
-        """Put what was entered into the inputs; yield those cells, and the turn in which each was replaced."""
-        for key, at in self.inputs.items():
-            if old := self.design.replaced.get(key):
-                self._put(at, old.value)
-                yield at, old.turn
+    def put_into_book(self) -> None:
+        """Give the book what was entered, the verdicts of its checks, and no value where a cell depends on faults."""
+        limits = {guard.check: self.limit_message(guard) for guard in self.book.guards}
+        rules = {q.name: message for _, q in self.book.checks if (message := self.rule_message(q.name, q.rule))}
+        failing: dict[Address, Any] = {}
+        for check, message in (limits | rules).items():
+            failing |= {self._at(check): FAIL, self._at(f"{check}{SAYS}"): message} if message else {}
+        known = {self._at(f"{check}{end}") for check in limits | rules for end in ("", SAYS)}
+        summed = {at for name in check_cells(self.book) for at in self._column(name)}
+        without_value = self.dependence.on([*self.entered, *failing], known | summed)
+        self._put(dict.fromkeys(without_value) | self.entered | failing)
+        sums = check_cells(self.book).items()
+        self._put({at: value for name, column in sums for at, value in zip(self._column(name), column, strict=True)})
 
-    def _known(self, turns: dict[Address, int]) -> dict[Address, Any]:
-        """Return the verdicts of the checks of the entries, and the columns that they read."""
-        known: dict[Address, Any] = {}
-        for guard in self.book.guards:
-            messages, sentence = self._in_rows(guard) if guard.table else self._beside(guard)
-            known |= messages | self._verdict(guard.check, sentence)
-        for _, q in self.book.checks:
-            where, _, rule = q.rule.partition(":")
-            if rule:
-                text = self._told(q, self._key(where), rule, turns)
-                known |= {} if text is None else self._verdict(q.name, text)
-        return known
-
-    def _beside(self, guard: Guard) -> tuple[dict[Address, Any], str]:
-        """Return the messages beside single cells, and the first of them, if any."""
-        messages: dict[Address, Any] = {}
-        message = ""
-        for place, (q, _) in enumerate(guard.entries):
-            name = f"{q.name}{EXPECTED}"
-            (at,) = self._column(f"{name}.{name}")
-            faults = list(self._faults(self._key(q.key), ""))
-            messages[at] = guard.message(place, faults[0].value) if faults else q.source
-            message = message or (messages[at] if faults else "")
-        return messages, message
-
-    def _in_rows(self, guard: Guard) -> tuple[dict[Address, Any], str]:
-        """Return the messages of a table, and the sentence on the first of them, if any."""
-        block = self.book.blocks[f"{guard.table}{MESSAGES}"]
-        columns = {name: as_rows("", guard.rows, name) for name in guard.columns}
-        for place, i, value in self._beyond(guard):
-            column = columns[guard.column(place)]
-            column[i] = column[i] or guard.message(place, value)
-        columns[MESSAGE] = [next(filter(None, row), "") for row in zip(*columns.values(), strict=True)]
-        if USED in block.columns:
-            table = self.book.blocks[guard.table]
-            entered = [
-                q._replace(value=self.values.get((guard.table, table.columns[q.name] - table.column), q.value))
-                for q in self._inputs(guard.table)
-            ]
-            columns[USED] = in_use(guard.rows, entered)
-        text = next((Sentence(f"row {i}, {message}") for i, message in enumerate(columns[MESSAGE], 1) if message), "")
-        known: dict[Address, Any] = {}
-        for name, values in columns.items():
-            known |= zip(self._column(f"{block.name}.{name}"), values, strict=True)
-        if USED in columns:
-            full = f"{guard.table}{FULL}"
-            known |= dict.fromkeys(self._column(f"{full}.{full}"), room_text(columns[USED]))
+    def limit_message(self, guard: Guard) -> str:
+        """Return the sentence on the first entry of a block that is beyond its limit or breaks a rule of its row."""
         above = self._key(guard.entries[0][0].key.partition(".*")[0])
-        return known, EMPTY if any(self._faults(above, "")) else text
+        if guard.table and (above, "") in self.faults:
+            return EMPTY
+        first = min(self._faults_in_rows(guard, above), default=None, key=lambda fault: fault[:2])
+        if first is None:
+            return ""
+        row, place, value = first
+        message = guard.message(place, value)
+        return Sentence(f"row {row + 1}, {message}") if guard.table else message
 
-    def _beyond(self, guard: Guard) -> Iterator[tuple[int, int, Any]]:
-        """Yield what breaks limits and rules in a table: its place among those that are watched, row and value."""
-        for place, (q, _) in enumerate(guard.entries):
-            for i in range(guard.rows):
-                yield from ((place, i, fault.value) for fault in self._faults(self._key(q.key, i), ""))
-        above = self._key(guard.entries[0][0].key.partition(".*")[0])
-        for place, rule in enumerate(guard.rules, len(guard.entries)):
-            column = next((q.key for q in self._inputs(guard.table) if q.name == rule.column), "")
-            for i in range(guard.rows):
-                if any(self._faults(f"{above}.{i}", rule.rule)):
-                    yield place, i, self._held(self._key(column, i))
+    def _faults_in_rows(self, guard: Guard, above: str) -> Iterator[tuple[int, int, Any]]:
+        """Yield of each fault its row, its place among the entries and rules that are watched, and the entry."""
+        keys = {q.name: q.key for q in self.book.blocks[guard.table].quantities} if guard.table else {}
+        for row in range(guard.rows):
+            for place, (q, _) in enumerate(guard.entries):
+                if fault := self.faults.get((self._key(q.key, row), "")):
+                    yield row, place, fault.value
+            for place, rule in enumerate(guard.rules, len(guard.entries)):
+                if (f"{above}.{row}", rule.rule) in self.faults:
+                    at = self.inputs.get(self._key(keys[rule.column], row)) if rule.column else None
+                    yield row, place, None if at is None else self.entered.get(at, self.cells[at].content)
 
-    def _inputs(self, table: str) -> list[Quantity]:
-        return [q for q in self.book.blocks[table].quantities if q.role == "input"]
-
-    def _told(self, q: Quantity, where: str, rule: str, turns: dict[Address, int]) -> str | None:
-        """Return the sentence of a rule's check: nothing where it holds, None where the entries do not tell."""
-        faults = list(self._faults(where, rule))
-        below = f"{where}."
-        if where and not any(f.turn == 0 and f.where != where and f.key.startswith(below) for f in self.design.faults):
-            return next((fault.message for fault in faults if fault.turn == 0), "")  # asked of what was entered
-        last = faults[0].turn if faults else MOST_TURNS
-        (at,) = self._column(f"{q.name}.{q.name}")
-        if at in self.hanging(frozenset(at for at, turn in turns.items() if turn < last)):
-            return None
-        return faults[0].message if faults else ""
-
-    def _verdict(self, check: str, message: str) -> dict[Address, Any]:
-        """Return the content of a check, and in the sentence beside it."""
-        (at,), (beside,) = self._column(f"{check}.{check}"), self._column(f"{check}{SAYS}.{check}{SAYS}")
-        source = next(q.source for _, q in self.book.checks if q.name == check)
-        return {at: FAIL, beside: Sentence(message)} if message else {at: OK, beside: source}
-
-    def _faults(self, where: str, rule: str) -> Iterator[Fault]:
-        return (fault for fault in self.design.faults if (fault.where, fault.rule) == (where, rule))
-
-    def _held(self, key: str) -> Any:
-        """Return the entry at a key of an input."""
-        if key in self.design.replaced:
-            return self.design.replaced[key].value
-        return self.at[self.inputs[key]].content if key in self.inputs else None
+    def rule_message(self, check: str, place_and_rule: str) -> str:
+        """Return the sentence of the check of a rule that does not hold; nothing where no entered number tells it."""
+        where, _, rule = place_and_rule.partition(":")
+        fault = self.faults.get((self._key(where), rule)) if rule else None
+        if fault is None:
+            return ""
+        before = [at for at, turn in self.turns.items() if turn < fault.turn]
+        return "" if self._at(check) in self.dependence.on(before) else Sentence(fault.message)
 
     def _key(self, key: str, row: int = 0) -> str:
         """Return the key of an entry in a row, with the law's name where cells have its number."""
         begin = ".".join(key.split(".")[:2])
         return f"{self.laws.get(begin, begin)}{key.removeprefix(begin)}".replace("*", str(row))
 
+    def _at(self, name: str) -> Address:
+        """Return the address of a single cell."""
+        return self._column(f"{name}.{name}")[0]
+
     def _column(self, name: str) -> list[Address]:
         """Return the addresses of a column, named ``block.quantity``."""
         block, _, quantity = name.partition(".")
         return self.book.blocks[block].area(quantity).cells()
 
-    def _put(self, at: Address, value: Any) -> None:
-        cell = self.at[at]
-        key = (cell.block.name, cell.column - cell.block.column)
-        if key not in self.values:
-            self.values[key] = list(as_rows(cell.quantity.value, cell.block.size, cell.quantity.name))
-        self.values[key][cell.i] = value
-
-    def _write(self) -> None:
-        """Give the blocks of the book what was put into their cells."""
-        for (name, j), values in self.values.items():
+    def _put(self, values: Mapping[Address, Any]) -> None:
+        """Give cells of the book other values; a formula's number format stays."""
+        columns: dict[tuple[str, int], list[tuple[Cell, Any]]] = defaultdict(list)
+        for at, value in values.items():
+            cell = self.cells[at]
+            columns[cell.block.name, cell.column - cell.block.column].append((cell, value))
+        for (name, j), changes in columns.items():
             block = self.book.blocks[name]
             q = block.quantities[j]
+            column = list(as_rows(q.value, block.size, q.name))
+            for cell, value in changes:
+                column[cell.i] = value
             look = number_format(q, sample(q)) if q.formula is not None else q.format
-            changed = q._replace(value=values if block.is_table else values[0], format=look)
+            changed = q._replace(value=column if block.is_table else column[0], format=look)
             block.quantities = (*block.quantities[:j], changed, *block.quantities[j + 1 :])
-        own = {block.quantities[0].name: block.quantities[0] for block in self.book.blocks.values()}
-        self.book.checks = [(s, q._replace(value=own[q.name].value)) for s, q in self.book.checks]
+        verdicts = {check.name: self.book.blocks[check.name].quantities[0].value for _, check in self.book.checks}
+        self.book.checks = [(s, q._replace(value=verdicts[q.name])) for s, q in self.book.checks]
