@@ -10,7 +10,7 @@ from pydantic import BaseModel, ValidationError
 from workbook.entries import rules
 from workbook.entries.machine import Design, Fault, Machine, Replaced
 from workbook.errors import LONGEST, quoted
-from workbook.fields.paths import MISSING, Place, child, get, join, leaves, put, split
+from workbook.fields.paths import get, join, leaves, put, split
 from workbook.fields.types import LARGEST, SMALLEST, DesignError, DesignFaultsError, EntryError
 
 M = TypeVar("M", bound=Machine)
@@ -27,30 +27,24 @@ class RefusedError(Exception):
         self.faults = faults
 
 
-def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any], example: Callable[[], Machine]) -> M:
-    """Return a machine, with entries of ``example`` for faulty numbers; raise RefusedError for other faults."""
+def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> M:
+    """Return a machine, with numbers that do in place of faulty ones; raise RefusedError for other faults."""
     replaced: dict[str, int] = {}  # the turn in which each place was
     faults: list[Fault] = []
-    tried = data = model.spelled(data)
+    data = model.spelled(data)
+    tried = deepcopy(data)
     for turn in range(MOST_ROUNDS):
         machine, refused = validated(model, check, tried)
         if machine is not None:
             changed = differing(model, data, machine.model_dump(), replaced)
             machine._design = Design(changed, tuple(faults))
             return machine
-        if turn == 0:
-            tried, dumped = deepcopy(data), example().model_dump()
         for fault in refused:
-            path = fault.key
-            while path in replaced and path:
-                path = join(split(path)[:-1])
-            if not path:
+            if not fault.key:
                 raise RefusedError(refused)
-            whole = path == fault.key
-            fits = whole and fault.fits is not None
-            put(tried, split(path), fault.fits if fits else fitting(model, path, dumped, tried))
-            replaced.setdefault(path, turn)
-            if whole:
+            put(tried, split(fault.key), deepcopy(fault.fits))
+            if fault.key not in replaced:
+                replaced[fault.key] = turn
                 faults.append(fault._replace(turn=turn))
     raise RefusedError(refused)
 
@@ -86,9 +80,11 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
     else:
         known = fault["type"] == "missing" or value is None or value == {}
         known = known and (kind is float or get_origin(kind) is Literal or rules.takes_law(constraints))
-    fits = 0.0 if not beyond and kind is float and Ge(0) in constraints else None  # as a cell reads it
-    message = f"expected {rules.expectation(kind, constraints)}"
-    return [Fault(key, key, "", message, value if beyond else None, fits)] if known else None
+    if not known:
+        return None
+    is_read_as_0 = not beyond and kind is float and Ge(0) in constraints  # as an empty cell is
+    fits = 0.0 if is_read_as_0 else rules.within(kind, constraints)
+    return [Fault(key, key, "", f"expected {rules.expectation(kind, constraints)}", value if beyond else None, fits)]
 
 
 def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:
@@ -130,18 +126,6 @@ def of_rule(where: str, error: DesignError) -> Fault:
     return Fault(key, where if error.rule else key, error.rule, str(error), error.value, error.fits)
 
 
-def fitting(model: type[BaseModel], path: str, example: dict[str, Any], tried: dict[str, Any]) -> Any:
-    """Return a valid entry, or all entries below a place: the example's numbers with the texts that were entered."""
-    rule = ruled(path, tried)
-    entry = example_at(example, split(rule))
-    if entry is None:
-        kind, constraints = rules.field_at(model, rule)
-        if len(rules.tables(kind)) != 1 or any(field.is_required() for field in rules.fields(kind).values()):
-            return rules.within(kind, constraints)
-        entry = kind().model_dump()
-    return refilled(get(tried, split(path), MISSING), entry)
-
-
 def keys_of(model: type[BaseModel], loc: tuple[int | str, ...]) -> tuple[str, str]:
     """Return the key of a fault of pydantic's, and of its rule: by a law's family, by the kind of a table."""
     given = [*map(str, loc)]
@@ -158,26 +142,6 @@ def ruled(path: str, data: dict[str, Any]) -> str:
     if len(names) > 1 and names[0] == "laws":
         names = ("laws", get(data, ("laws", names[1], "family"), names[1]), *names[2:])
     return join(names)
-
-
-def example_at(example: Any, path: Place) -> Any:
-    """Return the value of an example at a path, of a list too short its last row."""
-    for part in path:
-        last = len(example) - 1 if isinstance(example, list) else 0
-        example = child(example, str(min(int(part), last)) if isinstance(example, list) else part)
-    return None if example is MISSING else example
-
-
-def refilled(held: Any, example: Any) -> Any:
-    """Return an example's numbers in the structure of what was entered, whose texts and list lengths stay."""
-    if isinstance(example, dict):
-        known = held if isinstance(held, dict) else {}
-        if known.get(rules.KIND) != example.get(rules.KIND) and rules.KIND in known:
-            return deepcopy(held)  # what an example of another kind has does not fit
-        return {key: refilled(known.get(key, MISSING), value) for key, value in example.items() if value is not None}
-    if isinstance(example, list) and example and isinstance(held, list) and held:
-        return [refilled(row, example[min(i, len(example) - 1)]) for i, row in enumerate(held)]
-    return held if isinstance(held, str) and isinstance(example, str) else deepcopy(example)
 
 
 def differing(

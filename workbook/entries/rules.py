@@ -176,7 +176,12 @@ def is_table(kind: Any) -> bool:
 
 
 def within(kind: Any, constraints: list[Any]) -> Any:
-    """Return an entry that keeps to its constraints: a number near 1, or the first word."""
+    """Return an entry that keeps to its constraints: a number near 1, the first word, a row of such entries."""
+    if get_origin(kind) is list:
+        required = {name: field for name, field in fields(get_args(kind)[0]).items() if field.is_required()}
+        return [{name: within(*unwrap(field.annotation, field.metadata)) for name, field in required.items()}]
+    if kind is str:
+        return "A"
     if get_origin(kind) is Literal:
         return get_args(kind)[0]
     if takes_law(constraints):

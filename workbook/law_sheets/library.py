@@ -10,7 +10,7 @@ from engine.laws import Law
 from workbook.book.chart import in_scope
 from workbook.entries.machine import Machine
 from workbook.fields.paths import leaves
-from workbook.laws.entries import Laws, references
+from workbook.laws.entries import Laws
 from workbook.laws.family import Page
 from workbook.laws.registry import CODES, FAMILY
 
@@ -66,15 +66,6 @@ def named_laws(given: Laws) -> list[NamedLaw]:
 def laws(given: Laws) -> dict[str, Law]:
     """Return the engine's laws by name, in the order of their numbers."""
     return {named_law.name: named_law.law for named_law in named_laws(given)}
-
-
-def with_basic_laws(machine: Machine) -> Machine:
-    """Return a machine whose phases and tools take basic laws alone."""
-    copy = machine.model_copy(deep=True)
-    for reference in references(copy):
-        if reference.name not in CODES:
-            object.__setattr__(reference.entries, reference.field, CODES[1])  # a law that moves
-    return copy
 
 
 M = TypeVar("M", bound=Machine)

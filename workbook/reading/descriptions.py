@@ -14,7 +14,6 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, quoted
 from workbook.fields.paths import key_of, put, spell, split
 from workbook.fields.types import EntryError
-from workbook.law_sheets.library import with_basic_laws
 from workbook.laws.named import with_laws_by_code
 from workbook.selection.entries import referred
 from workbook.template import M, Template
@@ -90,7 +89,7 @@ def validated(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate entries; raise InputError for faults of structure or type: other ones make an unfinished design."""
     model = template.model
     try:
-        return finished(model, template.check, data, lambda: with_basic_laws(read_machine(template.description)))
+        return finished(model, template.check, data)
     except RefusedError as error:
         raise InputError([fault_line(fault, model, where) for fault in error.faults]) from None
     except EntryError as error:

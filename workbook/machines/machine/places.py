@@ -41,7 +41,7 @@ def places_beyond_turn(machine: "AnyMachine") -> Iterator[DesignError]:
             for name in KEYS:
                 if (getattr(row, name) or 0.0) > TURN:
                     message = f"expected a number from 0 to {TURN:g}"
-                    yield DesignError(f"{key}.{k}.{name}", message, "", value=getattr(row, name))
+                    yield DesignError(f"{key}.{k}.{name}", message, "", TURN, getattr(row, name))
 
 
 def axis_faults(axis: "Axis", over: Abscissa) -> list[DesignError]:
