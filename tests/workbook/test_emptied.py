@@ -20,7 +20,7 @@ from workbook.templates import TEMPLATES
 def machine_of(name):
     data = small(name)
     template = TEMPLATES[data["template"]]
-    return finished(template.model, template.check, data, lambda: None)
+    return finished(template.model, template.check, data)
 
 
 def defaulted(name):

@@ -39,12 +39,13 @@ def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -
             changed = differing(model, data, machine.model_dump(), replaced)
             machine._design = Design(changed, tuple(faults))
             return machine
+        not_entered = tuple(f"{place}." for place in replaced)
         for fault in refused:
             if not fault.key:
                 raise RefusedError(refused)
             put(tried, split(fault.key), deepcopy(fault.fits))
-            if fault.key not in replaced:
-                replaced[fault.key] = turn
+            if not f"{fault.key}.".startswith(not_entered):
+                replaced.setdefault(fault.key, turn)
                 faults.append(fault._replace(turn=turn))
     raise RefusedError(refused)
 

@@ -180,12 +180,12 @@ def within(kind: Any, constraints: list[Any]) -> Any:
     if get_origin(kind) is list:
         required = {name: field for name, field in fields(get_args(kind)[0]).items() if field.is_required()}
         return [{name: within(*unwrap(field.annotation, field.metadata)) for name, field in required.items()}]
-    if kind is str:
-        return "A"
     if get_origin(kind) is Literal:
         return get_args(kind)[0]
     if takes_law(constraints):
         return RISING[0]
+    if kind is str:
+        return "A"
     if counted := [c.value for c in constraints if isinstance(c, CountsAs)]:
         return counted[0]
     low = max((astuple(c)[0] for c in constraints if isinstance(c, Gt | Ge)), default=-LARGEST)
