@@ -1,8 +1,8 @@
 """The book of an unfinished design: entries as they are, FAIL where an entry breaks a rule, no value where needed.
 
 The book is declared for a machine whose entries do. Those that were replaced are put back, and the formula cells that
-depend on them have no value, until a program opens the book and works them out. The checks of the entries alone have
-one: what was entered tells it.
+depend on them have no value, until a program opens the book and works them out. Only the checks of the entries have a
+value: what was entered tells it.
 """
 
 from collections import defaultdict

@@ -11,7 +11,7 @@ from workbook.book_layout import INPUTS, NAME, input_keys, read_layout
 from workbook.entries import rules
 from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError, quoted
-from workbook.fields.paths import MISSING, get, has_key, put, split
+from workbook.fields.paths import get, has_key, put, split
 from workbook.fields.types import MakesCells
 from workbook.reading.descriptions import cell_key, empty_machine, template_named, validated
 from workbook.reading.files import BookFile, is_formula, require_narrow
@@ -38,7 +38,6 @@ class Entries:
         self.data = self._layout()
         self.beyond: list[str] = []  # of each table of entries the cells under its last row, which nothing reads
         self._between: list[str] = []
-        self._emptied: list[str] = []
         self._laws = {key: law["family"] for key, law in self.data["laws"].items()}
         layout = self._declare_empty(self.data.pop(INPUTS, None))
         fit_tables(file, layout)
@@ -48,8 +47,6 @@ class Entries:
         self._value = evaluate(file, [*self._formulas(layout)])
         for block in layout.blocks.values():
             self._read_block(block)
-        for key in self._emptied:
-            put(self.data, split(key), None)
 
     def machine(self) -> Machine:
         """Return the entries; raise InputError whose lines name the sheet, the cell and what is expected."""
@@ -127,21 +124,17 @@ class Entries:
         table, rowwise, _ = inputs[0][1].key.partition(".*")
         if rowwise and (self._is_stand_in(table) if used else self._must_be_there(table)):
             put(self.data, split(table), [])
-        for i in range(place.rows if "*" not in inputs[0][1].key else used):
+        for i in range(used if rowwise else place.rows):
+            is_used = not rowwise or any(value is not None for value in rows[i])
             for (j, q), value in zip(inputs, rows[i], strict=True):
                 key = q.key.replace("*", str(i))
                 self.cells[key] = f"{place.cell(i, j)} ({q.label})"
-                if value is None and get(self.data, split(key), 0.0) != 0.0:  # a stand-in
-                    put(self.data, split(key), None)
-                elif value is not None or "*" in q.key or key[-1].isdigit():
-                    put(self.data, split(key), MISSING if value is None else value)
-            if any(value is not None for value in rows[i]) or "*" not in inputs[0][1].key:
-                self._emptied += [
-                    q.key.replace("*", str(i))
-                    for (_, q), value in zip(inputs, rows[i], strict=True)
-                    if value is None and self._must_be_there(q.key)
-                ]
-            else:
+                has_stand_in = get(self.data, split(key), 0.0) != 0.0
+                if value is not None or has_stand_in or (is_used and self._must_be_there(q.key)):
+                    put(self.data, split(key), value)
+                elif "*" in q.key or key[-1].isdigit():
+                    put(self.data, split(key))
+            if not is_used:
                 where = f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1}"
                 text = f"of the table {block.name}, but below it; fill it, or move up what is below"
                 self._between.append(f"{where} {text}")
