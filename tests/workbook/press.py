@@ -116,7 +116,7 @@ def timing(book: Book, press: Press, omega: float) -> None:
 def axis(sheet, name: str, phases: list[Phase], entry: str, rows: int, degrees: float) -> None:
     """Declare the table of an axis's phases, over a master of so many degrees a second; and that it comes back."""
     spans = [p.stop - p.start for p in phases]
-    means = [p.lift * degrees / span for p, span in zip(phases, spans, strict=True)]
+    means = [p.lift * degrees / span if span else 0.0 for p, span in zip(phases, spans, strict=True)]
     peaks = [abs(v) * (2.0 if p.law == "rise" else 1.0) for v, p in zip(means, phases, strict=True)]
     ends = list(accumulate(p.lift for p in phases))
 
