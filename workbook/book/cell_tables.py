@@ -20,7 +20,7 @@ Of a column whose formula has a part that is a list, each row has the formula wi
 
 import re
 import tomllib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from operator import attrgetter
 from pathlib import Path
 from string import Formatter
@@ -118,6 +118,10 @@ class CellTable(dict[str, CellWords]):
         """
         row = self[name]
         return KINDS[row.kind](**{"ok" if row.kind == "check" else "value": value}, **row.filled(more))
+
+    def of_rows(self, rows: Iterable[Any], **attributes: str) -> list[Quantity]:
+        """Return columns by their names, each with the values that an attribute of the rows has."""
+        return [self(name, [*map(attrgetter(attribute), rows)]) for name, attribute in attributes.items()]
 
     def entries(self, model: Any, place: str) -> Callable[..., Quantity]:
         """Return a function that declares an input by the name of its row; the model stands at a place."""

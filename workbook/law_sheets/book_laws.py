@@ -225,9 +225,7 @@ def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
         "pieces",
         "Pieces of all laws",
         len(rows),
-        cell("law", [row.law for row in rows]),
-        cell("number", [row.number for row in rows]),
-        cell("k", [row.k for row in rows]),
+        *cell.of_rows(rows, law="law", number="number", k="k"),
         entry("d"),
         column(
             "s0", "constant of position", "S0", "=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])", source="s_k + P/ω² sin φ"

@@ -27,7 +27,7 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
     taken = "INDEX([@drives.{}],@no)" if several else "[@drives.{}.1]"  # no single cell is looked up alike
     columns = list(zip(*(shaft.figures for shaft in view.shafts), strict=True))
     scales = [max(figure.scale for figure in column) for column in columns]
-    mixed, square = (float(of(view.own_reducer)[0]) for of in (view.load.mixed, view.load.square))
+    mixed, square = view.means_behind_own
     motor, reducer = view.names_in_use
     sheet.rows(
         cell("@no", view.number + 1, number=number),
@@ -54,7 +54,7 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
         "Drives",
         len(view.shafts),
         cell("axis", [shaft.name for shaft in view.shafts], formula=[shaft.title for shaft in view.shafts]),
-        cell("k", [shaft.number for shaft in view.shafts]),
+        *cell.of_rows(view.shafts, k="number"),
         *(
             FIGURES(
                 column[0].name,
@@ -130,8 +130,7 @@ def every_drive(sheet: Sheet, view: PairSelection) -> None:
         "@each",
         "All drives, each behind the reducer that it has",
         len(drives),
-        cell("axis", [drive.shaft.name for drive in drives]),
-        cell("k", [drive.shaft.number for drive in drives]),
+        *cell.of_rows(drives, axis="shaft.name", k="shaft.number"),
         cell("can", [len(each) for each in usable], formula=counts),
         cell("smallest", [names[each[0]] if each else "none" for each in usable]),
         cell("motor", motors, as_entered=AS_ENTERED),
@@ -158,17 +157,16 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
     cell = CELLS["behind"]
     drives, down = view.every_drive, view.rooms[0]
     beyond = down * (down + 1)
-    smallest = [drive.usable_behind_own[:1] for drive in drives]
+    smallest = [min((place_of(view, k) for k in drive.usable_behind_own), default=beyond) for drive in drives]
     fastest = [drive.behind_own.speed[0] * drive.requirements.least_speed for drive in drives]
-    mixed = [float(drive.load.mixed(drive.own_reducer)[0]) for drive in drives]
-    square = [float(drive.load.square(drive.own_reducer)[0]) for drive in drives]
+    mixed, square = zip(*(drive.means_behind_own for drive in drives), strict=True)
     product, torque = (max(getattr(drive.shaft, name) for drive in drives) for name in ("product", "torque"))
     sheet.row += 1
     sheet.table(
         "@behind",
         "What the reducer of each drive makes of its load",
         len(drives),
-        cell("axis", [drive.shaft.name for drive in drives]),
+        *cell.of_rows(drives, axis="shaft.name"),
         cell("j", [drive.in_use("j") - drive.in_use("jm") for drive in drives]),
         cell("at", [drive.behind_own.at_motor[0] for drive in drives]),
         cell("turn", [drive.in_use("i") * drive.shaft.values["turns"] for drive in drives]),
@@ -179,7 +177,7 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
         cell("square", square, formula=of_drive(SQUARE.format(**OWN)), scale=torque**2),
         cell(
             "least",
-            [place_of(view, *motor) if motor else beyond for motor in smallest],
+            smallest,
             formula=[
                 f'={beyond}-SUMPRODUCT(MAX(([@all_word{n}.v]="yes")*({beyond}-[@all_word.order])))'
                 for n in range(1, len(drives) + 1)

@@ -213,6 +213,11 @@ class PairSelection:
         """The reducer that the drive has."""
         return Pair(0.0, *(self.in_use(name) for name in ("i", "eta", "no_load"))).arrays
 
+    @property
+    def means_behind_own(self) -> tuple[float, float]:
+        """The means of ω̇ S (W/s) and S² (Nm²) behind the reducer that the drive has, S the load's torque."""
+        return float(self.load.mixed(self.own_reducer)[0]), float(self.load.square(self.own_reducer)[0])
+
     @cached_property
     def behind_own(self) -> PairMatrix:
         """All motors behind the reducer that the drive has, whose own limits are checked on the drive's sheet."""

@@ -205,8 +205,5 @@ def worked(own: OwnLaw, n: int) -> list[Quantity]:
     return [
         cell("xi", begins(pieces)),
         cell("turn", [piece.omega * piece.duration for piece in pieces]),
-        cell("a0", [row.begin for row in at]),
-        cell("a1", [row.end for row in at]),
-        cell("reached", [row.reached for row in at]),
-        cell("jump", [row.jump for row in at]),
+        *cell.of_rows(at, a0="begin", a1="end", reached="reached", jump="jump"),
     ]

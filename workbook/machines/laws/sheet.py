@@ -73,11 +73,9 @@ def costs(sheet: Sheet, view: ComparedLaws) -> None:
         "costs",
         "Laws, in the order of the sheet Laws",
         len(laws),
-        cell("law", [law.name for law in laws]),
-        cell("family", [law.words for law in laws]),
+        *cell.of_rows(laws, law="name", family="words"),
         *(cell(name, [finite(getattr(each, name)) for each in coefficients]) for name in LOOKED_UP),
-        cell("loss", [each.loss for each in coefficients]),
-        cell("va", [each.va for each in coefficients]),
+        *cell.of_rows(coefficients, loss="loss", va="va"),
         cell("at_ends", [DERIVATIVES[ends] for ends, _ in view.smooth], derivatives=SPELLED),
         cell("within", [DERIVATIVES[inside] for _, inside in view.smooth], derivatives=SPELLED),
     )
@@ -87,7 +85,7 @@ def costs(sheet: Sheet, view: ComparedLaws) -> None:
         "costs_worked",
         "Workings",
         RIGHT + RIGHT - LEFT + 1,
-        cell("no", [law.number for law in laws]),
+        *cell.of_rows(laws, no="number"),
         cell("ends", [ends for ends, _ in view.smooth]),
         cell("inside", [inside for _, inside in view.smooth]),
         cell("loss_of", [each.loss if min(orders) > 1 else "∞" for each, orders in both]),
@@ -143,24 +141,19 @@ def joints_table(sheet: Sheet, view: ComparedLaws) -> None:
         "joints",
         "Pieces of each law, and the rest behind it",
         len(rows),
-        cell("law", [row.law.name for row in rows]),
-        cell("no", [row.law.number for row in rows]),
-        cell("k", [row.k for row in rows]),
-        cell("q", [row.row for row in rows]),
-        cell("d", [row.at.duration for row in rows]),
+        *cell.of_rows(rows, law="law.name", no="law.number", k="k", q="row", d="at.duration"),
         cell("u", [row.at.duration + LEAST for row in rows], not_zero=NOT_ZERO),
         *(cell(name, [row.at.angles[i] for row in rows]) for i, name in enumerate(("x", "x2")[:sines])),
         *(rate(view, i, at_end) for at_end in (False, True) for i, _ in enumerate(RATES)),
-        cell("p", [row.at.before for row in rows]),
+        *cell.of_rows(rows, p="at.before"),
         *(
             cell(f"d{name}", [row.at.jump[i] for row in rows], scale=max(abs(row.at.begin[i]) for row in rows))
             for i, name in enumerate(RATES)
         ),
-        cell("ca", [row.law.law.coefficients.ca for row in rows]),
-        cell("order", [row.at.order for row in rows]),
+        *cell.of_rows(rows, ca="law.law.coefficients.ca", order="at.order"),
         cell("outer", [int(row.at.outer) for row in rows]),
         cell("code", [joint_code(row.law.number, row.at) for row in rows]),
-        cell("first", [row.first for row in rows]),
+        *cell.of_rows(rows, first="first"),
     )
 
 

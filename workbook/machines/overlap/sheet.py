@@ -55,7 +55,8 @@ def sums(sheet: Sheet, machine: OverlapView) -> None:
     sheet.row += 1
     stations = machine.stations
     lower = [s.as_set.times_lower(s.before) for s in stations]
-    peaks = [s.peaks for s in stations]
+    before, _, after = zip(*(s.peaks for s in stations), strict=True)
+    ways_in, ways_out = zip(*(s.angles_set for s in stations), strict=True)
     verdicts = ["FAIL" if "FAIL" in [q.value for q in tool.checks(s)] else "OK" for s in stations]
     conditions = ",".join(f'{q.name}="OK"' for q in tool.checks(stations[0]))
     cell = CELLS["tools"]
@@ -65,10 +66,10 @@ def sums(sheet: Sheet, machine: OverlapView) -> None:
         len(stations),
         cell("name", [s.given.name for s in stations], formula=machine.each("=@name")),
         cell("sheet", [f"Tool {s.number}" for s in stations]),
-        cell("in", [s.angles_set[0] for s in stations], formula=machine.each("=@new_in")),
-        cell("out", [s.angles_set[1] for s in stations], formula=machine.each("=@new_out")),
-        cell("a0", [p[0] for p in peaks], formula=machine.each("=@a0")),
-        cell("a1", [p[2] for p in peaks], formula=machine.each("=@a1")),
+        cell("in", ways_in, formula=machine.each("=@new_in")),
+        cell("out", ways_out, formula=machine.each("=@new_out")),
+        cell("a0", before, formula=machine.each("=@a0")),
+        cell("a1", after, formula=machine.each("=@a1")),
         cell("ratio", lower, formula=machine.each("=@ratio")),
         cell("least", [s.least for s in stations], formula=machine.each("=@least")),
         Quantity(
