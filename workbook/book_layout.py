@@ -10,6 +10,7 @@ from typing import Any
 from zlib import crc32
 
 from pydantic import BaseModel
+from pydantic.fields import FieldInfo
 
 from workbook.book.declare import Book
 from workbook.entries import rules
@@ -51,25 +52,24 @@ def input_keys(book: Book) -> list[str]:
 
 def without_cells(model: BaseModel, path: str, keys: set[str]) -> dict[str, Any]:
     """Return the entries of a model, at a ``path``, whose keys are none of ``keys``; of marked ones the stand-in."""
-    data: dict[str, Any] = {}
-    for name, field in type(model).model_fields.items():
-        value, key = getattr(model, name), f"{path}{name}"
-        if value is None or value == [] or key in ("laws", "sizes"):
-            continue
-        marks = [c for c in rules.unwrap(field.annotation, field.metadata)[1] if isinstance(c, MakesCells)]
-        if isinstance(value, BaseModel):
-            below = without_cells(value, f"{key}.", keys)
-            if below or field.is_required() or field.default is None:
-                data[name] = below
-        elif marks and marks[0].stand_in is not None:
-            data[name] = marks[0].stand_in
-        elif isinstance(value, list):
-            default = None if field.is_required() else field.get_default(call_default_factory=True)
-            if marks or default:  # a description without such a list would have the rows of the default
-                data[name] = [without_cells(row, f"{key}.*.", keys) for row in value] if marks else []
-        elif key not in keys and (field.is_required() or value != field.default):
-            data[name] = value
-    return data
+    fields = {f"{path}{name}": (name, field) for name, field in type(model).model_fields.items()}
+    named = {name: entry_without_cells(getattr(model, name), field, key, keys) for key, (name, field) in fields.items()}
+    return {name: entry for name, entry in named.items() if entry is not None}
+
+
+def entry_without_cells(value: Any, field: FieldInfo, key: str, keys: set[str]) -> Any:
+    """Return what a layout has of an entry, or None."""
+    if value is None or value == [] or key in ("laws", "sizes"):
+        return None
+    default = None if field.is_required() else field.get_default(call_default_factory=True)
+    marks = [c for c in rules.unwrap(field.annotation, field.metadata)[1] if isinstance(c, MakesCells)]
+    if isinstance(value, BaseModel):
+        return without_cells(value, f"{key}.", keys) or ({} if default is None else None)
+    if marks and marks[0].stand_in is not None:
+        return marks[0].stand_in
+    if isinstance(value, list):  # a description without such a list would have the rows of the default
+        return [without_cells(row, f"{key}.*.", keys) for row in value] if marks else [] if default else None
+    return None if key in keys or value == default else value
 
 
 def read_layout(text: Any, template: str) -> dict[str, Any]:

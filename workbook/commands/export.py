@@ -86,32 +86,28 @@ def export(
     if [axis is not None, everything, switches].count(True) != 1:
         raise TargetError("expected either --axis NAME, --switches or --all")
     page.require_writable(report, (".html", ".htm"), force)
-    if output is not None and not everything:
-        refuse_itself(output, book)
-        refuse_existing(output, force)
-        refuse_same_file(output, report)
+    refuse_itself(output, book)
     machine, before = open_finished(book)
     axes, lanes, names = plan_export(machine, axis, asked, everything, switches)
-    beside = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
-    paths = beside if output is None or everything else [output]  # with --all, -o names the folder in which they lie
+    paths = [output] if output else []
+    if output is None or everything:  # with --all, -o names the folder in which they lie
+        paths = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
     refuse_any_existing(paths, force)
     refuse_same_file(*paths, report)
     mark = verified_header(book, before, asked.unverified, fresh)
     with ERR.status("Exporting …"):
-        state = (f"{name} {text}" for name in ("number", "revision") if (text := getattr(machine, name)))
-        heading = ", ".join([machine.title, *state])
         files = [
-            export_axis(heading, axis, name, asked, mark, path)
+            export_axis(machine.heading, axis, name, asked, mark, path)
             for axis, name, path in zip(axes, names, paths, strict=False)
         ]
-        turned = export_switches(heading, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
+        turned = export_switches(machine.heading, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
     if not show_certificates(files, turned, asked, as_json):
         return DISAGREES
     page.write(report, lambda: cams.page([(file.axis, file.certified) for file in files], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
-    for path, text in [(file.path, file.text) for file in files] + ([(turned.path, turned.text)] if turned else []):
-        write_text(path, text, force)
-        say(ERR if as_json else OUT, f"Wrote {path.absolute()}")
+    for written in filter(None, (*files, turned)):
+        write_text(written.path, written.text, force)
+        say(ERR if as_json else OUT, f"Wrote {written.path.absolute()}")
     return AGREES
 
 
@@ -137,7 +133,6 @@ def plan_export(
     """
     template = TEMPLATES[machine.template]
     known, lanes = template.axes(machine), template.switches(machine) if switches or everything else []
-    called = dict(zip((of.name for of in known), slugs([of.name for of in known]), strict=True))
     axes = [] if switches else choose_axes(known, axis, machine.template)
     if switches:
         switch_format(asked.target, lanes)
@@ -145,12 +140,12 @@ def plan_export(
         left = ", ".join(visible(lane.name) for lane in lanes)
         say(ERR, f"{asked.target.name} takes no switches: {left} stay in the book", "yellow")
         lanes = []
-    names = [called[axis.name] for axis in axes]
     if asked.of == SHAFT:
         axes = shafts(axes, everything)
-        names = [f"{called[axis.name]}_shaft" for axis in axes]
-        axes = [replaced(axis, name=f"{axis.name}, its motor's shaft") for axis in axes]
-    return axes, lanes, [*names, *(["switches"] if lanes else [])]
+    file_names = dict(zip([axis.name for axis in known], slugs([axis.name for axis in known]), strict=True))
+    ending, of = ("_shaft", ", its motor's shaft") if asked.of == SHAFT else ("", "")
+    names = [f"{file_names[axis.name]}{ending}" for axis in axes] + ["switches"] * bool(lanes)
+    return [replaced(axis, name=f"{axis.name}{of}") for axis in axes], lanes, names
 
 
 def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:

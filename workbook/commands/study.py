@@ -10,7 +10,7 @@ from tempfile import TemporaryDirectory
 from workbook.build import read_description
 from workbook.cluster import pool
 from workbook.errors import AGREES, DISAGREES, FAILS, InputError, ReadError, WriteError
-from workbook.pool import cores
+from workbook.pool import Pool, cores
 from workbook.reports import study as page
 from workbook.reports.console import progress
 from workbook.reports.differences import figure
@@ -39,28 +39,36 @@ def study(
 ) -> int:
     """Run a study, or pick a design of a study that was run; return the exit code."""
     plan = read_study(path)
-    book = output if pick is not None else None
-    results = Path(f"{path.stem}.csv") if output is None or book is not None else output
-    if book is not None and book.suffix.lower() != ".xlsx":
-        raise WriteError(f"{book}: a design that is picked becomes a workbook; expected .xlsx")
+    results = Path(f"{path.stem}.csv") if output is None or pick is not None else output
     require_format(results)
-    if pick is not None and not plan.study.goals:
-        raise InputError([f"{path}: --pick takes the best, and no objective is told; expected minimise or maximise"])
+    if pick is not None:
+        require_pick(plan, path, output)
     summary = finished_study(plan, results) if pick is not None else None
     if summary is None:
         named = require_names(plan, str(path))
         summary = run_study(plan, results, named, scheduler, jobs, resume, unverified, force)
     if pick is None or not summary.feasible:
         return AGREES if summary.feasible else FAILS
-    if not 1 <= pick <= len(summary.best):
-        raise InputError(
-            [f"--pick {pick}: there are {len(summary.best)} best designs; expected 1 to {len(summary.best)}"]
-        )
-    target = book or results.with_name(f"{results.stem}-{pick}.xlsx")
-    refuse_existing(target, force)
+    return pick_design(plan, summary, pick, output or results.with_name(f"{results.stem}-{pick}.xlsx"), force)
+
+
+def require_pick(plan: Plan, path: Path, book: Path | None) -> None:
+    """Raise WriteError or InputError where no design of a study can be picked, or not into this book."""
+    if book is not None and book.suffix.lower() != ".xlsx":
+        raise WriteError(f"{book}: a design that is picked becomes a workbook; expected .xlsx")
+    if not plan.study.goals:
+        raise InputError([f"{path}: --pick takes the best, and no objective is told; expected minimise or maximise"])
+
+
+def pick_design(plan: Plan, summary: Summary, pick: int, book: Path, force: bool) -> int:
+    """Build and verify the book of a design among the best, counted from 1; return the exit code."""
+    best = len(summary.best)
+    if not 1 <= pick <= best:
+        raise InputError([f"--pick {pick}: there are {best} best designs; expected 1 to {best}"])
+    refuse_existing(book, force)
     with ERR.status("Building and verifying …"):
-        judged = build_design(plan, summary.best[pick - 1], target, force)
-    say(OUT, f"Built {target.absolute()}")
+        judged = build_design(plan, summary.best[pick - 1], book, force)
+    say(OUT, f"Built {book.absolute()}")
     return show_judged(judged)
 
 
@@ -88,18 +96,7 @@ def run_study(
     with pool(at_once, scheduler) as workers, parts.opened(resume, force):
         for line in announced(plan, seconds, None if scheduler else at_once):
             say(OUT, line)
-        try:
-            with progress(ERR, "Studying", plan.space.size) as bar:
-                started, fresh = time.perf_counter(), [0]
-
-                def done(count: int, before: bool) -> None:
-                    fresh[0] += 0 if before else count
-                    bar(count, f"{fresh[0] / max(time.perf_counter() - started, 1e-9):,.0f}/s")
-
-                summary = run(plan, parts, workers, done)
-        except KeyboardInterrupt:
-            say(ERR, f"Interrupted. {parts.folder}: {parts.held}")
-            raise
+        summary = run_with_progress(plan, parts, workers)
         names = ["design", *(row.label for row in plan.space.dimensions), *plan.study.names, *ENDS]
         rows = [parts.rows(number) for number in sorted(parts.complete())]
         replace(results, lambda draft: join(names, rows, draft, results.suffix.lower()), over)
@@ -116,6 +113,23 @@ def run_study(
     if judged:
         show_judged(judged)
     return summary
+
+
+def run_with_progress(plan: Plan, parts: Parts, workers: Pool) -> Summary:
+    """Run the designs that are missing, with a bar that tells how many a second; return what came of all."""
+    started, fresh = time.perf_counter(), 0
+
+    def done(count: int, before: bool) -> None:
+        nonlocal fresh
+        fresh += 0 if before else count
+        bar(count, f"{fresh / max(time.perf_counter() - started, 1e-9):,.0f}/s")
+
+    try:
+        with progress(ERR, "Studying", plan.space.size) as bar:
+            return run(plan, parts, workers, done)
+    except KeyboardInterrupt:
+        say(ERR, f"Interrupted. {parts.folder}: {parts.held}")
+        raise
 
 
 def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:

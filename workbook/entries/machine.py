@@ -79,6 +79,11 @@ class Machine(Model):
     def _spelled(cls, data: Any) -> Any:
         return cls.spelled(data)
 
+    @property
+    def heading(self) -> str:
+        """Its title, with its number and revision where it has them."""
+        return ", ".join([self.title, *(f"{k} {v}" for k in ("number", "revision") if (v := getattr(self, k)))])
+
     def layout_entries(self) -> dict[str, Any]:
         """Return by key the entries that tell the layout of its book, where these are other than as entered."""
         return {}
