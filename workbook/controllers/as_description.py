@@ -87,19 +87,22 @@ def require_points(read: IdentifiedMotion, table: Table, profile: CamProfile, un
     return f"It keeps to all {len(x):,} points: off by {error} at most"
 
 
-def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
-    """Return the description of a machine of one axis, without its rate; raise TargetError for what none can have."""
-    x, y = units
+def require_describable(movements: Sequence[FoundPhase], x: str, y: str) -> None:
+    """Raise TargetError where no axis has these units, or a movement keeps to no law."""
     if x not in MEASURES or y not in ENTERED:
         expected = f"{' or '.join(ENTERED)} over {', '.join(MEASURES)}"
         raise TargetError(f"it is in {y} over {x}; expected an axis in {expected}")
+    if misfit := next((p for p in movements if not p.fits), None):
+        raise TargetError(
+            f"from {misfit.begin:.9g} to {misfit.end:.9g} it keeps to no law, and splines through some points are too "
+            "far from the others; --tolerance y=1% allows more"
+        )
+
+
+def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
+    """Return the description of a machine of one axis, without its rate; raise TargetError for what none can have."""
     movements = read.phases
-    for p in movements:
-        if not p.fits:
-            raise TargetError(
-                f"from {p.begin:.9g} to {p.end:.9g} it keeps to no law, and splines through some "
-                "points are too far from the others; --tolerance y=1% allows more"
-            )
+    require_describable(movements, *units)
     begin, end = float(table.x[0]), float(table.x[-1])
     near = NEXT * (end - begin)
     laws, phases = compose_phases(movements, begin, near, units)

@@ -37,11 +37,11 @@ class DescriptionWriter:
         self.known = known
         self.written: set[tuple[str, str]] = set()
 
-    def tables(self, title: str, path: str, data: Mapping[str, Any], many: bool = False) -> Iterator[str]:
+    def tables(self, title: str, path: str, data: Mapping[str, Any]) -> Iterator[str]:
         """Yield a table, and those below it."""
         own = [part for part in self.known if part.path == path and part.kind in ("", data.get(KIND))]
         entries = [(key, part.kind) for part in own for key in part.keys if key.name in data]
-        lines = [f"[[{title}]]" if many else f"[{title}]"] if title else []
+        lines = table_head(title, path)
         lines += [f"family = {toml(data['family'])}"] if path.startswith("laws.") and "family" in data else []
         lines += [line for key, kind in entries for line in self.entry(key, kind, data[key.name])]
         if own:
@@ -56,7 +56,7 @@ class DescriptionWriter:
         inner, below = f"{title}.{name}".strip("."), f"{path}.{name}".strip(".")
         if isinstance(value, list):
             for row in value:
-                yield from self.tables(inner, f"{below}.*", row, many=True)
+                yield from self.tables(inner, f"{below}.*", row)
         elif isinstance(value, dict) and path == "laws":
             yield from self.tables(f"laws.{key_of(name)}", f"laws.{value.get('family', name)}", value)
         elif isinstance(value, dict):
@@ -95,12 +95,16 @@ class DescriptionWriter:
             lines = [text for key in keys for text in unused_key_lines(key)]
             for row in rows:
                 lines += line(f"#   {row.path.split('.')[-3]}: {row.name} = {toml(example_of(row))}", about(row))
-            title = part.path.removesuffix(".*").replace(".*", "")
+            head = [f"# {text}" for text in table_head(part.path.removesuffix(".*").replace(".*", ""), part.path)]
             kind = [f"# kind = {toml(part.kind)}"] if part.kind else []
             if lines:
-                shown = f"# [[{title}]]" if part.path.endswith(".*") else f"# [{title}]"
-                yield "\n".join([*([shown] if title else []), *kind, *lines])
+                yield "\n".join([*head, *kind, *lines])
         yield "\n".join(laws)
+
+
+def table_head(title: str, path: str) -> list[str]:
+    """Return the line above a table, or above a row of a list; nothing for the entries above all tables."""
+    return [f"[[{title}]]" if path.endswith(".*") else f"[{title}]"] if title else []
 
 
 def unused_key_lines(key: Key) -> Iterator[str]:

@@ -3,6 +3,8 @@
 import re
 import tomllib
 from collections.abc import Container, Iterator, Mapping, Sequence
+from functools import reduce
+from operator import or_
 from typing import Any, NamedTuple, get_args, get_origin
 
 import tomlkit
@@ -86,10 +88,9 @@ class ModelWalk:
         """Yield the section of a model, then those of the tables in it; of several, what is common first."""
         known = [model.model_fields for model in models]
         by_kind, common = kinds(models), set.intersection(*map(set, known))
-        every = {name: field for own in known for name, field in own.items()}
-        fields = {name: field for name, field in every.items() if name in common or not by_kind}
+        fields = {name: field for name, field in reduce(or_, known).items() if name in common or not by_kind}
         below = [(name, tables_of(field)) for name, field in fields.items()]
-        facts = {name: words for model in models for name, words in facts_of(model).items()}
+        facts = reduce(or_, map(facts_of, models))
         keys = [self._key(join(path, name), fields[name], facts.get(name)) for name, nested in below if not nested]
         expected = {KIND: either(by_kind)} if by_kind else {}
         plain = tuple(
@@ -99,13 +100,15 @@ class ModelWalk:
         yield Section(path, about, models, plain)
         yield from (self._of_kind(kind, model, common, path) for kind, model in by_kind.items())
         for name, nested in below:
-            if nested and issubclass(nested[0], Laws):
-                yield from self._laws(join(path, name))
-            elif nested:
-                yield from self._nested(nested, join(path, name), fields[name])
+            yield from self._nested(nested, join(path, name), fields[name])
 
     def _nested(self, models: tuple[type[BaseModel], ...], path: str, field: FieldInfo) -> Iterator[Section]:
-        """Yield the sections of a field that is a table, or a list of tables."""
+        """Yield the sections of a field that is a table, or a list of tables; nothing of any other field."""
+        if not models:
+            return
+        if issubclass(models[0], Laws):
+            yield from self._laws(path)
+            return
         annotated, constraints = unwrap(field.annotation, field.metadata)
         many = f": {expectation(annotated, constraints)}" if get_origin(annotated) is list else ""
         about = doc_line(models[0].__base__ if models[1:] else models[0])

@@ -2,7 +2,7 @@
 
 import math
 import operator
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain
@@ -15,70 +15,14 @@ from workbook.reading.contents import Contents
 
 # functions whose arguments, and result, have the same dimension
 LIKE = frozenset(
-    [
-        "ABS",
-        "AVERAGE",
-        "CEILING",
-        "FLOOR",
-        "IFERROR",
-        "IFNA",
-        "INT",
-        "LARGE",
-        "MAX",
-        "MEDIAN",
-        "MIN",
-        "MOD",
-        "MROUND",
-        "N",
-        "SMALL",
-        "STDEV",
-        "SUM",
-        "TRUNC",
-    ]
+    ("ABS AVERAGE CEILING FLOOR IFERROR IFNA INT LARGE MAX MEDIAN MIN MOD MROUND N SMALL STDEV SUM TRUNC").split()
 )
 FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])  # those whose result has that of the first
 NUMBERS = frozenset(
-    [
-        "ACOS",
-        "ACOSH",
-        "ASIN",
-        "ASINH",
-        "ATAN",
-        "ATANH",
-        "COS",
-        "COSH",
-        "DEGREES",
-        "EXP",
-        "LN",
-        "LOG",
-        "LOG10",
-        "RADIANS",
-        "SIN",
-        "SINH",
-        "TAN",
-        "TANH",
-    ]
+    ("ACOS ACOSH ASIN ASINH ATAN ATANH COS COSH DEGREES EXP LN LOG LOG10 RADIANS SIN SINH TAN TANH").split()
 )  # functions of numbers and angles
 COUNTS = frozenset(
-    [
-        "AND",
-        "COUNT",
-        "COUNTA",
-        "COUNTIF",
-        "COLUMN",
-        "COLUMNS",
-        "FALSE",
-        "ISBLANK",
-        "ISERROR",
-        "ISNUMBER",
-        "MATCH",
-        "NOT",
-        "OR",
-        "ROW",
-        "ROWS",
-        "SIGN",
-        "TRUE",
-    ]
+    ("AND COUNT COUNTA COUNTIF COLUMN COLUMNS FALSE ISBLANK ISERROR ISNUMBER MATCH NOT OR ROW ROWS SIGN TRUE").split()
 )
 COMPUTED = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow}
 
@@ -169,38 +113,47 @@ class FormulaChecker:
         if term.dimension not in (None, NONE):
             self.wrong.append(f"{what} of {dimension_text(term.dimension)}")
 
+    def of_numbers(self, name: str, parts: list[Term]) -> Term:
+        """Return the term of a function of numbers and angles."""
+        for part in parts:
+            self.require_number(name, part)
+        return Term(NONE)
+
+    def look_up(self, name: str, parts: list[Term]) -> Term:
+        """Return the term of what is looked up: that of the last range."""
+        self.like(name, parts[:2])
+        return parts[-1]
+
+    def angle(self, name: str, parts: list[Term]) -> Term:
+        """Return the term of the angle of two alike sides."""
+        self.like(name, parts)
+        return Term(NONE)
+
+    def branches(self, name: str, parts: list[Term]) -> Term:
+        """Return the term of a choice among all parts but the first."""
+        return self.like(f"the branches of {name}", parts[1:])
+
     def call(self, name: str, parts: list[Term]) -> Term:
         """Return the term of a call; unknown for a function that is not known here."""
-        if name == "PI":
-            return Term(number=math.pi, free=True)
-        for part in parts if name in NUMBERS else ():
-            self.require_number(name, part)
-        if name in NUMBERS or name in COUNTS:
-            return Term(NONE)
-        if name in LIKE:
-            return self.like(name, parts)
-        if name in FIRST:
-            return parts[0] if parts else UNKNOWN
-        match name:
-            case "SQRT":
-                return self.power(parts[0], Term(number=0.5))
-            case "POWER":
-                return self.power(*parts)
-            case "SUMSQ":
-                return self.power(self.like(name, parts), Term(number=2.0))
-            case "SUMPRODUCT":
-                return product(parts, (1,) * len(parts))
-            case "PRODUCT":  # of a range it has the power of its size, which a term does not tell
-                return Term(NONE) if all(part.dimension == NONE for part in parts) else UNKNOWN
-            case "IF" | "CHOOSE":
-                return self.like(f"the branches of {name}", parts[1:])
-            case "LOOKUP":
-                self.like(name, parts[:2])
-                return parts[-1]
-            case "ATAN2":
-                self.like(name, parts)
-                return Term(NONE)
-        return UNKNOWN
+        return CALLS[name](self, name, parts) if name in CALLS else UNKNOWN
+
+
+CALLS: dict[str, Callable[[FormulaChecker, str, list[Term]], Term]] = {
+    **dict.fromkeys(COUNTS, lambda checker, name, parts: Term(NONE)),
+    **dict.fromkeys(FIRST, lambda checker, name, parts: parts[0] if parts else UNKNOWN),
+    **dict.fromkeys(LIKE, FormulaChecker.like),
+    **dict.fromkeys(NUMBERS, FormulaChecker.of_numbers),
+    **dict.fromkeys(("IF", "CHOOSE"), FormulaChecker.branches),
+    "ATAN2": FormulaChecker.angle,
+    "LOOKUP": FormulaChecker.look_up,
+    "PI": lambda checker, name, parts: Term(number=math.pi, free=True),
+    "POWER": lambda checker, name, parts: checker.power(*parts),
+    # of a range it has the power of its size, which a term does not tell
+    "PRODUCT": lambda checker, name, parts: Term(NONE) if all(p.dimension == NONE for p in parts) else UNKNOWN,
+    "SQRT": lambda checker, name, parts: checker.power(parts[0], Term(number=0.5)),
+    "SUMPRODUCT": lambda checker, name, parts: product(parts, (1,) * len(parts)),
+    "SUMSQ": lambda checker, name, parts: checker.power(checker.like(name, parts), Term(number=2.0)),
+}
 
 
 def product(parts: Sequence[Term], signs: Sequence[int]) -> Term:

@@ -58,41 +58,11 @@ def holds_declared(held: Any, content: Any) -> bool:
 
 
 ALLOWED = frozenset(
-    [
-        "IF",
-        "AND",
-        "OR",
-        "NOT",
-        "MIN",
-        "MAX",
-        "ABS",
-        "SIGN",
-        "SQRT",
-        "SIN",
-        "COS",
-        "TAN",
-        "ATAN2",
-        "PI",
-        "EXP",
-        "LN",
-        "LOG10",
-        "POWER",
-        "INT",
-        "ROUND",
-        "SUM",
-        "SUMPRODUCT",
-        "AVERAGE",
-        "COUNT",
-        "COUNTIF",
-        "INDEX",
-        "MATCH",
-        "CHOOSE",
-        "LARGE",
-        "SMALL",
-        "ISNUMBER",
-        "RADIANS",
-        "DEGREES",
-    ]
+    (
+        "IF AND OR NOT MIN MAX ABS SIGN SQRT SIN COS TAN ATAN2 PI EXP LN LOG10 POWER INT ROUND "
+        "SUM SUMPRODUCT AVERAGE COUNT COUNTIF INDEX MATCH CHOOSE LARGE SMALL ISNUMBER RADIANS "
+        "DEGREES"
+    ).split()
 )
 VOLATILE = frozenset(["NOW", "TODAY", "RAND", "RANDBETWEEN", "OFFSET", "INDIRECT", "CELL", "INFO", "RANDARRAY"])
 MOST = 5  # names that a note lists
@@ -101,14 +71,9 @@ COMPUTED = "how the program computes"
 
 def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     """Yield what is wrong with formulas, names, inputs and settings of a matched workbook."""
-    yield from function_findings(match)
-    declared, ours = {name.casefold() for name, _ in match.declared.names()}, {p.address.sheet for p in match.pairs}
-    for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
-        for name, defined in sheet.defined_names.items():
-            if name.casefold() in declared:  # formulas of the sheet take it for the book's of the same name
-                yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
-    for misled in (column_name_findings, stray_blocks, mislabelled_cells, displaced_texts, exchanged_tables):
-        yield from misled(match)
+    own = (function_findings, sheet_name_findings, column_name_findings, stray_blocks, mislabelled_cells)
+    for findings in (*own, displaced_texts, exchanged_tables):
+        yield from findings(match)
     inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
     read = match.file.contents.read([pair.address for pair in inputs])
     for pair in inputs:  # that no formula reads; texts that only describe are left out
@@ -116,6 +81,15 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
         if at not in read and (field_at(template, q.key)[0] is not str or q.choices):
             yield Finding(at.sheet, at.a1, "unread", str(pair.held), "an input that a formula reads")
     yield from setting_findings(match.file.workbook)
+
+
+def sheet_name_findings(match: Match) -> Iterator[Finding]:
+    """Yield names of a sheet that its formulas take for the book's of the same name."""
+    declared, ours = {name.casefold() for name, _ in match.declared.names()}, {p.address.sheet for p in match.pairs}
+    for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
+        for name, defined in sheet.defined_names.items():
+            if name.casefold() in declared:
+                yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
 
 
 def function_findings(match: Match) -> Iterator[Finding]:

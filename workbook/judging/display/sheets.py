@@ -70,21 +70,29 @@ class Lengths:
         return before + (number - whole) * self[whole]
 
 
+def row_heights(sheet: Worksheet) -> Lengths:
+    """Return the heights of a sheet's rows, 0 of those that are hidden."""
+    form, rows = sheet.sheet_format, sheet.row_dimensions.items()
+    usual = 0.0 if form.zeroHeight else POINT * size(form.defaultRowHeight, HEIGHT)
+    return Lengths({n: 0.0 if row.hidden else POINT * size(row.height, usual / POINT) for n, row in rows}, usual)
+
+
+def column_widths(sheet: Worksheet) -> Lengths:
+    """Return the widths of a sheet's columns, 0 of those that are hidden."""
+    usual, widths = size(sheet.sheet_format.defaultColWidth, WIDTH), dict[int, float]()
+    for letter, column in sheet.column_dimensions.items():
+        first = column.min or column_index_from_string(letter)
+        width = 0.0 if column.hidden else pixels(size(column.width, usual))
+        widths |= dict.fromkeys(range(first, min(column.max or first, LAST_SEEN) + 1), width)
+    return Lengths(widths, pixels(usual))
+
+
 class SheetView:
     """A sheet as it is seen: sizes of rows and columns, where its window begins, what lies over its cells."""
 
     def __init__(self, sheet: Worksheet, anchors: Iterable[Anchor] = ()) -> None:
-        form, self.is_hidden = sheet.sheet_format, sheet.sheet_state != "visible"
-        high = 0.0 if form.zeroHeight else POINT * size(form.defaultRowHeight, HEIGHT)
-        rows = sheet.row_dimensions.items()
-        self.rows = Lengths({n: 0.0 if r.hidden else POINT * size(r.height, high / POINT) for n, r in rows}, high)
-        usual = size(form.defaultColWidth, WIDTH)
-        widths: dict[int, float] = {}
-        for letter, column in sheet.column_dimensions.items():
-            first = column.min or column_index_from_string(letter)
-            width = 0.0 if column.hidden else pixels(size(column.width, usual))
-            widths |= dict.fromkeys(range(first, min(column.max or first, LAST_SEEN) + 1), width)
-        self.columns = Lengths(widths, pixels(usual))
+        self.is_hidden = sheet.sheet_state != "visible"
+        self.rows, self.columns = row_heights(sheet), column_widths(sheet)
         self._first = (1, 1)  # row and column that can be scrolled to: nothing leads before those that are frozen
         view = sheet.sheet_view
         if (pane := view.pane) is not None and str(pane.state).startswith("frozen") and view.topLeftCell:

@@ -106,6 +106,10 @@ class Piece(NamedTuple):
                 places.append((low + high) / 2)
         return places
 
+    def peak(self, order: int) -> float:
+        """Return the largest |a|, or of its derivative of an order."""
+        return max(abs(self.derivative(order, u)) for u in self.around(order + 1))
+
     @property
     def squared(self) -> float:
         """∫a²: to rounding for eight steps, and of a quarter rad."""
@@ -196,10 +200,9 @@ class Law:
         if any(piece.turned > MOST for piece in pieces):
             raise Refused(NUM)
         v = [stage.state(u)[1] for stage in self.stages for u in stage.piece.around(0)]
-        a = [abs(piece.derivative(0, u)) for piece in pieces for u in piece.around(1)]
-        j = [abs(piece.derivative(1, u)) for piece in pieces for u in piece.around(2)]
+        ca, cj = (max(piece.peak(order) for piece in pieces) for order in (0, 1))
         begins = [*(piece.derivative(0, 0.0) for piece in pieces), 0.0]
         ends = [0.0, *(piece.derivative(0, piece.duration) for piece in pieces)]
-        jumps = any(abs(begin - end) > JUMP * max(a) for begin, end in zip(begins, ends))
+        jumps = any(abs(begin - end) > JUMP * ca for begin, end in zip(begins, ends))
         square = math.fsum(piece.squared for piece in pieces)
-        return Coefficients(max(map(abs, v)), max(a), math.sqrt(square), math.inf if jumps else max(j), min(v))
+        return Coefficients(max(map(abs, v)), ca, math.sqrt(square), math.inf if jumps else cj, min(v))
