@@ -105,7 +105,7 @@ def export(
         return DISAGREES
     page.write(report, lambda: cams.page([(file.axis, file.certified) for file in files], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
-    outputs: Sequence[AxisFile | SwitchFile | None] = (*files, turned)
+    outputs: list[AxisFile | SwitchFile | None] = [*files, turned]
     for written in filter(None, outputs):
         write_text(written.path, written.text, force)
         say(ERR if as_json else OUT, f"Wrote {written.path.absolute()}")
