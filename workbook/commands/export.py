@@ -89,9 +89,10 @@ def export(
     refuse_itself(output, book)
     machine, before = open_finished(book)
     axes, lanes, names = plan_export(machine, axis, asked, everything, switches)
-    paths = [output] if output else []
+    place = output or Path()
+    paths = [place]
     if output is None or everything:  # with --all, -o names the folder in which they lie
-        paths = [(output or Path()) / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
+        paths = [place / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
     refuse_any_existing(paths, force)
     refuse_same_file(*paths, report)
     mark = verified_header(book, before, asked.unverified, fresh)
@@ -100,15 +101,18 @@ def export(
             export_axis(machine.heading, axis, name, asked, mark, path)
             for axis, name, path in zip(axes, names, paths, strict=False)
         ]
-        turned = export_switches(machine.heading, lanes, asked.target, asked.signs, mark, paths[-1]) if lanes else None
+        written: list[AxisFile | SwitchFile] = [*files]
+        turned = None
+        if lanes:
+            turned = export_switches(machine.heading, lanes, asked.target, asked.signs, mark, paths[-1])
+            written.append(turned)
     if not show_certificates(files, turned, asked, as_json):
         return DISAGREES
     page.write(report, lambda: cams.page([(file.axis, file.certified) for file in files], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
-    outputs: list[AxisFile | SwitchFile | None] = [*files, turned]
-    for written in filter(None, outputs):
-        write_text(written.path, written.text, force)
-        say(ERR if as_json else OUT, f"Wrote {written.path.absolute()}")
+    for file in written:
+        write_text(file.path, file.text, force)
+        say(ERR if as_json else OUT, f"Wrote {file.path.absolute()}")
     return AGREES
 
 
@@ -134,6 +138,7 @@ def plan_export(
     """
     template = TEMPLATES[machine.template]
     known, lanes = template.axes(machine), template.switches(machine) if switches or everything else []
+    called = [axis.name for axis in known]
     axes = [] if switches else choose_axes(known, axis, machine.template)
     if switches:
         switch_format(asked.target, lanes)
@@ -143,7 +148,7 @@ def plan_export(
         lanes = []
     if asked.of == SHAFT:
         axes = shafts(axes, everything)
-    file_names = dict(zip([axis.name for axis in known], slugs([axis.name for axis in known]), strict=True))
+    file_names = dict(zip(called, slugs(called), strict=True))
     ending, of = ("_shaft", ", its motor's shaft") if asked.of == SHAFT else ("", "")
     names = [f"{file_names[axis.name]}{ending}" for axis in axes] + ["switches"] * bool(lanes)
     return [replaced(axis, name=f"{axis.name}{of}") for axis in axes], lanes, names

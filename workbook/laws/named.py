@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from workbook.fields.paths import key_of
+from workbook.fields.paths import key_of, leaves, replaced
 from workbook.fields.types import EntryError
 from workbook.laws.entries import listed
 from workbook.laws.registry import CODES, FAMILY, code_named
@@ -20,27 +20,13 @@ def with_laws_by_code(data: dict[str, Any]) -> dict[str, Any]:
     if not isinstance(own, Mapping):
         return data
     require_names_of_family(own)
-    added: dict[str, Any] = {}
-
-    def by_code(name: str) -> str:
-        code = None if listed(name, [*CODES, *own]) else code_named(name)
-        if code is None:
-            return name
-        if listed(code, [*CODES, *own]) is None:
-            added[code] = {}
-        return code
-
-    def renamed(entry: Any) -> Any:
-        if isinstance(entry, list):
-            return [renamed(each) for each in entry]
-        if not isinstance(entry, Mapping):
-            return entry
-        return {
-            key: by_code(each) if key in NAMING and isinstance(each, str) else renamed(each)
-            for key, each in entry.items()
-        }
-
-    changed = renamed({key: entry for key, entry in data.items() if key != "laws"})
+    changed, added = data, dict[str, Any]()
+    for path, name in leaves({key: entry for key, entry in data.items() if key != "laws"}):
+        if isinstance(name, str) and path[-1] in NAMING and not listed(name, [*CODES, *own]):
+            code = code_named(name)
+            if code is not None:
+                changed = replaced(changed, path, code)
+                added |= {} if listed(code, [*CODES, *own]) else {code: {}}
     return {**changed, "laws": {**own, **added}} if own or added else changed
 
 

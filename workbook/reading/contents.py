@@ -110,20 +110,26 @@ class Contents:
 
 def referenced_cells(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
     """Yield the cells that formulas refer to among ``wanted``, the sorted rows of each column of a sheet."""
-    areas: set[Area] = set()
     patterns, others = formulas
-    for formula in others:
-        areas |= {a for a in formula.arguments if isinstance(a, Area)}
+    areas = {a for formula in others for a in formula.arguments if isinstance(a, Area)}
     for pattern, rows in patterns:
-        for a in set(pattern.arguments):
-            if isinstance(a, Area):
-                areas.add(a)
-            elif isinstance(a, Moving) and a.area.single and a.top is not None:
-                moved = {row + a.top for row in rows}
-                known = wanted.get((a.area.sheet, a.area.left), [])
-                yield from (Address(a.area.sheet, row, a.area.left) for row in known if row in moved)
-            elif isinstance(a, Moving) and any((a.area.sheet, c) in wanted for c in a.area.columns):
+        areas |= {a for a in pattern.arguments if isinstance(a, Area)}
+        for a in {a for a in pattern.arguments if isinstance(a, Moving)}:
+            if a.area.single and a.top is not None:
+                yield from moved_cells(a.area, {row + a.top for row in rows}, wanted)
+            elif any((a.area.sheet, c) in wanted for c in a.area.columns):
                 areas |= {a.at(row) for row in rows}
+    yield from cells_within(areas, wanted)
+
+
+def moved_cells(cell: Area, rows: set[int], wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
+    """Yield the ``wanted`` cells in the column of a cell that are in any of the rows."""
+    known = wanted.get((cell.sheet, cell.left), [])
+    yield from (Address(cell.sheet, row, cell.left) for row in known if row in rows)
+
+
+def cells_within(areas: Iterable[Area], wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
+    """Yield the ``wanted`` cells, the sorted rows of each column of a sheet, that are in any of the areas."""
     for (sheet, left, right), spans in merged_rows(areas).items():
         for column in range(left, right + 1):
             known = wanted.get((sheet, column), [])

@@ -19,6 +19,8 @@ MOST_UNPACKED = 400 * MEGABYTE  # of all parts
 MOST_PARTS = 3_000
 MOST_RATIO = 200  # of a part above one megabyte; Excel's own stay below 50
 OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+OTHER_KINDS = {"content.xml": "an OpenDocument file", "xl/workbook.bin": "a binary workbook (.xlsb)"}
+"""kinds of file by a part that only they have"""
 DRAWN = {"pic": "pictures", "sp": "shapes and text boxes"}  # of drawings besides charts (ISO/IEC 29500-1, 20.5.2)
 NOTES = {
     "xl/vbaProject.bin": "holds macros; they were neither read nor run",
@@ -68,25 +70,33 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
     names = [info.filename for info in infos]
     roots = {name: scan.root for name, scan in scans.items()}
     main, titled, shared = find_parts(roots, names)
-    held = [element for name in names if DRAWING.fullmatch(name) and name in roots for element in roots[name].iter()]
+    drawn = Counter(tag(element) for name in roots if DRAWING.fullmatch(name) for element in roots[name].iter())
     strings = roots.get(shared, Element("sst"))
-    fonts = [[font for font in text.iter() if tag(font) == "rPr"] for text in strings if tag(text) == "si"]
-    sheets: dict[str, Rows] = {}
-    for title, part in titled.items():
-        if part not in scans or (rows := scans[part].rows) is None:
-            raise Refusal(f"its sheet {short(title)} is no worksheet; {SAVE_AS}")
-        sheets[title] = rows
     return Inspected(
         [note for start, note in NOTES.items() if any(name.startswith(start) for name in names)],
-        sheets,
+        {title: rows_of(scans.get(part), title) for title, part in titled.items()},
         {title: roots[part] for title, part in titled.items()},
         {part: roots[part] for part in titled.values()},
         strings,
-        {n: fonts for n, fonts in enumerate(fonts) if fonts},
+        string_fonts(strings),
         {title: drawing_anchors(roots, part) for title, part in titled.items()},
-        {what: sum(tag(element) == name for element in held) for name, what in DRAWN.items()},
+        {what: drawn[name] for name, what in DRAWN.items()},
         roots[main],
     )
+
+
+def string_fonts(strings: Element) -> dict[int, list[Element]]:
+    """Return the fonts of those shared texts that have any, by number."""
+    texts = enumerate(text for text in strings if tag(text) == "si")
+    fonts = {n: [font for font in text.iter() if tag(font) == "rPr"] for n, text in texts}
+    return {n: held for n, held in fonts.items() if held}
+
+
+def rows_of(scan: Scan | None, title: str) -> Rows:
+    """Return the rows of a sheet; raise Refusal where its part is no worksheet."""
+    if scan is None or scan.rows is None:
+        raise Refusal(f"its sheet {short(title)} is no worksheet; {SAVE_AS}")
+    return scan.rows
 
 
 def scan_parts(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> dict[str, Scan]:
@@ -124,22 +134,21 @@ def refuse_odd_parts(parts: list[zipfile.ZipInfo], size: int) -> None:
     if len(parts) > MOST_PARTS:
         raise Refusal(f"{len(parts):,} parts; at most {MOST_PARTS:,} are expected")
     names = [part.filename for part in parts]
-    if "mimetype" in names and "content.xml" in names:
-        raise Refusal(f"an OpenDocument file; {SAVE_AS}")
-    if "xl/workbook.bin" in names:
-        raise Refusal(f"a binary workbook (.xlsb); {SAVE_AS}")
+    if other := next((kind for part, kind in OTHER_KINDS.items() if part in names), None):
+        raise Refusal(f"{other}; {SAVE_AS}")
     if "[Content_Types].xml" not in names:
         raise Refusal(f"a zip, but not a workbook: it has no [Content_Types].xml; {SAVE_AS}")
-    for name, times in Counter(map(str.lower, names)).items():
-        if times > 1:
-            raise Refusal(f"holds {short(name)} {times} times; each part is expected once")
+    name, times = Counter(map(str.lower, names)).most_common(1)[0]
+    if times > 1:
+        raise Refusal(f"holds {short(name)} {times} times; each part is expected once")
     for part in parts:
         refuse_odd_part(part)
-    if min(part.header_offset for part in parts):  # zipfile moves every offset, others read what stands before
+    offsets, packed, unpacked = zip(*((p.header_offset, p.compress_size, p.file_size) for p in parts), strict=True)
+    if min(offsets):  # zipfile moves every offset, others read what stands before
         raise Refusal(f"has something before its first part: another zip, which programs may read instead; {SAVE_AS}")
-    if sum(part.compress_size for part in parts) > size:
+    if sum(packed) > size:
         raise Refusal("its parts overlap, as in a zip bomb")
-    if sum(part.file_size for part in parts) > MOST_UNPACKED:
+    if sum(unpacked) > MOST_UNPACKED:
         raise Refusal(f"unpacks to more than {MOST_UNPACKED:,} bytes, the most that is expected of a workbook")
 
 

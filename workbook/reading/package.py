@@ -185,13 +185,9 @@ def drawing_anchors(parts: Mapping[str, Element], sheet: str) -> list[Anchor]:
 def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
     """Yield the anchors of a drawing that hold what hides; ``charts`` are the roots to which its links lead."""
     for element in root.iter():  # what newer programs alone know stands within an alternative
-        if not tag(element).endswith("Anchor"):
+        if not tag(element).endswith("Anchor") or not is_opaque(element):
             continue
         held = {tag(child): child for child in element}
-        if any(x.get("hidden") in ("1", "true") for x in element.iter() if tag(x) == "cNvPr"):
-            continue
-        if not any(tag(x) in OPAQUE and not see_through(x) for x in element.iter()):
-            continue
         ids = [value for x in element.iter() if tag(x) == "chart" for value in x.attrib.values()]
         yield Anchor(
             corner(held["from"]) if "from" in held else Corner(0, 0, *two_numbers(held.get("pos"), "x", "y")),
@@ -199,6 +195,12 @@ def anchors(root: Element, charts: Mapping[str, Element]) -> Iterator[Anchor]:
             two_numbers(held.get("ext"), "cx", "cy"),
             next((charts[name] for name in ids if name in charts), None),
         )
+
+
+def is_opaque(anchor: Element) -> bool:
+    """Whether an anchor holds what is shown and hides what is behind it."""
+    is_hidden = any(x.get("hidden") in ("1", "true") for x in anchor.iter() if tag(x) == "cNvPr")
+    return not is_hidden and any(tag(x) in OPAQUE and not see_through(x) for x in anchor.iter())
 
 
 def see_through(shape: Element) -> bool:

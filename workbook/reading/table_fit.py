@@ -77,14 +77,10 @@ def first_other_row(file: BookFile, blocks: list[Block], own: list[int]) -> int:
 
 def fit_columns(file: BookFile, block: Block) -> None:
     """Take columns that were put in out of a table's place; enter a table without columns, or without headings."""
-    place, first = file.places[block.name], block.column
-    labels = [""] * len(block.quantities)
-    added = place.columns - len(labels)
+    place, added = file.places[block.name], file.places[block.name].columns - len(block.quantities)
     if not added and has_texts_above(file, block):
         return
-    for text in block.sheet.texts:
-        if text.style == "header" and block.row - text.row in HEADER_ROWS and 0 <= text.column - first < len(labels):
-            labels[text.column - first] = text.text
+    labels = declared_headers(block)
     above = [
         {file.value(Address(place.sheet, place.row - up, place.column + c)) for up in range(1, MOST_BETWEEN + 4)}
         for c in range(place.columns)
@@ -93,14 +89,22 @@ def fit_columns(file: BookFile, block: Block) -> None:
     if added > 0 and len(inserted) == added:
         own = tuple(c for c in range(place.columns) if c not in inserted)
         file.places[block.name] = place._replace(columns=len(labels), columns_at=own)
-    elif added:
+    elif added > 0:
+        file.torn[block.name] = f"{place.sheet}: {added} columns are too many"
+    elif added < 0:
         here = (j for j, (label, texts) in enumerate(zip(labels, above, strict=False)) if label not in texts)
-        at = next(here, min(place.columns, len(labels)))
+        at = next(here, place.columns)
         letter, gone = get_column_letter(place.column + at), ", ".join(map(repr, labels[at : at - added]))
-        change = f"a column is gone before column {letter}: {gone}" if added < 0 else f"{added} columns are too many"
-        file.torn[block.name] = f"{place.sheet}: {change}"
+        file.torn[block.name] = f"{place.sheet}: a column is gone before column {letter}: {gone}"
     elif len(inserted) == place.columns:
         file.torn[block.name] = f"{place.cell(0, 0)}: no headings stand above the table"
+
+
+def declared_headers(block: Block) -> list[str]:
+    """Return the heading of each column of a table, as declared; nothing for a column without."""
+    texts = [text for text in block.sheet.texts if text.style == "header" and block.row - text.row in HEADER_ROWS]
+    headers = {text.column: text.text for text in texts}
+    return [headers.get(block.column + j, "") for j in range(len(block.quantities))]
 
 
 def has_texts_above(file: BookFile, block: Block) -> bool:

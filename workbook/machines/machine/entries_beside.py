@@ -9,7 +9,7 @@ from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
-from workbook.fields.paths import spread
+from workbook.fields.paths import replaced, spread
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
 from workbook.fields.types import DesignError, EntryError, MakesCells, Model, NotNegative, Number
 
@@ -20,6 +20,8 @@ KEYS, ENDS, PAIR, STOPS = ("start", "stop"), ("first", "second"), ("at", "free")
 PAIRED = ",".join(f"COUNT([start{t}],[stop{t}])<>1" for t in range(1, TIMES + 1))
 HALF = RowRule("paired", f"AND({PAIRED})", "", "a time on without its begin, or without its end")
 """a row of switches of which a time lacks an end"""
+LISTED = {("axes", "*", "stops"): STOPS, ("switches", "*", "on", "*"): KEYS, ("clearances", "*", "pairs", "*"): PAIR}
+"""entries that may be given as a list, with the keys of its numbers"""
 UNUSED = dict.fromkeys(KEYS)
 
 
@@ -144,25 +146,14 @@ def expand_short_forms(data: Any) -> Any:
     """
     if not isinstance(data, Mapping):
         return data
+    expanded: Any = dict(data)
     names = {int(path[1]) + 1: name for path, name in spread(data, ("axes", "*", "name"))}
-
-    def keyed(pair: Any, keys: Sequence[str] = KEYS) -> Any:
-        return dict(zip(keys, pair, strict=True)) if isinstance(pair, list) and len(pair) == len(keys) else pair
-
-    def switch(row: Mapping[str, Any]) -> Any:
-        return {**row, "on": [*map(keyed, row["on"])]} if isinstance(row.get("on"), list) else row
-
-    def clearance(row: Mapping[str, Any]) -> Any:
-        pairs = row.get("pairs")
-        spelled_pairs = {"pairs": [keyed(pair, PAIR) for pair in pairs]} if isinstance(pairs, list) else {}
-        ends = {end: names[row[end]] for end in ENDS if type(row.get(end)) is int and row[end] in names}
-        return {**row, **ends, **spelled_pairs}
-
-    def stopped(row: Mapping[str, Any]) -> Any:
-        return {**row, "stops": keyed(row["stops"], STOPS)} if "stops" in row else row
-
-    expanded = dict(data)
-    for key, spell in (("axes", stopped), ("switches", switch), ("clearances", clearance)):
-        if isinstance(data.get(key), list):
-            expanded[key] = [spell(row) if isinstance(row, Mapping) else row for row in data[key]]
+    for pattern, keys in LISTED.items():
+        for path, pair in spread(data, pattern):
+            if isinstance(pair, list) and len(pair) == len(keys):
+                expanded = replaced(expanded, path, dict(zip(keys, pair, strict=True)))
+    for end in ENDS:
+        for path, number in spread(data, ("clearances", "*", end)):
+            if type(number) is int and number in names:
+                expanded = replaced(expanded, path, names[number])
     return expanded
