@@ -52,16 +52,15 @@ def input_keys(book: Book) -> list[str]:
 
 def without_cells(model: BaseModel, path: str, keys: set[str]) -> dict[str, Any]:
     """Return the entries of a model, at a ``path``, whose keys are none of ``keys``; of marked ones the stand-in."""
-    fields = {f"{path}{name}": (name, field) for name, field in type(model).model_fields.items()}
-    named = {name: entry_without_cells(getattr(model, name), field, key, keys) for key, (name, field) in fields.items()}
+    fields, hidden = type(model).model_fields, () if path else ("laws", "sizes")
+    held = {name: value for name, value in model if value not in (None, []) and name not in hidden}
+    named = {name: entry_without_cells(value, fields[name], f"{path}{name}", keys) for name, value in held.items()}
     return {name: entry for name, entry in named.items() if entry is not None}
 
 
 def entry_without_cells(value: Any, field: FieldInfo, key: str, keys: set[str]) -> Any:
     """Return what a layout has of an entry, or None."""
-    if value is None or value == [] or key in ("laws", "sizes"):
-        return None
-    default = None if field.is_required() else field.get_default(call_default_factory=True)
+    default = rules.default_of(field)
     marks = [c for c in rules.unwrap(field.annotation, field.metadata)[1] if isinstance(c, MakesCells)]
     if isinstance(value, BaseModel):
         return without_cells(value, f"{key}.", keys) or ({} if default is None else None)

@@ -103,8 +103,10 @@ def groups(pieces: Sequence[Piece]) -> Groups:
     largest = max(sizes, default=0.0)
     least, least_under = NONE * largest, ALIKE * largest**2
     slows = [v < -least for _, v in gains]
-    grouped = [[gain for gain, slow in zip(gains, slows, strict=True) if slow == side] for side in (False, True)]
-    (s1, v1), (s2, v2) = ([math.fsum(s for s, _ in group), math.fsum(v for _, v in group)] for group in grouped)
+    (s1, v1), (s2, v2) = (
+        [math.fsum(gain[k] for gain, slow in zip(gains, slows, strict=True) if slow == side) for k in (0, 1)]
+        for side in (False, True)
+    )
     under = s1 * v2 - s2 * v1
     if any(slows) or v1 > least:
         factors = (v2 / under, -v1 / under) if abs(under) > least_under else (0.0, 0.0)

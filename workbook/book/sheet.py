@@ -157,20 +157,26 @@ class Sheet:
         block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
         self.row = top + size + 1
         if watched := self._limited(quantities):
-            last = max(block.columns.values()) + len(watched) + len(rules) + 2
-            each = 1 if last <= MOST_COLUMNS else 2
-            guard = Guard(f"{name}_entries", tuple(watched), tuple(rules), name, size, each)
-            label = f"{self.called or self.title}, {re.split(r'[:;(]', title)[0].strip()}: entries within limits"
-            some = self.book.limit(inputs[0].key.partition(".*")[0], inf)
-            columns, verdict = limits.guard_rows(guard, label, inputs, some is not None and some.required)
-            self.book.guards.append(guard)
-            self.messages.append((block, tuple(columns)))  # until all of the sheet is placed
-            if columns[0].name == limits.USED:
-                room = limits.room_cell(guard, as_rows(columns[0].value, size, limits.USED))
-                self.put(room, top + size, block.columns[inputs[0].name])
-            self.checks(verdict)
-            self.row += 1
+            self._guard(block, watched, rules, inputs)
         return block
+
+    def _guard(
+        self, block: Block, watched: Sequence[tuple[Quantity, Limit]], rules: Sequence[RowRule], inputs: list[Quantity]
+    ) -> None:
+        """Give a table of inputs its messages, and below it the check that counts them."""
+        last = max(block.columns.values()) + len(watched) + len(rules) + 2
+        each = 1 if last <= MOST_COLUMNS else 2
+        guard = Guard(f"{block.name}_entries", tuple(watched), tuple(rules), block.name, block.size, each)
+        label = f"{self.called or self.title}, {re.split(r'[:;(]', block.title)[0].strip()}: entries within limits"
+        some = self.book.limit(inputs[0].key.partition(".*")[0], inf)
+        columns, verdict = limits.guard_rows(guard, label, inputs, some is not None and some.required)
+        self.book.guards.append(guard)
+        self.messages.append((block, tuple(columns)))  # until all of the sheet is placed
+        if columns[0].name == limits.USED:
+            room = limits.room_cell(guard, as_rows(columns[0].value, block.size, limits.USED))
+            self.put(room, block.row + block.size, block.columns[inputs[0].name])
+        self.checks(verdict)
+        self.row += 1
 
     def place_messages(self) -> None:
         """Place the messages of tables of inputs: to the right of each, where its rows are free."""

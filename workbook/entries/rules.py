@@ -160,7 +160,12 @@ def must_be_there(model: type[BaseModel], key: str) -> bool:
 def default_at(model: type[BaseModel], key: str) -> Any:
     """Return the default of an entry; None where it has none."""
     field = declared(model, key)
-    return None if field is None or field.is_required() else field.get_default(call_default_factory=True)
+    return None if field is None else default_of(field)
+
+
+def default_of(field: FieldInfo) -> Any:
+    """Return the default of a field; None where it has none."""
+    return None if field.is_required() else field.get_default(call_default_factory=True)
 
 
 def takes_law(constraints: list[Any]) -> bool:

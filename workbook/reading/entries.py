@@ -1,11 +1,11 @@
 """The input cells of a workbook as a machine description, checked by the same models as a file of TOML."""
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import Any
 
 from pydantic import BaseModel
 
-from workbook.book.address import Address
+from workbook.book.address import Address, Place
 from workbook.book.declare import Block, Book, Quantity
 from workbook.book_layout import INPUTS, NAME, input_keys, read_layout
 from workbook.entries import rules
@@ -120,24 +120,32 @@ class Entries:
         place = self.file.places[block.name]
         rows = [[self._entered(place.cell(i, j), q) for j, q in inputs] for i in range(place.rows)]
         self._look_below(block, [place.cell(place.rows - 1, j) for j, _ in inputs])
-        used = max((i + 1 for i, row in enumerate(rows) if any(v is not None for v in row)), default=0)
-        table, rowwise, _ = inputs[0][1].key.partition(".*")
-        if rowwise and (self._is_stand_in(table) if used else self._must_be_there(table)):
-            put(self.data, split(table), [])
-        for i in range(used if rowwise else place.rows):
-            is_used = not rowwise or any(value is not None for value in rows[i])
-            for (j, q), value in zip(inputs, rows[i], strict=True):
-                key = q.key.replace("*", str(i))
-                self.cells[key] = f"{place.cell(i, j)} ({q.label})"
-                has_stand_in = get(self.data, split(key), 0.0) != 0.0
-                if value is not None or has_stand_in or (is_used and self._must_be_there(q.key)):
-                    put(self.data, split(key), value)
-                elif "*" in q.key or key[-1].isdigit():
-                    put(self.data, split(key))
-            if not is_used:
-                where = f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1}"
-                text = f"of the table {block.name}, but below it; fill it, or move up what is below"
-                self._between.append(f"{where} {text}")
+        table, is_list, _ = inputs[0][1].key.partition(".*")
+        if is_list:
+            while rows and is_empty(rows[-1]):
+                rows.pop()
+            if self._is_stand_in(table) if rows else self._must_be_there(table):
+                put(self.data, split(table), [])
+        for i, row in enumerate(rows):
+            self._put_row(block.name, place, i, inputs, row)
+
+    def _put_row(
+        self, table: str, place: Place, i: int, inputs: Sequence[tuple[int, Quantity]], row: list[Any]
+    ) -> None:
+        """Put a row of entries into the description; note a row of a list in which nothing is entered."""
+        is_used = "*" not in inputs[0][1].key or not is_empty(row)
+        for (j, q), value in zip(inputs, row, strict=True):
+            key = q.key.replace("*", str(i))
+            self.cells[key] = f"{place.cell(i, j)} ({q.label})"
+            has_stand_in = get(self.data, split(key), 0.0) != 0.0
+            if value is not None or has_stand_in or (is_used and self._must_be_there(q.key)):
+                put(self.data, split(key), value)
+            elif "*" in q.key or key[-1].isdigit():
+                put(self.data, split(key))
+        if not is_used:
+            where = f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1}"
+            text = f"of the table {table}, but below it; fill it, or move up what is below"
+            self._between.append(f"{where} {text}")
 
     def _look_below(self, block: Block, last: list[Address]) -> None:
         """Note what stands in a table's columns directly under its last row, where nothing reads it."""
@@ -188,3 +196,8 @@ class Entries:
         if best is None and "." in key:
             return self._where(key.rpartition(".")[0])
         return f"{self.file.path.name}: {best or key}"
+
+
+def is_empty(row: Sequence[Any]) -> bool:
+    """Whether nothing stands in the cells of a row."""
+    return all(value is None for value in row)

@@ -151,8 +151,8 @@ def refused_attribute(error: BaseException) -> str:
         elif frame.f_code.co_name == "__set__" and isinstance(held.get("self"), Descriptor):
             rule, value = held["self"], held["value"]
             words = ", ".join(sorted(str(word) for word in getattr(rule, "values", ()) if word))
-            kind = EXPECTED.get(getattr(rule, "expected_type", None), "another value")
-            expected = message if isinstance(error, ValueError) and not words else f"expected {words or kind}"
+            kind = words or EXPECTED.get(getattr(rule, "expected_type", None), "another value")
+            expected = message if isinstance(error, ValueError) and not words else f"expected {kind}"
             what = f"lacks {rule.name}" if value is None else f"holds {rule.name} = {quoted(value)}"
             refused = f"{element}{what}; {expected}"
     if isinstance(error, IndexError | OverflowError):

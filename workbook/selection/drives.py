@@ -158,7 +158,6 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
     drives, down = view.every_drive, view.rooms[0]
     beyond = down * (down + 1)
     smallest = [min((place_of(view, k) for k in drive.usable_behind_own), default=beyond) for drive in drives]
-    fastest = [drive.behind_own.speed[0] * drive.requirements.least_speed for drive in drives]
     mixed, square = zip(*(drive.means_behind_own for drive in drives), strict=True)
     product, torque = (max(getattr(drive.shaft, name) for drive in drives) for name in ("product", "torque"))
     sheet.row += 1
@@ -170,7 +169,7 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
         cell("j", [drive.in_use("j") - drive.in_use("jm") for drive in drives]),
         cell("at", [drive.behind_own.at_motor[0] for drive in drives]),
         cell("turn", [drive.in_use("i") * drive.shaft.values["turns"] for drive in drives]),
-        cell("fast", [shown(speed, RPM) for speed in fastest]),
+        cell("fast", [shown(drive.behind_own.speed[0] * drive.requirements.least_speed, RPM) for drive in drives]),
         cell("mean", [shown(drive.load.mean_speed * drive.in_use("i"), RPM) for drive in drives]),
         cell("left", [drive.shaft.values["left"] / view.shaft.values["left"] for drive in drives]),
         cell("mixed", mixed, formula=of_drive(MIXED.format(**OWN)), scale=product),

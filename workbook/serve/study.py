@@ -134,7 +134,7 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
         if last == "name" and above and above[-1] in PRODUCTS:
             words[key] = [product.name for product in getattr(machine.selection, PRODUCTS[above[-1]])]
         if isinstance(value, float) or key in words:
-            named = data[above[0]][int(above[1])].get("name", "") if above[1:] and above[1].isdigit() else ""
+            named = get(data, (*above[:2], "name"), "")
             row = field_to_vary(data, path, value, words.get(key, []))
             tables.setdefault(f"{spell(above)} {named}".strip(), []).append(row)
     return tables, [name for _, names in listed_results(machine) for name in names]

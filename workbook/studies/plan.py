@@ -191,15 +191,19 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
     paths = tuple(path_of(plan.base, key, f"{where}, key") for key in vary.keys)
     takes = Place() if vary.takes is None else phase_with_room(plan, vary, paths, f"{where}, takes")
     values, name = vary.values or names_to_try(plan, vary, paths[0], where), vary.keys[0]
-    scaling = plan.template.scaling
-    leads = any(link.source in paths for link in plan.links)  # what it changes besides does not scale with it
-    part = scaling.part(join(paths[0])) if scaling and not leads else ""
-    dimension = Dimension(name, paths, tuple(values), vary.low or 0.0, vary.high or 0.0, vary.steps or 0, takes, part)
+    bounds = vary.low or 0.0, vary.high or 0.0, vary.steps or 0
+    dimension = Dimension(name, paths, tuple(values), *bounds, takes, scaled_part(plan, paths))
     for value in dimension.values[:MOST_TRIED] or (dimension.low, dimension.high):
         machine = plan.machine({dimension: value})
         if isinstance(machine, Impossible) or (isinstance(machine, str) and dimension.part):
             raise InputError([f"{where}: {dimension.label} = {quoted(value)}: {machine}"])
     return dimension
+
+
+def scaled_part(plan: Plan, paths: Sequence[Place]) -> str:
+    """Return the motor, reducer or rate of which results scale with an entry; empty where links change more with it."""
+    is_linked = any(link.source in paths for link in plan.links)
+    return plan.template.scaling.part(join(paths[0])) if plan.template.scaling and not is_linked else ""
 
 
 def phase_with_room(plan: Plan, vary: Vary, paths: Sequence[Place], where: str) -> Place:

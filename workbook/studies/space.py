@@ -41,16 +41,16 @@ class Vary(Model):
 
     @model_validator(mode="after")
     def _one_way(self) -> Self:
-        ranged = self.low is not None or self.high is not None
-        if [self.values is not None, ranged, self.all is not None].count(True) != 1:
+        ends = (self.low, self.high).count(None)
+        if [self.values is not None, ends < 2, self.all is not None].count(True) != 1:
             ways = 'values = [...], from = ... with to = ..., all = "laws" or "catalogue"'
             raise EntryError("", f"expected one of {ways}")
-        if ranged and (self.low is None or self.high is None):
+        if ends == 1:
             raise EntryError("to" if self.high is None else "from", "empty; a range has both ends")
         if self.low is not None and self.high is not None and not self.low < self.high:
             problem = f"the range from {self.low:g} to {self.high:g} is empty"
             raise EntryError("to", f"{problem}; expected more than its begin")
-        if self.steps is not None and not ranged:
+        if self.steps is not None and ends == 2:
             raise EntryError("steps", "only a range has steps; expected none")
         for n, value in enumerate(values := self.values or []):
             if value in values[:n]:

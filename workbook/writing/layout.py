@@ -184,17 +184,23 @@ def unbroken_spans(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple
     rows = sorted({block.row for block in sheet.blocks if not block.is_table})
     begins, finishes = ([row for row in rows if row + step not in rows] for step in (-1, 1))
     yield from ((first, end, FIGURES) for first, end in zip(begins, finishes, strict=True))
-    heads = sorted(text.row for text in sheet.texts if text.style == "heading" and text.row <= last)
     for _, row, _, _, height in sheet.charts:
         if row <= last:
             yield row, bisect_left(ends, ends[row - 1] + height * ROW), CHART
     judged = {block.row for block in sheet.blocks if block.quantities[0].role == "check"}
     for block in sheet.blocks:
         if block.is_table:
-            titles = [text.row for text in sheet.texts if text.style == "subheading" and text.row < block.row]
-            title, end = max(titles, default=block.row), block.row + block.size - 1
+            title, end = (
+                max(text_rows(sheet, "subheading", block.row - 1), default=block.row),
+                block.row + block.size - 1,
+            )
             yield title, end + 2 if end + 2 in judged else end, TABLE
             yield title, block.row + CLOSE - 1, TABLE
-    for head, behind in pairwise([*heads, last + 1]):
+    for head, behind in pairwise([*text_rows(sheet, "heading", last), last + 1]):
         yield head, behind - 1, SECTION
         yield head, head + CLOSE, TABLE
+
+
+def text_rows(sheet: Sheet, style: str, last: int) -> list[int]:
+    """Return the rows down to the last in which texts of a style stand, in their order."""
+    return sorted(text.row for text in sheet.texts if text.style == style and text.row <= last)

@@ -53,19 +53,20 @@ def compare_texts(match: Match, report: Report, differences: Differences) -> lis
 def describe_texts(sheet: Sheet) -> Iterator[tuple[Text, Block]]:
     """Yield the texts of a sheet that say what its cells are, each with the block that it describes."""
     ordered = sorted(sheet.blocks, key=lambda block: (block.row, block.column))
-    rows = {block.row: block for block in reversed(ordered) if not block.is_table}
-    tables = [block for block in ordered if block.is_table]
     for text in (text for text in sheet.texts if text.text):
-        block = None
-        if text.style in HEADINGS:
-            block = next((b for b in ordered if b.row > text.row and b.column >= text.column), None)
-        elif text.style in ABOVE:
-            block = next((b for b in tables if 0 < b.row - text.row <= 4 and text.column in b.columns.values()), None)
-        elif text.style in BESIDE and text.row in rows and not text.link:
-            row = rows[text.row]
-            block = row if text.column in range(FIRST, row.column + 3) else None
+        block = next((block for block in ordered if is_about(text, block)), None)
         if block is not None:
             yield text, block
+
+
+def is_about(text: Text, block: Block) -> bool:
+    """Whether a text may describe a block: of several the first."""
+    if text.style in HEADINGS:
+        return block.row > text.row and block.column >= text.column
+    if text.style in ABOVE:
+        return block.is_table and 0 < block.row - text.row <= 4 and text.column in block.columns.values()
+    is_beside = block.row == text.row and FIRST <= text.column < block.column + 3
+    return text.style in BESIDE and not text.link and not block.is_table and is_beside
 
 
 def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
@@ -81,14 +82,17 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
             lines[block.name if is_above else "", offset].append((text, block))
     for (above, offset), line in lines.items():
         furthest = MOST_BETWEEN + 4 if above else MOST_ASIDE
-        nearest = [text_address(match, *entry, offset) for entry in line]
-        for more in range(furthest) if offset > 0 else range(0, -furthest, -1):
-            places = [text_address(match, *entry, offset + more) for entry in line]
-            held = [has_words(match, at, text) for at, (text, _) in zip(places, line, strict=True)]
-            if 2 * sum(held) > len(line):
-                nearest = places
-                break
+        offsets = range(offset, offset + furthest) if offset > 0 else range(offset, offset - furthest, -1)
+        tried = ([text_address(match, *entry, each) for entry in line] for each in offsets)
+        nearest = next((places for places in tried if hold_most(match, places, line)), None)
+        nearest = nearest or [text_address(match, *entry, offset) for entry in line]
         yield from (Label(*entry, at) for at, entry in zip(nearest, line, strict=True) if at.column > 0 < at.row)
+
+
+def hold_most(match: Match, places: list[Address], line: list[tuple[Text, Block]]) -> bool:
+    """Whether most texts of a line stand at these places."""
+    held = [has_words(match, at, text) for at, (text, _) in zip(places, line, strict=True)]
+    return 2 * sum(held) > len(line)
 
 
 def text_address(match: Match, text: Text, block: Block, offset: int) -> Address:

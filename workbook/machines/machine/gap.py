@@ -76,8 +76,8 @@ class ClearanceView:
         names = [row.axis.given.name for row in rows]
         places = [(place_of(name, names), name) for name in (given.first, given.second)]
         self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]  # a file's layout tells numbers
-        at, free = (np.array([getattr(pair, name) for pair in given.pairs]) for name in ("at", "free"))
-        self.table = FreePositions(at, free) if given.pairs else None
+        pairs = np.array([(pair.at, pair.free) for pair in given.pairs])
+        self.table = FreePositions(*pairs.T) if given.pairs else None
         self.over, self.unit = self.rows[0].machine.over, self.rows[1 if self.table else 0].axis.given.unit
         self.name = "_".join([f"clear{number}", *(str(row.axis.number) for row in self.rows)])
         self.factors = (given.first_factor, given.second_factor)

@@ -31,7 +31,7 @@ LARGEST_EXACT = 2**53  # whole numbers beyond are not exact in a cell
 arguments: dict[str, Any] = {}  # what the dummies of the shape under evaluation stand for
 _space: dict[str, Any] = {
     "__builtins__": {}, **dict.fromkeys(("_C_", "_R_", "_REF_"), arguments.__getitem__), "pi": math.pi,
-    "excel_operator_operand_fixup": shortcuts.operators(), "chosen": shortcuts.chosen,
+    "excel_operator_operand_fixup": shortcuts.operate, "chosen": shortcuts.chosen,
 }  # fmt: skip
 
 
@@ -68,14 +68,18 @@ def check_tokens(tokens: Sequence[Token]) -> None:
         elif token.type == Token.OP_IN and (token.value == ":" or token.subtype == Token.INTERSECT):
             raise FormulaError("#REF!", "references that are computed or intersected are not evaluated")
         elif token.type == Token.FUNC and token.subtype == Token.OPEN:
-            name = token.value[:-1].upper().removeprefix("_XLFN.")
-            if name not in all_excel_functions:
-                raise FormulaError("#NAME?", f"{name[:40]} is no function of Excel")
-            python = name.lower().replace(".", "_")
-            python = FunctionNode.func_map.get(python, python)
-            known = hasattr(FunctionNode, f"func_{python}") or any(callable(getattr(m, python, None)) for m in MODULES)
-            if not known or name in UNSUITED or keyword.iskeyword(python):
-                raise FormulaError("#NAME?", f"pycel has no function {name}")
+            check_function(token.value[:-1].upper().removeprefix("_XLFN."))
+
+
+def check_function(name: str) -> None:
+    """Raise FormulaError for a function that pycel does not have."""
+    if name not in all_excel_functions:
+        raise FormulaError("#NAME?", f"{name[:40]} is no function of Excel")
+    python = name.lower().replace(".", "_")
+    python = FunctionNode.func_map.get(python, python)
+    known = hasattr(FunctionNode, f"func_{python}") or any(callable(getattr(m, python, None)) for m in MODULES)
+    if not known or name in UNSUITED or keyword.iskeyword(python):
+        raise FormulaError("#NAME?", f"pycel has no function {name}")
 
 
 def with_signs_first(shape: str, tokens: Sequence[Token]) -> str:

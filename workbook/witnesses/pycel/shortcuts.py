@@ -63,36 +63,36 @@ def array_of(value: Any) -> NDArray[Any] | None:
     return cells
 
 
-def operators() -> Callable[[Any, str, Any], Any]:
-    """Return the function that pycel's code calls for every operator."""
-    checked = build_operators(lambda is_exception, message: None)
+CHECKED = build_operators(lambda is_exception, message: None)
 
-    def operate(left: Any, operator: str, right: Any) -> Any:
-        kind, other = type(left), type(right)
-        if kind in NUMBERS and other in NUMBERS:
-            if operator in SIMPLE:
-                return SIMPLE[operator](left, right)
-            if operator == "Div" and right:
-                return left / right
-            if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
-                return raised(left, right)
-        elif kind in RANGES or other in RANGES:
-            return operate_on_ranges(left, operator, right)
-        return checked(left, operator, right)
 
-    def operate_on_ranges(left: Any, operator: str, right: Any) -> Any:
-        first, second = number_or_array(left), number_or_array(right)
-        cells = None if first is None or second is None else array_operation(first, operator, second)
-        if cells is not None:
-            return Array(cells)
-        left, right = plain(left), plain(right)
-        if are_alike(left, right):
-            rows = zip(*(x if isinstance(x, tuple) else repeat(repeat(x)) for x in (left, right)), strict=False)
-            return tuple(tuple(map(operate, row, repeat(operator), other)) for row, other in rows)
-        cross(left, right)
-        return checked(left, operator, right)
+def operate(left: Any, operator: str, right: Any) -> Any:
+    """Return what pycel's code asks of every operator."""
+    kind, other = type(left), type(right)
+    if kind in NUMBERS and other in NUMBERS:
+        if operator in SIMPLE:
+            return SIMPLE[operator](left, right)
+        if operator == "Div" and right:
+            return left / right
+        if operator == "Pow" and right > 0 and (left >= 0 or type(right) is int):
+            return raised(left, right)
+    elif kind in RANGES or other in RANGES:
+        return operate_on_ranges(left, operator, right)
+    return CHECKED(left, operator, right)
 
-    return operate
+
+def operate_on_ranges(left: Any, operator: str, right: Any) -> Any:
+    """Return the result of an operator on ranges, or a range and a number."""
+    first, second = number_or_array(left), number_or_array(right)
+    cells = None if first is None or second is None else array_operation(first, operator, second)
+    if cells is not None:
+        return Array(cells)
+    left, right = plain(left), plain(right)
+    if are_alike(left, right):
+        rows = zip(*(x if isinstance(x, tuple) else repeat(repeat(x)) for x in (left, right)), strict=False)
+        return tuple(tuple(map(operate, row, repeat(operator), other)) for row, other in rows)
+    cross(left, right)
+    return CHECKED(left, operator, right)
 
 
 def number_or_array(value: Any) -> Any:
@@ -123,9 +123,12 @@ def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
         return None if doubtful.any() else COMPARED[operator](a, b)
     if operator == "Div" and np.all(b):
         return if_finite(a / b)
-    if operator == "Pow" and ((type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)):
-        return if_finite(a**b)
-    return None
+    return if_finite(a**b) if operator == "Pow" and has_plain_powers(a, b) else None
+
+
+def has_plain_powers(a: Any, b: Any) -> bool:
+    """Whether a power is that of a cell, in an array's exact digits: a small whole one, or of a positive number."""
+    return (type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)
 
 
 def as_numbers(value: Any) -> NDArray[Any]:
