@@ -59,7 +59,7 @@ def without_cells(model: BaseModel, path: str, keys: set[str]) -> dict[str, Any]
 
 
 def entry_without_cells(value: Any, field: FieldInfo, key: str, keys: set[str]) -> Any:
-    """Return what a layout has of an entry, or None."""
+    """Return the part of an entry that its layout has; None where it has none."""
     default = rules.default_of(field)
     marks = [c for c in rules.unwrap(field.annotation, field.metadata)[1] if isinstance(c, MakesCells)]
     if isinstance(value, BaseModel):

@@ -442,7 +442,7 @@ LONG = st.lists(st.one_of(NUMBERS, FAR, st.sampled_from([0.1 + 0.2, 0.3])), min_
 @given(LONG, st.sampled_from([*shortcuts.SIMPLE, "Div", "Pow"]), st.one_of(LONG, NUMBERS), st.booleans(), st.booleans())
 def test_arrays_hold_what_is_made_of_each_element(one: Any, name: str, two: Any, turned: bool, wide: bool) -> None:
     left, right = (two, one) if turned else (one, two)
-    operate = shortcuts.operators()
+    operate = shortcuts.operate
     pairs = zip(*(part if isinstance(part, list) else [part] * 6 for part in (left, right)), strict=True)
     each = [outcome_of(lambda a=a, b=b: operate(a, name, b)) for a, b in pairs]
     ranges = [

@@ -67,7 +67,7 @@ CHECKED = build_operators(lambda is_exception, message: None)
 
 
 def operate(left: Any, operator: str, right: Any) -> Any:
-    """Return what pycel's code asks of every operator."""
+    """Return the result of an operator, as pycel's code calls it."""
     kind, other = type(left), type(right)
     if kind in NUMBERS and other in NUMBERS:
         if operator in SIMPLE:
