@@ -127,7 +127,7 @@ def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
 
 
 def has_plain_powers(a: Any, b: Any) -> bool:
-    """Whether a power is that of a cell, in an array's exact digits: a small whole one, or of a positive number."""
+    """Whether a power is that of a cell, in an array's exact digits: small and whole, or of a positive number."""
     return (type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)
 
 
