@@ -130,7 +130,7 @@ def read_design(path: Path) -> Design:
     ours = {pair.address.sheet for pair in match.pairs}
     own = [f"the sheet {title!r}" for title in file.workbook.sheetnames if title not in ours]
     own += [f"{a}: {file.value(a)}" for a in file.contents.formula_cells if a not in match.numbers]
-    own += [line.replace(" are not carried over", "") for line in left_behind(match, ours)]
+    own += [line.replace(" are not carried over", "") for line in left_behind(match)]
     return Design(path, machine, TEMPLATES[machine.template].declare(machine), edited, own)
 
 

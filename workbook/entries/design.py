@@ -74,18 +74,22 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
     if key.startswith("sizes") or fault["type"] == "extra_forbidden":
         return None
     (kind, constraints), value, beyond = rules.field_at(model, rule), fault["input"], fault["type"] in BEYOND
-    if beyond:
-        known = isinstance(value, int | float) and value == value and not rules.beyond_all(value, constraints)
-    elif fault["type"] in ("missing", "too_short") and get_origin(kind) is list:
-        known = rules.is_table(kind)
-    else:
-        known = fault["type"] == "missing" or value is None or value == {}
-        known = known and (kind is float or get_origin(kind) is Literal or rules.takes_law(constraints))
-    if not known:
+    if not is_mendable(fault, kind, constraints):
         return None
     is_read_as_0 = not beyond and kind is float and Ge(0) in constraints  # as an empty cell is
     fits = 0.0 if is_read_as_0 else rules.within(kind, constraints)
     return [Fault(key, key, "", f"expected {rules.expectation(kind, constraints)}", value if beyond else None, fits)]
+
+
+def is_mendable(fault: Any, kind: Any, constraints: list[Any]) -> bool:
+    """Whether pydantic's fault is of a number, word or table that is missing, or of a number beyond its bounds."""
+    value = fault["input"]
+    if fault["type"] in BEYOND:
+        return isinstance(value, int | float) and value == value and not rules.beyond_all(value, constraints)
+    if fault["type"] in ("missing", "too_short") and get_origin(kind) is list:
+        return rules.is_table(kind)
+    is_plain = kind is float or get_origin(kind) is Literal or rules.takes_law(constraints)
+    return is_plain and (fault["type"] == "missing" or value is None or value == {})
 
 
 def fault_line(fault: Any, model: type[BaseModel], where: Where) -> str:

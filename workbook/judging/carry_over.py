@@ -7,7 +7,7 @@ from openpyxl.cell.cell import Cell
 from openpyxl.workbook.defined_name import DefinedName
 
 from workbook.book.address import Address
-from workbook.book.declare import Book
+from workbook.book.declare import Book, Sheet
 from workbook.errors import listed
 from workbook.judging.display.cells import rule_words
 from workbook.judging.display.charts import pair_charts, read_charts
@@ -15,6 +15,7 @@ from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.structure import check_structure
 from workbook.reading.contents import Contents
+from workbook.reading.files import BookFile
 from workbook.writing.charts import draw
 from workbook.writing.style import conditional_formats
 from workbook.writing.write import NO_ADDITIONS, Additions, chart_size
@@ -38,48 +39,46 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
             added[at.sheet].append(at.a1)
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
     lines += [f"formulas added on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in added.items()]
-    return lines + left_behind(match, ours, own)
+    return lines + left_behind(match, own)
 
 
-def left_behind(match: Match, ours: set[str], own: Additions = NO_ADDITIONS) -> list[str]:
+def left_behind(match: Match, own: Additions = NO_ADDITIONS) -> list[str]:
     """Return a line for each kind of addition to a generated sheet that is not in ``own``, and for names."""
-    lines: list[str] = []
-    blocks = match.declared.blocks.values()
-    known_rules = {rule_words(mark.rule) for block in blocks for mark in conditional_formats(block)}
+    marks = (mark for block in match.declared.blocks.values() for mark in conditional_formats(block))
+    known_rules = {rule_words(mark.rule) for mark in marks}
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
-    for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
-        declared = next(
-            ours for ours, _ in match.sheets if any(at.sheet == sheet.title for _, at in match.placed(ours))
-        )
-        words, held = {text.text for text in declared.texts}, list(read_charts(match, sheet.title))
-        texts = [
-            a.a1
-            for a, content in match.file.contents.constants.items()
-            if a.sheet == sheet.title and a not in match.numbers and content not in words
-        ]
-        notes = [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment]
-        drawn = [draw(chart, match.declared, *chart_size(*place)) for chart, _, *place in declared.charts]
-        ours_drawn = {id(chart) for *_, chart in pair_charts(match, declared, drawn, held)}
-        charts = [chart.at.a1 for chart in held if id(chart) not in ours_drawn]
-        formats = [str(a.sqref) for a in sheet.conditional_formatting if set(map(rule_words, a.rules)) - known_rules]
-        for what, cells in (
-            ("texts and numbers", texts),
-            ("notes", notes),
-            ("charts", charts),
-            ("conditional formats", formats),
-        ):
-            if where := [a1 for a1 in cells if (sheet.title, a1) not in taken]:
-                lines.append(f"{what} on the sheet {sheet.title!r} are not carried over: {listed(where)}")
+    lines = [
+        f"{what} on the sheet {title!r} are not carried over: {listed(left)}"
+        for declared, title in match.sheets
+        for what, cells in sheet_additions(match, declared, title, known_rules).items()
+        if (left := [a1 for a1 in cells if (title, a1) not in taken])
+    ]
     if left := [name.name for name in own_names(match) if name not in own.names]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
-    lines += [
-        f"charts and pictures of the sheet {sheet.title!r} are not carried over"
-        for sheet in own.sheets
-        if match.file.inspected and match.file.inspected.drawings.get(sheet.title)
-    ]
-    counts = match.file.inspected.drawn if match.file.inspected else {}
-    lines += [f"{what} are not carried over: {count} in all" for what, count in counts.items() if count]
+    if inspected := match.file.inspected:
+        drawn = (sheet.title for sheet in own.sheets if inspected.drawings.get(sheet.title))
+        lines += [f"charts and pictures of the sheet {title!r} are not carried over" for title in drawn]
+        lines += [f"{what} are not carried over: {count} in all" for what, count in inspected.drawn.items() if count]
     return lines
+
+
+def sheet_additions(match: Match, declared: Sheet, title: str, known_rules: set[str]) -> dict[str, list[str]]:
+    """Return the cells of what was added to a sheet, by its kind in words."""
+    sheet, words = match.file.workbook[title], {text.text for text in declared.texts}
+    constants = match.file.contents.constants.items()
+    charts = list(read_charts(match, title))
+    drawn = [draw(chart, match.declared, *chart_size(*place)) for chart, _, *place in declared.charts]
+    ours = {id(chart) for *_, chart in pair_charts(match, declared, drawn, charts)}
+    return {
+        "texts and numbers": [
+            at.a1 for at, text in constants if at.sheet == title and at not in match.numbers and text not in words
+        ],
+        "notes": [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment],
+        "charts": [chart.at.a1 for chart in charts if id(chart) not in ours],
+        "conditional formats": [
+            str(area.sqref) for area in sheet.conditional_formatting if set(map(rule_words, area.rules)) - known_rules
+        ],
+    }
 
 
 def find_additions(match: Match, fresh: Book) -> Additions:
@@ -87,16 +86,7 @@ def find_additions(match: Match, fresh: Book) -> Additions:
     file = match.file
     ours = {pair.address.sheet for pair in match.pairs}
     own = [sheet for sheet in file.workbook.worksheets if sheet.title not in ours | {s.title for s in fresh.sheets}]
-    lies = {name: place[:4] for name, place in file.places.items()}
-    steady = {
-        sheet.title
-        for sheet in fresh.sheets
-        if all(lies.get(b.name) == (sheet.title, b.row, b.column, b.size) for b in sheet.blocks)
-    }
-    known = steady | {sheet.title for sheet in own}
-    taken = {(a.sheet, a.row, a.column) for a in match.numbers}
-    taken |= {(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
-    taken |= {(sheet.title, text.row, text.column) for sheet in fresh.sheets for text in sheet.texts if text.text}
+    known, taken = steady_sheets(file, fresh) | {sheet.title for sheet in own}, taken_cells(match, fresh)
     cells = [
         cell
         for sheet in file.workbook.worksheets
@@ -110,6 +100,23 @@ def find_additions(match: Match, fresh: Book) -> Additions:
     led = [(defined, {title for title, _ in defined.destinations}) for defined in own_names(match)]
     within = tuple(defined for defined, sheets in led if sheets and sheets <= known)  # leads to cells of known sheets
     return Additions(tuple(own), tuple(held), tuple(notes), within)
+
+
+def steady_sheets(file: BookFile, fresh: Book) -> set[str]:
+    """Return the sheets of a fresh book on which all blocks lie as they do in a file."""
+    lies = {name: place[:4] for name, place in file.places.items()}
+    return {
+        sheet.title
+        for sheet in fresh.sheets
+        if all(lies.get(b.name) == (sheet.title, b.row, b.column, b.size) for b in sheet.blocks)
+    }
+
+
+def taken_cells(match: Match, fresh: Book) -> set[tuple[str, int, int]]:
+    """Return the cells that hold something declared, in a file or in a fresh book."""
+    texts = {(sheet.title, text.row, text.column) for sheet in fresh.sheets for text in sheet.texts if text.text}
+    cells = {(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
+    return texts | cells | {(a.sheet, a.row, a.column) for a in match.numbers}
 
 
 def carried_content(contents: Contents, cell: Cell, known: set[str]) -> Any:

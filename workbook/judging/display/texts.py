@@ -84,8 +84,8 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
         furthest = MOST_BETWEEN + 4 if above else MOST_ASIDE
         offsets = range(offset, offset + furthest) if offset > 0 else range(offset, offset - furthest, -1)
         tried = ([text_address(match, *entry, each) for entry in line] for each in offsets)
-        nearest = next((places for places in tried if hold_most(match, places, line)), None)
-        nearest = nearest or [text_address(match, *entry, offset) for entry in line]
+        declared = [text_address(match, *entry, offset) for entry in line]
+        nearest = next((places for places in tried if hold_most(match, places, line)), declared)
         yield from (Label(*entry, at) for at, entry in zip(nearest, line, strict=True) if at.column > 0 < at.row)
 
 

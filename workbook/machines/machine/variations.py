@@ -135,6 +135,15 @@ def times(i: int, k: int) -> list[dict[str, float | None]]:
     return times_on
 
 
+def move_between(phases: list[dict[str, Any]], low: float, high: float, k: int) -> None:
+    """Let the phases that move go between both positions, from 0 and, but once, back to it."""
+    moving, at = [phase for phase in phases if phase["lift"]], 0.0
+    for n, phase in enumerate(moving):
+        goal = low + (high - low) * (1.0 if n == 0 else (0.45 * n + 0.1 * k) % 1.0)
+        phase["lift"] = (0.0 if n == len(moving) - 1 and k != 3 else goal) - at
+        at += phase["lift"]
+
+
 def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products: dict[str, Any]) -> None:
     """Give an axis another drive of its kind: loads that resist and that drive, parts on each shaft, every limit."""
     motors, reducers = products["motors"], products["reducers"]
@@ -146,11 +155,7 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     if kind in LINKAGES:
         other, low, high = LINKAGES[kind].varied(i, k, sizes["positions"])
         mechanism |= other
-        moving, at = [phase for phase in axis["phases"] if phase["lift"]], 0.0
-        for n, phase in enumerate(moving):  # between both positions, from 0 and, but once, back to it
-            goal = low + (high - low) * (1.0 if n == 0 else (0.45 * n + 0.1 * k) % 1.0)
-            phase["lift"] = (0.0 if n == len(moving) - 1 and k != 3 else goal) - at
-            at += phase["lift"]
+        move_between(axis["phases"], low, high, k)
     if kind in SLIDING:
         mechanism |= by_angle.varied(i, k)
     travels = axis["unit"] == "mm" or kind in SLIDING

@@ -52,10 +52,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     for axis in whole.axes:
         axis_results, axis_checks = of_axis(axis, faster)
         figures, checks = figures | axis_results, checks | axis_checks
-        for stop in stops_of(axis):
-            checks[f"{stop.name}_kept"] = partial(lambda stop: ok_texts(limit_of_stop(stop).ok), stop)
-        if machine.laws.of("LIN") and (ends := rows()[axis.number - 1].ends):
-            checks |= {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")}
+        checks |= end_checks(machine, axis, rows)
         if axis.given.mechanism and axis.given.motor:
             drives.append(DriveStudy(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
             figures |= each_drive.results(drives[-1])
@@ -123,11 +120,18 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
     for table in ("axes", "axes_short"):
         figures[f"{table}.v.{i}"] = partial(of_whole, "max_velocity", 1)
         figures[f"{table}.a.{i}"] = partial(of_whole, "max_acceleration", 2)
-    return figures, {
+    stops = {f"{s.name}_kept": partial(lambda stop: ok_texts(limit_of_stop(stop).ok), s) for s in stops_of(axis)}
+    return figures, stops | {
         f"axis{i}_position": lambda: ok_texts(axis.motion.complete),
         f"axis{i}_smooth": lambda: ok_texts(not shortfalls(axis.motion, given.smoothness, given.repeats)),
         f"axis{i}_closes": lambda: ok_texts(axis.closes),
     }
+
+
+def end_checks(machine: AnyMachine, axis: MovingAxis, rows: Callable[[], Any]) -> Computations:
+    """Return the checks of the velocities at a motion's ends, where straight lines can give it some."""
+    ends = rows()[axis.number - 1].ends if machine.laws.of("LIN") else None
+    return {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")} if ends else {}
 
 
 def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
