@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from openpyxl.utils.cell import coordinate_to_tuple
 
-from workbook.book.address import Address, Place
+from workbook.book.address import Address
 
 LONGEST = 8_192  # characters of a formula; Excel's limit
 WHOLE = 1e15  # numbers below are exact, and written without a point where they are whole
@@ -227,9 +227,3 @@ def anchored(written: str) -> str:
 def functions_of(shape: str) -> frozenset[str]:
     """Return the names of the functions that a shape calls."""
     return frozenset(FUNCTION.findall(shape))
-
-
-def area_of(place: Place) -> Area:
-    """Return a place as an area of formulas."""
-    (_, top, left), (_, bottom, right) = place.corners
-    return Area(place.sheet, top, left, bottom, right, place.rows == place.columns == 1)

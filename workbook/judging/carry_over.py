@@ -44,13 +44,11 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
 
 def left_behind(match: Match, own: Additions = NO_ADDITIONS) -> list[str]:
     """Return a line for each kind of addition to a generated sheet that is not in ``own``, and for names."""
-    marks = (mark for block in match.declared.blocks.values() for mark in conditional_formats(block))
-    known_rules = {rule_words(mark.rule) for mark in marks}
     taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
     lines = [
         f"{what} on the sheet {title!r} are not carried over: {listed(left)}"
         for declared, title in match.sheets
-        for what, cells in sheet_additions(match, declared, title, known_rules).items()
+        for what, cells in sheet_additions(match, declared, title).items()
         if (left := [a1 for a1 in cells if (title, a1) not in taken])
     ]
     if left := [name.name for name in own_names(match) if name not in own.names]:
@@ -62,10 +60,11 @@ def left_behind(match: Match, own: Additions = NO_ADDITIONS) -> list[str]:
     return lines
 
 
-def sheet_additions(match: Match, declared: Sheet, title: str, known_rules: set[str]) -> dict[str, list[str]]:
+def sheet_additions(match: Match, declared: Sheet, title: str) -> dict[str, list[str]]:
     """Return the cells of what was added to a sheet, by its kind in words."""
     sheet, words = match.file.workbook[title], {text.text for text in declared.texts}
     constants = match.file.contents.constants.items()
+    known = {rule_words(mark.rule) for block in declared.blocks for mark in conditional_formats(block)}
     charts = list(read_charts(match, title))
     drawn = [draw(chart, match.declared, *chart_size(*place)) for chart, _, *place in declared.charts]
     ours = {id(chart) for *_, chart in pair_charts(match, declared, drawn, charts)}
@@ -76,7 +75,7 @@ def sheet_additions(match: Match, declared: Sheet, title: str, known_rules: set[
         "notes": [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment],
         "charts": [chart.at.a1 for chart in charts if id(chart) not in ours],
         "conditional formats": [
-            str(area.sqref) for area in sheet.conditional_formatting if set(map(rule_words, area.rules)) - known_rules
+            str(area.sqref) for area in sheet.conditional_formatting if set(map(rule_words, area.rules)) - known
         ],
     }
 
@@ -97,9 +96,14 @@ def find_additions(match: Match, fresh: Book) -> Additions:
     free = [cell for cell in cells if (cell.parent.title, cell.row, cell.column) not in taken]
     held = [(cell, content) for cell in free if (content := carried_content(file.contents, cell, known)) is not None]
     notes = [cell for cell in cells if cell.comment is not None]
-    led = [(defined, {title for title, _ in defined.destinations}) for defined in own_names(match)]
-    within = tuple(defined for defined, sheets in led if sheets and sheets <= known)  # leads to cells of known sheets
-    return Additions(tuple(own), tuple(held), tuple(notes), within)
+    names = tuple(defined for defined in own_names(match) if leads_to_sheets(defined, known))
+    return Additions(tuple(own), tuple(held), tuple(notes), names)
+
+
+def leads_to_sheets(defined: DefinedName, known: set[str]) -> bool:
+    """Whether a name leads to cells, all of them on known sheets."""
+    titles = {title for title, _ in defined.destinations}
+    return bool(titles) and titles <= known
 
 
 def steady_sheets(file: BookFile, fresh: Book) -> set[str]:

@@ -150,7 +150,7 @@ def refused_attribute(error: BaseException) -> str:
             element = f"<{tag(held['node'])}> "
         elif frame.f_code.co_name == "__set__" and isinstance(held.get("self"), Descriptor):
             rule, value = held["self"], held["value"]
-            words = ", ".join(sorted(str(word) for word in getattr(rule, "values", ()) if word))
+            words = ", ".join(sorted(map(str, filter(None, getattr(rule, "values", ())))))
             kind = words or EXPECTED.get(getattr(rule, "expected_type", None), "another value")
             expected = message if isinstance(error, ValueError) and not words else f"expected {kind}"
             what = f"lacks {rule.name}" if value is None else f"holds {rule.name} = {quoted(value)}"

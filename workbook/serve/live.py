@@ -59,16 +59,21 @@ def edges(text: str, machine: Any) -> Iterator[Edge]:
     if len(heads) != len(axes):
         return
     for axis, head, (end, _) in zip(axes, heads, [*heads[1:], (len(text), 0)], strict=False):
-        shift, name = SHIFT.search(text, *head), NAME.search(text, *head)
-        if shift and float(shift[1]) == axis.shift:
-            yield Edge(axis.name, axis.shift, [shift.span(1)], lane=True)
-        elif not shift and not axis.shift and name:  # there is room for it
-            yield Edge(axis.name, 0.0, [(name.end(), name.end())], lane=True, before="\nshift = ")
+        yield from lane(text, axis, head)
         typed = typed_edges(text, head[0], end)
         entered = [value for phase in axis.phases for value in (phase.start, phase.stop)]
         if [value for value, _ in typed] == entered:
             for value in dict.fromkeys(entered):
                 yield Edge(axis.name, value, [place for entry, place in typed if entry == value])
+
+
+def lane(text: str, axis: Any, head: tuple[int, int]) -> Iterator[Edge]:
+    """Yield the lane of an axis whose table is at a place of a text, if its shift stands or has room there."""
+    shift, name = SHIFT.search(text, *head), NAME.search(text, *head)
+    if shift and float(shift[1]) == axis.shift:
+        yield Edge(axis.name, axis.shift, [shift.span(1)], lane=True)
+    elif not shift and not axis.shift and name:
+        yield Edge(axis.name, 0.0, [(name.end(), name.end())], lane=True, before="\nshift = ")
 
 
 def typed_edges(text: str, begin: int, end: int) -> list[tuple[float, tuple[int, int]]]:

@@ -47,6 +47,7 @@ CELLS = cell_tables(__file__)
 
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
+    # a table of contents: a line or two for each sheet, some of them only where there are drives
     book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))
     machine = MachineView(given, book_laws.laws)
     book = Book(given.template, given.title, limit=limits(type(given)))
