@@ -188,21 +188,33 @@ def summary(sheet: Sheet, of: BookLaws) -> None:
     sheet.book.name("laws", **{f"law_{name}": name for name in (*LAW_NAMES, *(q.name for q in ends))})
 
 
-AMPLITUDES = (  # of the sines in position, velocity and jerk; the last three are there with a second sine
-    ("ps", "sine of position", "P/ω²", "=IF([omega]>0,[P]/[omega]^2,0)"),
-    ("pv", "cosine of velocity", "P/ω", "=IF([omega]>0,[P]/[omega],0)"),
-    ("pj", "cosine of jerk", "P ω", "=[P]*[omega]"),
-    ("pj2", "second cosine of jerk", "P₂ ω₂", "=[P2]*[omega2]"),
-    ("ps2", "second sine of position", "P₂/ω₂²", "=IF([omega2]>0,[P2]/[omega2]^2,0)"),
-    ("pv2", "second cosine of velocity", "P₂/ω₂", "=IF([omega2]>0,[P2]/[omega2],0)"),
-)
-GAINED = "=SUMPRODUCT([c0:c5]/{1,2,3,4,5,6},[d]^{1,2,3,4,5,6})-[pv]*(COS([omega]*[d]+[phi])-COS([phi]))"
-TURNED2 = "-[pv2]*(COS([omega2]*[d]+[phi2])-COS([phi2]))"
-TRAVELLED = "=[s0]-[s]+SUMPRODUCT([s1:c5]/{1,2,6,12,20,30,42},[d]^{1,2,3,4,5,6,7})-[ps]*SIN([omega]*[d]+[phi])"
-SWUNG2 = "-[ps2]*SIN([omega2]*[d]+[phi2])"
-PIECE_NAMES = (  # columns of the stack that have names, and those of a second sine
-    ("law", "number", "k", "d", "s0", "s1", *POWERS, *SINE, "xi", "ps", "pv", "pj", "v", "dv", "s", "ds", "key"),
-    (*SECOND, "ps2", "pv2", "pj2"),
+SECOND_TERMS = {
+    "s0": "+[ps2]*SIN([phi2])",
+    "s1": "+[pv2]*COS([phi2])",
+    "dv": "-[pv2]*(COS([omega2]*[d]+[phi2])-COS([phi2]))",
+    "ds": "-[ps2]*SIN([omega2]*[d]+[phi2])",
+}
+"""what a second sine adds to formulas of the stack"""
+WITH_SECOND = (*SECOND, "ps2", "pv2", "pj2")  # columns of the stack that are there with a second sine alone
+COLUMNS = (
+    "d",
+    "s0",
+    "s1",
+    *POWERS,
+    *SINE,
+    *SECOND,
+    "xi",
+    "ps",
+    "pv",
+    "pj",
+    "pj2",
+    "ps2",
+    "pv2",
+    "v",
+    "dv",
+    "s",
+    "ds",
+    "key",
 )
 FIRST_POWERS = {"piece_y": "s0", "piece_dy": "s1", "piece_ddy": "c0", "piece_dddy": "c1"}
 """the first column of each block of coefficients, up to the highest power that any law has"""
@@ -210,46 +222,21 @@ FIRST_POWERS = {"piece_y": "s0", "piece_dy": "s1", "piece_ddy": "c0", "piece_ddd
 
 def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
     """Declare the stacked pieces, entries taken from the laws' pages, with a second sine where any law has it."""
-    cell = CELLS["pieces"]
-    second, last = stacked.second_sine, POWERS[stacked.room - 1]
+    cell, second, last = CELLS["pieces"], stacked.second_sine, POWERS[stacked.room - 1]
 
-    def column(name: str, label: str, symbol: str, formula: str, added: str = "", **more: Any) -> Quantity:
-        formula += added if second else ""
-        return calc(name, label, symbol, "", formula, [row.values[name] for row in rows], **more)
+    def column(name: str) -> Quantity:
+        values = [row.values[name] for row in rows]
+        if name in LABELS:
+            return calc(name, *LABELS[name], "", [row.formulas[name] for row in rows], values)
+        terms = {"second": SECOND_TERMS[name] if second else ""} if name in SECOND_TERMS else {}
+        return cell(name, values, **terms, **({"scale": RISE} if name == "ds" else {}))
 
-    def entry(name: str) -> Quantity:
-        formulas, values = [row.formulas[name] for row in rows], [row.values[name] for row in rows]
-        return calc(name, *LABELS[name], "", formulas, values)
-
-    sheet.table(
-        "pieces",
-        "Pieces of all laws",
-        len(rows),
-        *cell.of_rows(rows, law="law", number="number", k="k"),
-        entry("d"),
-        column(
-            "s0", "constant of position", "S0", "=[s]+[ps]*SIN([phi])", "+[ps2]*SIN([phi2])", source="s_k + P/ω² sin φ"
-        ),
-        column("s1", "slope of position", "S1", "=[v]+[pv]*COS([phi])", "+[pv2]*COS([phi2])", source="v_k + P/ω cos φ"),
-        *map(entry, (*POWERS, *SINE, *(SECOND if second else ()))),
-        column("xi", "begins at", "ξ_k", "=IF([k]=1,0,[xi-1]+[d-1])"),
-        *(column(*amplitude) for amplitude in AMPLITUDES[: 6 if second else 3]),
-        column(
-            "v",
-            "velocity carried",
-            "v_k",
-            "=IF([k]=1,INDEX(law_start,[number]),[v-1]+[dv-1])",
-            source="v + ∫a of the piece before",
-        ),
-        column("dv", "gain of velocity", "Δv", GAINED, TURNED2, source="∫a over the piece"),
-        column("s", "position carried", "s_k", "=IF([k]=1,0,[s-1]+[ds-1])", source="s + ∫v of the piece before"),
-        column("ds", "gain of position", "Δs", TRAVELLED, SWUNG2, scale=RISE, source="∫v over the piece"),
-        column("key", "key", "", "=2*[number]+MIN(1,MAX(0,[xi]))", source="2 · number + ξ_k, within its law"),
-    )
-    first_names, second_names = ({f"piece_{name}": name for name in names} for names in PIECE_NAMES)
+    always = [name for name in COLUMNS if name not in WITH_SECOND]
+    keys = cell.of_rows(rows, law="law", number="number", k="k")
+    sheet.table("pieces", "Pieces of all laws", len(rows), *keys, *map(column, COLUMNS if second else always))
     sheet.book.name(
         "pieces",
-        **first_names,
+        **{f"piece_{name}": name for name in ("law", "number", "k", *always)},
         **{name: f"{first}:{last}" for name, first in FIRST_POWERS.items()},
-        **(second_names if second else {}),
+        **{f"piece_{name}": name for name in WITH_SECOND if second},
     )
