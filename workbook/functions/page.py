@@ -1,7 +1,7 @@
 """The page that shows each function in use: what is entered there, to be changed, and what the engine says of it."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -10,11 +10,13 @@ from pydantic import BeforeValidator, Field
 
 from engine.drive import Part
 from engine.laws import Law
+from engine.laws.base import Array
 from engine.laws.inverse import inverse
 from engine.motion import Motion, Phase
 from engine.motion.joining import join_phases
+from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, calc, constant, given, result
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text, given
 from workbook.book.rows import filled
 from workbook.fields.paths import get, split
 from workbook.fields.types import Model, NotNegative, Number, Share
@@ -23,6 +25,7 @@ from workbook.laws.entries import Laws, as_listed
 from workbook.laws.registry import CODES as BASIC
 from workbook.laws.registry import FAMILY
 
+CELLS = cell_tables(__file__)
 LAW_STEPS, MOTION_STEPS = 100, 120
 EMPTY_PIECES, EMPTY_PHASES = 2, 2
 WIDTH = 8  # parameters of a phase's law, at most: an own law of a piece
@@ -49,9 +52,7 @@ ARGUMENTS = {
 }  # fmt: skip
 PIECE = {"duration": "duration", **{f"c{i}": f"c{i}" for i in range(4)}, "amplitude": "P", "omega": "ω", "phase": "φ"}
 DERIVATIVES = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
-PROBE = '=MOTION.S("CUB",0.5,0)'
 QUIET = "ISERROR([fn_probe.fn_probe])"  # where the functions do not compute, examples show nothing in place of errors
-WORKS = '=IF(ISERROR([fn_probe.fn_probe]),"no: they need Excel 365 or 2024, or LibreOffice with motion.oxt","yes")'
 
 
 class ShownPhase(Model):
@@ -136,17 +137,16 @@ def introduction(sheet: Sheet, shown: PageInputs) -> None:
         "LibreOffice: install motion.oxt (Tools > Extension Manager), which computes the same file by the same names.",
     ):
         sheet.note(line)
-    sheet.rows(
-        result("fn_works", "Do the functions compute here?", "", "", WORKS, "yes", align="center"),
-        result("fn_probe", "One of them: the middle of a cubic", "", "", PROBE, 0.5, source="0.5"),
-    )
+    cell = CELLS["introduction"]
+    sheet.rows(cell("fn_works", "yes"), cell("fn_probe", 0.5))
     sheet.heading("Enter for the examples")
-    sheet.rows(
-        given("fn_law", "Law", "", "", shown.law, "law", align="center", source="its parameters stand below"),
-        given("fn_xi", "Share of the rise time", "ξ", "", shown.xi, "xi", source="0 to 1"),
-        given("fn_s", "Share of the rise", "s", "", shown.s, "s", source="0 to 1"),
-        given("fn_x", "Abscissa of the motion", "x", "", shown.x, "x", source="0 to the sum of its durations"),
-    )
+    sheet.rows(*(cell(f"fn_{name}", getattr(shown, name)) for name in ("law", "xi", "s", "x")))
+
+
+def entries(name: str, words: str, values: Iterable[Any], key: str, symbol: str = "", rows: int = 0) -> Quantity:
+    """Return a column of entries, of so many rows."""
+    column = filled(values, rows, None) if rows else list(values)
+    return CELLS["entries"]("{name}", column, name=name, words=words, key=key, symbol=symbol)
 
 
 def parameters(sheet: Sheet, shown: PageInputs) -> None:
@@ -158,32 +158,32 @@ def parameters(sheet: Sheet, shown: PageInputs) -> None:
         if code not in TAKES or not page.parameters:
             continue
         entered = laws[code]
-        sheet.table(code, f"{code}: {TAKES[code].en}", 1, *(
-            given(parameter.column, parameter.short, "", "",
-                  [get(entered, split(parameter.key))], f"laws.{code}.{parameter.key}", format="0.0000")
-            for parameter in page.parameters
-        ))  # fmt: skip
+        columns = [
+            entries(p.column, p.short, [get(entered, split(p.key))], f"laws.{code}.{p.key}")._replace(format="0.0000")
+            for p in page.parameters
+        ]
+        sheet.table(code, f"{code}: {TAKES[code].en}", 1, *columns)
     rows = len(pieces) + EMPTY_PIECES
-    sheet.table("OWN", "OWN: a row a piece of a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *(
-        given(name, words, "", "",
-              filled([getattr(piece, name) for piece in pieces], rows, None), f"laws.OWN.pieces.*.{name}",
-              format="General")
+    columns = [
+        entries(name, words, [getattr(piece, name) for piece in pieces], f"laws.OWN.pieces.*.{name}", rows=rows)
         for name, words in PIECE.items()
-    ))  # fmt: skip
+    ]
+    sheet.table("OWN", "OWN: a row a piece of a(u) = c0 + c1 u + c2 u² + c3 u³ + P sin(ωu + φ)", rows, *columns)
 
 
 def functions(sheet: Sheet, shown: PageInputs) -> None:
     """Declare a row a function: how it is called, its result for the entries, what it gives."""
     calls = [f"{f.name}({', '.join(a.shown for a in f.arguments)})" for f in FUNCTIONS]
     formulas = [f"={f.name}({','.join(ARGUMENTS[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
+    cell = CELLS["functions"]
     sheet.heading("The functions, each computed for these entries")
     sheet.table(
         "functions",
         "In Excel, a range of ξ, s or x gives as many results",
         len(FUNCTIONS),
-        constant("call", "function", "", "", calls, align="left"),
-        result("gives", "result", "", "", formulas, results(shown), format="0.000000"),
-        constant("about", "what it gives", "", "", [f.help.en for f in FUNCTIONS], align="left"),
+        cell("call", calls),
+        cell("gives", results(shown), formula=formulas),
+        *cell.of_rows(FUNCTIONS, about="help.en"),
     ).quiet = QUIET
 
 
@@ -215,10 +215,6 @@ def motion(sheet: Sheet, shown: PageInputs) -> None:
     """Declare the table of phases, and the charts of the motion."""
     phases, rows = shown.phases, len(shown.phases) + EMPTY_PHASES
     p = [filled(phase.p, WIDTH, None) for phase in phases]
-
-    def entry(name: str, words: str, values: Iterable[Any], key: str) -> Quantity:
-        return given(name, words, "", "", filled(values, rows, None), f"phases.*.{key}", format="General")
-
     sheet.heading("A motion of phases", "Empty rows at the end are left out; a law without parameters is as delivered.")
     sheet.note("A curved phase takes the velocity of a straight line LIN beside it. A row VIA, velocity, acceleration")
     sheet.note("prescribes these between two curved phases, or where the motion begins or ends.")
@@ -228,8 +224,14 @@ def motion(sheet: Sheet, shown: PageInputs) -> None:
         "Phases",
         rows,
         given("law", "law", "", "", filled([p.law for p in phases], rows, None), "phases.*.law", align="center"),
-        *(entry(name, name, [getattr(p, name) for p in phases], name) for name in ("duration", "lift")),
-        *(entry(f"p{i}", f"parameter {i}", values, "p.*") for i, values in enumerate(zip(*p, strict=True), 1)),
+        *(
+            entries(name, name, [getattr(p, name) for p in phases], f"phases.*.{name}", rows=rows)
+            for name in ("duration", "lift")
+        ),
+        *(
+            entries(f"p{i}", f"parameter {i}", values, "phases.*.p.*", rows=rows)
+            for i, values in enumerate(zip(*p, strict=True), 1)
+        ),
     )
     sheet.chart_row(*(curve(*words, "motion") for words in MOTION_CURVES), width=5, height=13)
 
@@ -242,17 +244,11 @@ def sums(sheet: Sheet, shown: PageInputs) -> None:
         ("profile", shown.profile, (("value", "value", "", "value"), ("span", "duration", "t", "duration"))),
     )
     for table, rows, columns in tables:
-        sheet.table(
-            table,
-            table.capitalize(),
-            len(rows),
-            *(
-                given(
-                    name, words, symbol, "", [getattr(row, key) for row in rows], f"{table}.*.{key}", format="General"
-                )
-                for name, words, symbol, key in columns
-            ),
-        )
+        each = [
+            entries(name, words, [getattr(row, key) for row in rows], f"{table}.*.{key}", symbol)
+            for name, words, symbol, key in columns
+        ]
+        sheet.table(table, table.capitalize(), len(rows), *each)
 
 
 def samples(sheet: Sheet, shown: PageInputs) -> None:
@@ -263,30 +259,29 @@ def samples(sheet: Sheet, shown: PageInputs) -> None:
         "arguments",
         "Bad arguments give the error values of built-in functions: #VALUE!, #NUM!",
         len(arguments),
-        constant("argument", "argument", "", "", list(arguments), align="left"),
-        constant("takes", "what it takes", "", "", [a.help.en for a in arguments.values()], align="left"),
+        CELLS["arguments"]("argument", list(arguments)),
+        *CELLS["arguments"].of_rows(arguments.values(), takes="help.en"),
     )
     sheet.heading("The sampled law and the sampled motion")
     xi, x = np.arange(LAW_STEPS + 1) / LAW_STEPS, np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
+    law = [(name, words, name, name.upper()) for name, words in DERIVATIVES.items()]
+    sampled(sheet, "law", "xi", xi, f"{LAW},[xi],{P}", zip(law, shown.chosen_law.evaluate(xi), strict=True))
+    sampled(sheet, "motion", "x", x, f"[x],{PHASES}", zip(RATES, shown.motion.at(x)[:3], strict=True))
+
+
+def sampled(
+    sheet: Sheet, name: str, abscissa: str, x: Array, arguments: str, columns: Iterable[tuple[Sequence[str], Array]]
+) -> None:
+    """Declare a sampled table over an abscissa: of each column its name, words, symbol and function, and its values."""
+    cell = CELLS["samples"]
     sheet.table(
-        "law",
-        "The law",
-        LAW_STEPS + 1,
-        calc("xi", "share of time", "ξ", "", "=[k]/[law.k.last]", xi),
+        name,
+        f"The {name}",
+        len(x),
+        cell(abscissa, x),
         *(
-            result(name, words, name, "", f"=MOTION.{name.upper()}({LAW},[xi],{P})", values)
-            for (name, words), values in zip(DERIVATIVES.items(), shown.chosen_law.evaluate(xi), strict=True)
+            cell("{name}", values, name=key, words=words, symbol=symbol, function=function, arguments=arguments)
+            for (key, words, symbol, function), values in columns
         ),
-        constant("k", "sample", "k", "", list(range(LAW_STEPS + 1))),
-    ).quiet = QUIET
-    sheet.table(
-        "motion",
-        "The motion",
-        MOTION_STEPS + 1,
-        calc("x", "abscissa", "x", "", "=[k]*SUM([phases.duration])/[motion.k.last]", x),
-        *(
-            result(name, words, symbol, "", f"=MOTION.{key}([x],{PHASES})", values)
-            for (name, words, symbol, key), values in zip(RATES, shown.motion.at(x)[:3], strict=True)
-        ),
-        constant("k", "sample", "k", "", list(range(MOTION_STEPS + 1))),
+        cell("k", list(range(len(x)))),
     ).quiet = QUIET
