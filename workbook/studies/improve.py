@@ -21,7 +21,7 @@ from workbook.text_files import read_text
 
 GAIN = 1e-4  # share of the rate: less is no gain
 ORDER = 5  # limits that are listed in their order
-ROUNDS = 6  # over all phases of the axis that limits, at most
+ROUNDS = 12  # over all phases of the axis that limits, at most
 RATE = ("master", "rate")
 Done = Callable[[int, int, str], None]  # takes how many changes of how many are tried, and words
 
@@ -92,8 +92,10 @@ def first_design(machine: Machine, is_roomy: bool) -> Design:
     sizes = {} if is_roomy else {"sizes": machine.sizes.model_dump(exclude={"motion_pieces"})}
     design = Design(machine, table(machine) | sizes, machine, {}, {})
     rates = {name: at_points(make()).range.high for name, make in design.improving.limits(machine).items()}
-    if not any(0.0 < rate < math.inf for rate in rates.values()):
+    if not any(rate < math.inf for rate in rates.values()):
         raise InputError(["no drive of this machine limits its rate; expected a motor, with its limits"])
+    for name in (name for name, rate in rates.items() if rate == 0.0):
+        raise InputError([f"{name}: its drive holds its limits at no rate; expected a motor and a ratio that do"])
     return replace(design, rates=rates)
 
 
@@ -137,15 +139,15 @@ def tried(change: Change, design: Design, axis: str) -> Design | str:
 
 
 def improved(design: Design, changes: Sequence[Change], pool: Pool, done: Done) -> list[tuple[Change, Design]]:
-    """Return the changes of the axis that limits with which the machine is faster, the best first, by points."""
-    faster = []
-    for count, (change, other) in enumerate(pool.each(tried, changes, design, design.limiting), 1):
+    """Return the changes with which the axis that limits is faster, and the designs with them, the fastest first."""
+    axis, faster = design.limiting, []
+    for count, (change, other) in enumerate(pool.each(tried, changes, design, axis), 1):
         done(count, len(changes), change.words)
-        if isinstance(other, Design) and other.rate > design.rate * (1.0 + GAIN):
+        if isinstance(other, Design) and other.rates[axis] > design.rates[axis] * (1.0 + GAIN):
             faster.append((change, other))
         elif isinstance(other, WorkerDied):
             raise InputError([f"{change.words}: a worker died"])
-    return sorted(faster, key=lambda pair: (-pair[1].rate, pair[0].words))
+    return sorted(faster, key=lambda pair: (-pair[1].rates[axis], pair[0].words))
 
 
 def single_gains(design: Design, pool: Pool, done: Done) -> Iterator[Gain]:
@@ -160,10 +162,13 @@ def single_gains(design: Design, pool: Pool, done: Done) -> Iterator[Gain]:
 
 
 def better_laws(design: Design, pool: Pool, done: Done) -> Iterator[Design]:
-    """Yield designs with better laws, each faster than the last: phase by phase of the axis that limits."""
+    """Yield designs with better laws, none slower than the last: phase by phase of the axis that limits.
+
+    Of axes that limit alike the machine is faster only when each has better laws.
+    """
     broken = design.breaks()
     for _ in range(ROUNDS):
-        axis, begin = design.limiting, design.rate
+        axis, begin = design.limiting, design
         by_phase: dict[Place, list[Change]] = {}
         for change in design.improving.changes(design.machine, axis, design.rate):
             if change.is_law:
@@ -175,7 +180,7 @@ def better_laws(design: Design, pool: Pool, done: Done) -> Iterator[Design]:
             if other := next(better, None):
                 design = other
                 yield design
-        if design.rate <= begin * (1.0 + GAIN):
+        if design is begin:
             return
 
 

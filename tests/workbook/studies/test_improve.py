@@ -84,7 +84,7 @@ def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number
         return  # no drive limits it
     best = design
     for other in islice(better_laws(design, THIS_PROCESS, silent), 1 if drawn_from == "faster" else None):
-        assert other.rate > best.rate
+        assert other.rate >= best.rate
         best = other
     assert best.breaks() <= design.breaks()
     rate = rate_to_write(best)
@@ -122,6 +122,23 @@ def test_interrupted_it_keeps_the_best_so_far(cutting, monkeypatch, capsys) -> N
     monkeypatch.setattr(command, "single_gains", lambda *_: iter(()))
     assert command.show_gains(cutting, THIS_PROCESS, silent) is kept
     assert "best so far" in capsys.readouterr().err
+
+
+def test_axes_that_limit_alike_have_better_laws_both(tmp_path) -> None:
+    machine = read_machine(base(tmp_path))
+    twin = machine.axes[0].model_copy(update={"name": "MC02"})
+    design = first_design(machine.model_copy(update={"axes": [machine.axes[0], twin]}), True)
+    best = list(better_laws(design, THIS_PROCESS, silent))[-1]
+    assert best.rate > design.rate * 1.01
+    assert {path[1] for path in best.changes if path[-1] == "law"} == {"0", "1"}
+
+
+def test_a_drive_that_holds_at_no_rate_says_so(tmp_path) -> None:
+    machine = read_machine(base(tmp_path))
+    weak = machine.axes[0].motor.model_copy(update={"rated_torque": 0.01, "peak_torque": 0.02})
+    axes = [machine.axes[0].model_copy(update={"motor": weak})]
+    with pytest.raises(InputError, match="MC01: its drive holds its limits at no rate"):
+        first_design(machine.model_copy(update={"axes": axes}), True)
 
 
 def test_a_machine_without_drives_says_so() -> None:

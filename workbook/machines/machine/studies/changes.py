@@ -33,7 +33,7 @@ EDGE = 10.0  # degrees of a turn by which an edge may move
 LIGHTER = 0.9  # of the inertias of load and parts
 RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}  # by what must not jump: the highest derivative that is 0 at ends
 RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
-PIECES = 8  # of a law that is shaped for its drive
+PIECES = 8  # of a law that is shaped for its drive, at most
 NEAR = 1e-9  # of the rise: ends of laws that differ by less are the same
 
 
@@ -80,7 +80,7 @@ def law_changes(machine: AnyMachine, i: int, rate: float) -> Iterator[Change]:
         if not phase.lift or passes or phase.law not in known:
             continue
         path, begin = ("axes", str(i), "phases", str(k), "law"), f"{axis.name} phase {k + 1}: {known[phase.law].words}"
-        yield shaped(driven, checks, k, begin, free_name(machine, i, k))
+        yield shaped(driven, checks, k, begin, free_name(machine, i, k), min(PIECES, machine.sizes.pieces))
         for law in known.values():
             new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
             if law.name != phase.law:
@@ -110,10 +110,10 @@ def free_name(machine: AnyMachine, i: int, k: int) -> str:
     return next(name for n in count(1) if (name := f"{begin} {n}") not in machine.laws.names)
 
 
-def shaped(driven: Driven, checks: LimitChecks, k: int, begin: str, name: str) -> Change:
-    """Return the change of a phase to a law that is shaped for its drive, frozen into pieces."""
+def shaped(driven: Driven, checks: LimitChecks, k: int, begin: str, name: str, most: int) -> Change:
+    """Return the change of a phase to a law that is shaped for its drive, frozen into ``most`` pieces."""
     axis, rest = driven.axis, RESTS[driven.axis.given.smoothness]
-    law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=PIECES).law
+    law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=most).law
     pieces = [
         {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
     ]
