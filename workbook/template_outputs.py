@@ -7,7 +7,7 @@ template names these entries, and gives the results by the names in its book.
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any, Generic, NamedTuple, Self, TypeVar
+from typing import Any, Generic, Literal, NamedTuple, Self, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,12 +92,20 @@ class Scaling(NamedTuple, Generic[M]):
     results: Callable[[M, Mapping[str, Column]], Results]
 
 
+ChangeKind = Literal["law", "edge", "product", "other"]
+
+
 class Change(NamedTuple):
-    """A change of a machine: in words, the entries that differ by their places, whether it is of a law alone."""
+    """A change of a machine: in words, the entries that differ by their places, and its kind."""
 
     words: str
     entries: Mapping[Place, Any]
-    is_law: bool
+    kind: ChangeKind
+
+    @property
+    def what(self) -> tuple[Place, ...]:
+        """The places of its entries, those of laws aside: changes of the same exclude each other."""
+        return tuple(place for place in self.entries if place[0] != "laws")
 
 
 class Improving(NamedTuple, Generic[M]):

@@ -132,21 +132,25 @@ def study(
 @app.command()
 def improve(
     machine: Path = Argument(..., metavar="MACHINE.toml", help="A machine with drives."),
-    output: Path | None = to("BETTER.toml", "Write the description with the best laws, at the rate that it reaches."),
+    output: Path | None = to("BETTER.toml", "Write the best description, at the rate that it reaches."),
+    change: Literal["laws", "timing", "motors"] = option(
+        "laws|timing|motors", "What -o changes: laws; edges too; motors and ratios too.", default="laws"
+    ),
     jobs: int | None = option("N", "Processes at once; else this process alone.", "--jobs", min=1),
     force: Force = False,
 ) -> None:
     """Say what limits the highest rate of a machine, and what each single change would gain.
 
     Tried are other laws for each phase, laws shaped for their drive, edges moved within their order, the next motors,
-    other ratios, less inertia and smaller reserves of the axis that limits. Then the best laws together. Every gain is
-    worked out by the exact engine; a change that breaks a check is left out. Ctrl+C leaves the best so far.
+    other ratios, less inertia and smaller reserves of the axis that limits. Then the best laws together, with edges,
+    with motors and ratios. Every gain is worked out by the exact engine; a change that breaks a check is left out.
+    Ctrl+C leaves the best so far.
 
     Exit code 0: done. 2: it cannot be done. 3: a check of what was written fails.
     """
     from workbook.commands import improve as improving
 
-    raise typer.Exit(improving.improve(machine, output, jobs, force))
+    raise typer.Exit(improving.improve(machine, output, change, jobs, force))
 
 
 @app.command()

@@ -11,7 +11,7 @@ from workbook.pool import Pool
 from workbook.reading.descriptions import parse_toml
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.reports.terminal import shown as escaped
-from workbook.studies.improve import Design, Done, better_laws, edited, first_design, obstacles, single_gains
+from workbook.studies.improve import STAGES, Design, Done, better, edited, first_design, obstacles, single_gains
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import refuse_existing, refuse_itself, write_text
@@ -19,8 +19,8 @@ from workbook.writing.output_files import refuse_existing, refuse_itself, write_
 DESCRIPTION = "a machine description, a .toml file"
 
 
-def improve(path: Path, output: Path | None, jobs: int | None, force: bool) -> int:
-    """Print what limits a machine and what single changes gain; write the best laws; return the exit code."""
+def improve(path: Path, output: Path | None, stage: str, jobs: int | None, force: bool) -> int:
+    """Print what limits a machine and what changes gain; write the best design of a stage; return the exit code."""
     refuse_itself(output, path)
     if output is not None:
         refuse_existing(output, force)
@@ -33,7 +33,7 @@ def improve(path: Path, output: Path | None, jobs: int | None, force: bool) -> i
         design = first_design(read_description(path), "motion_pieces" in sizes)
         show_limits(design)
         with pool(jobs or 1, None) as workers:
-            best = show_gains(design, workers, done)
+            best = show_gains(design, stage, workers, done)
     if output is None or best is design:
         return AGREES
     return write_best(path, best, output, force)
@@ -46,23 +46,28 @@ def show_limits(design: Design) -> None:
         say(OUT, f"{'then' if n else 'Highest rate:'} {per_minute(obstacle.limit.rate)}: {words}", "" if n else "bold")
 
 
-def show_gains(design: Design, workers: Pool, done: Done) -> Design:
-    """Print the gains of single changes and of the best laws, as they come; return the best design, also cut short."""
-    best = design
+def show_gains(design: Design, stage: str, workers: Pool, done: Done) -> Design:
+    """Print the gains of single changes, and the best design of each stage; return that of a stage, or of what is done.
+
+    Stages after it are worked out for their rates alone.
+    """
+    best, chosen, written = design, design, False
     try:
         for gain in single_gains(design, workers, done):
             say(OUT, f"  {gain.line}")
-        for best in better_laws(design, workers, done):
-            done(1, 1, f"best laws so far, {per_minute(best.rate)}")
+        for name, (words, kinds) in STAGES.items():
+            for faster in better(best, kinds, workers, done):
+                best, chosen = faster, chosen if written else faster
+            written = written or name == stage
+            rate = min(best.exact(axis).rate for axis in best.rates)
+            more = 100.0 * (best.rate / design.rate - 1.0)
+            say(OUT, f"Best {words}: {per_minute(rate)} ({more:+.1f} %)", "bold")
     except KeyboardInterrupt:
         say(ERR, "Interrupted: the best so far stands.", "yellow")
-    if best is not design:
-        rate = min(best.exact(axis).rate for axis in best.rates)
-        say(OUT, f"Best laws: {per_minute(rate)} ({100.0 * (best.rate / design.rate - 1.0):+.1f} %)", "bold")
-        for place, law in best.changes.items():
-            if place[-1] == "law":
-                say(OUT, f"  {spell(place)} = {law}")
-    return best
+    for place, value in chosen.changes.items():
+        if place[0] != "laws":
+            say(OUT, f"  {spell(place)} = {value}")
+    return chosen
 
 
 def write_best(path: Path, best: Design, output: Path, force: bool) -> int:

@@ -1,7 +1,7 @@
 """Make a machine faster: its limits in their order, single changes by what they gain, the best laws."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -23,6 +23,12 @@ GAIN = 1e-4  # share of the rate: less is no gain
 ORDER = 5  # limits that are listed in their order
 ROUNDS = 12  # over all phases of the axis that limits, at most
 RATE = ("master", "rate")
+STAGES: dict[str, tuple[str, Collection[str]]] = {
+    "laws": ("laws", ("law",)),
+    "timing": ("laws and timing", ("law", "edge")),
+    "motors": ("laws, timing and motors", ("law", "edge", "product")),
+}
+"""by name: the words and the kinds of changes that are made together, each beginning with the best of the last"""
 Done = Callable[[int, int, str], None]  # takes how many changes of how many are tried, and words
 
 
@@ -161,23 +167,24 @@ def single_gains(design: Design, pool: Pool, done: Done) -> Iterator[Gain]:
             yield Gain(change.words, before, after)
 
 
-def better_laws(design: Design, pool: Pool, done: Done) -> Iterator[Design]:
-    """Yield designs with better laws, none slower than the last: phase by phase of the axis that limits.
+def better(design: Design, kinds: Collection[str], pool: Pool, done: Done) -> Iterator[Design]:
+    """Yield designs with better laws, edges or products, none slower than the last, of the axis that limits.
 
-    Of axes that limit alike the machine is faster only when each has better laws.
+    Each phase and each product has the best of what can be tried in turn, and an edge moves once. Of axes that limit
+    alike the machine is faster only when each has changed.
     """
     broken = design.breaks()
     for _ in range(ROUNDS):
         axis, begin = design.limiting, design
-        by_phase: dict[Place, list[Change]] = {}
+        tries: dict[tuple[Place, ...], list[Change]] = {}
         for change in design.improving.changes(design.machine, axis, design.rate):
-            if change.is_law:
-                by_phase.setdefault(next(path for path in change.entries if path[-1] == "law"), []).append(change)
-        for changes in by_phase.values():
+            if change.kind in kinds and not (change.kind == "edge" and design.changes.keys() & change.entries.keys()):
+                tries.setdefault(change.what, []).append(change)
+        for changes in tries.values():
             if design.limiting != axis:
                 break
-            better = (other for _, other in improved(design, changes, pool, done) if other.breaks() <= broken)
-            if other := next(better, None):
+            faster = (other for _, other in improved(design, changes, pool, done) if other.breaks() <= broken)
+            if other := next(faster, None):
                 design = other
                 yield design
         if design is begin:

@@ -19,7 +19,7 @@ from workbook.machines.machine.exact import drives_of, limits_of
 from workbook.machines.machine.studies import changes
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
-from workbook.studies.improve import RATE, better_laws, edited, first_design, obstacles, rate_to_write, single_gains
+from workbook.studies.improve import RATE, STAGES, better, edited, first_design, obstacles, rate_to_write, single_gains
 from workbook.studies.plan import changed_machine
 from workbook.templates import TEMPLATES
 
@@ -83,7 +83,7 @@ def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number
     except InputError:
         return  # no drive limits it
     best = design
-    for other in islice(better_laws(design, THIS_PROCESS, silent), 1 if drawn_from == "faster" else None):
+    for other in islice(better(design, ("law",), THIS_PROCESS, silent), 1 if drawn_from == "faster" else None):
         assert other.rate >= best.rate
         best = other
     assert best.breaks() <= design.breaks()
@@ -100,27 +100,39 @@ def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number
 
 def test_what_is_written_keeps_comments_and_is_the_best_design(tmp_path) -> None:
     text = base(tmp_path).read_text("utf-8").replace("[master]", "# a remark\n[master]")
-    path, better = tmp_path / "feed.toml", tmp_path / "better.toml"
+    path, faster = tmp_path / "feed.toml", tmp_path / "faster.toml"
     path.write_text(text, encoding="utf-8")
-    assert command.improve(path, better, None, False) == AGREES
-    assert "# a remark" in better.read_text("utf-8")
-    before, after = (first_design(read_machine(file), False) for file in (path, better))
+    assert command.improve(path, faster, "laws", None, False) == AGREES
+    assert "# a remark" in faster.read_text("utf-8")
+    before, after = (first_design(read_machine(file), False) for file in (path, faster))
     assert after.rate > before.rate * 1.01
     assert after.machine.per_minute == pytest.approx(rate_to_write(after), abs=0.02)
     untouched = [line for line in text.splitlines() if not re.search(r"\b(rate|law) = ", line)]
-    assert set(untouched) <= set(better.read_text("utf-8").splitlines())
+    assert set(untouched) <= set(faster.read_text("utf-8").splitlines())
+
+
+def test_each_stage_begins_with_the_best_of_the_last_and_moves_an_edge_once(cutting) -> None:
+    best, rates = cutting, []
+    for _, kinds in STAGES.values():
+        for other in better(best, kinds, THIS_PROCESS, silent):
+            best = other
+        rates.append(best.rate)
+    assert rates == sorted(rates)
+    assert rates[1] > rates[0] * 1.05
+    assert best.machine.axes[0].phases[0].stop == best.machine.axes[0].phases[1].start == 90.0
+    assert best.breaks() <= cutting.breaks()
 
 
 def test_interrupted_it_keeps_the_best_so_far(cutting, monkeypatch, capsys) -> None:
-    kept = next(better_laws(cutting, THIS_PROCESS, silent))
+    kept = next(better(cutting, ("law",), THIS_PROCESS, silent))
 
     def interrupted(*_):
         yield kept
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(command, "better_laws", interrupted)
+    monkeypatch.setattr(command, "better", interrupted)
     monkeypatch.setattr(command, "single_gains", lambda *_: iter(()))
-    assert command.show_gains(cutting, THIS_PROCESS, silent) is kept
+    assert command.show_gains(cutting, "laws", THIS_PROCESS, silent) is kept
     assert "best so far" in capsys.readouterr().err
 
 
@@ -128,7 +140,7 @@ def test_axes_that_limit_alike_have_better_laws_both(tmp_path) -> None:
     machine = read_machine(base(tmp_path))
     twin = machine.axes[0].model_copy(update={"name": "MC02"})
     design = first_design(machine.model_copy(update={"axes": [machine.axes[0], twin]}), True)
-    best = list(better_laws(design, THIS_PROCESS, silent))[-1]
+    best = list(better(design, ("law",), THIS_PROCESS, silent))[-1]
     assert best.rate > design.rate * 1.01
     assert {path[1] for path in best.changes if path[-1] == "law"} == {"0", "1"}
 
@@ -152,7 +164,7 @@ def test_a_machine_without_drives_says_so() -> None:
 
 def test_a_law_that_nothing_takes_any_more_is_not_written(cutting) -> None:
     first, second = ({("laws", name): {"family": "PO5"}, ("axes", "0", "phases", "0", "law"): name} for name in "AB")
-    one = cutting.changed(changes.Change("", first, True), "MC01")
-    two = one.changed(changes.Change("", second, True), "MC01")
+    one = cutting.changed(changes.Change("", first, "law"), "MC01")
+    two = one.changed(changes.Change("", second, "law"), "MC01")
     assert "[laws.B]" in edited(CUTTING, two)
     assert "[laws.A]" not in edited(CUTTING, two)

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from functools import partial
 from itertools import count
 from typing import Any
@@ -80,11 +81,12 @@ def law_changes(machine: AnyMachine, i: int, rate: float) -> Iterator[Change]:
         if not phase.lift or passes or phase.law not in known:
             continue
         path, begin = ("axes", str(i), "phases", str(k), "law"), f"{axis.name} phase {k + 1}: {known[phase.law].words}"
-        yield shaped(driven, checks, k, begin, free_name(machine, i, k), min(PIECES, machine.sizes.pieces))
+        with suppress(ValueError, ArithmeticError):  # too few pieces, or what the engine refuses
+            yield shaped(driven, checks, k, begin, free_name(machine, i, k), min(PIECES, machine.sizes.pieces))
         for law in known.values():
             new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
             if law.name != phase.law:
-                yield Change(f"{begin} → {law.words}", new | {path: law.name}, True)
+                yield Change(f"{begin} → {law.words}", new | {path: law.name}, "law")
 
 
 def from_rest_to_rest(machine: AnyMachine) -> Iterator[NamedLaw]:
@@ -120,7 +122,7 @@ def shaped(driven: Driven, checks: LimitChecks, k: int, begin: str, name: str, m
     words = f"Shaped for its drive at {shown(1.0 / checks.drive_cycle.time, PER_MINUTE):.1f} cycles/min"
     entries: dict[Place, Any] = {("laws", name): {"family": "OWN", "name": words, "pieces": pieces}}
     path = ("axes", str(axis.number - 1), "phases", str(k), "law")
-    return Change(f"{begin} → shaped for its drive", entries | {path: name}, True)
+    return Change(f"{begin} → shaped for its drive", entries | {path: name}, "law")
 
 
 def edge_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
@@ -146,7 +148,7 @@ def edge_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
                 words = (
                     f"{axis.name}: {' and '.join(edges[place].values())} {figure(place)} → {figure(moved)}{over.after}"
                 )
-                yield Change(words, dict.fromkeys(edges[place], moved), False)
+                yield Change(words, dict.fromkeys(edges[place], moved), "edge")
 
 
 def places_of(axis: Axis) -> Iterator[float]:
@@ -167,11 +169,13 @@ def product_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
     below = [row for row in rows if row.rated_torque < rated * (1.0 - NEAR)][-1:]
     for row in (*above, *below):
         way = "up" if row in above else "down"
-        yield Change(f"{axis.name}: next motor {way}, {row.name}", {("axes", str(i), "motor", "name"): row.name}, False)
+        yield Change(
+            f"{axis.name}: next motor {way}, {row.name}", {("axes", str(i), "motor", "name"): row.name}, "product"
+        )
     for other in products.reducers:
         if abs(other.reduction - reducer.ratio) > NEAR:
             words = f"{axis.name}: ratio {figure(reducer.ratio)} → {figure(other.reduction)}, {other.name}"
-            yield Change(words, {("axes", str(i), "reducer", "name"): other.name}, False)
+            yield Change(words, {("axes", str(i), "reducer", "name"): other.name}, "product")
 
 
 def lighter(axis: Axis, i: int) -> Iterator[Change]:
@@ -185,7 +189,7 @@ def lighter(axis: Axis, i: int) -> Iterator[Change]:
         if getattr(part, name):
             entries["axes", str(i), "parts", str(k), name] = LIGHTER * getattr(part, name)
     if entries:
-        yield Change(f"{axis.name}: load and parts with 10 % less inertia", entries, False)
+        yield Change(f"{axis.name}: load and parts with 10 % less inertia", entries, "other")
 
 
 def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
@@ -196,7 +200,7 @@ def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
         lower = max(1.0, round(held - 0.1, 9))
         if lower < held:
             sentence = f"{axis.name}: reserve of {words} {figure(held)} → {figure(lower)}"
-            yield Change(sentence, {("axes", str(i), "limits", name): lower}, False)
+            yield Change(sentence, {("axes", str(i), "limits", name): lower}, "other")
 
 
 BY_RATE = tuple(check for check, _ in LIMITS.values())  # names of checks of limits, behind the drive's
