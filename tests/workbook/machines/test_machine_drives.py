@@ -117,6 +117,21 @@ def test_cells_of_a_machine_with_everything_agree_and_its_entries_come_back(conv
     assert entered(TEMPLATE, machine) == (machine, [])
 
 
+ROUND = (0.0, 300.0, 360.0, "CIC")
+BY_ANGLE = {
+    "slide": press(ROUND, load={"mass": 20.0, "viscous": 100.0, "windows": LOSSY["load"]["windows"]}),
+    "arm": arm(ROUND),
+    "rocker": lossy(20.0, ROCKER),
+}
+
+
+@pytest.mark.parametrize("name", BY_ANGLE)
+def test_cells_of_a_load_that_follows_the_angle_agree_and_its_entries_come_back(name):
+    machine = small(BY_ANGLE[name])
+    assert disagreeing(TEMPLATE, machine)[0] == []
+    assert entered(TEMPLATE, machine) == (machine, [])
+
+
 REFUSED = [
     (press(load={"inertia": 3.0}), "no entry of a press crank; expected none"),
     (press(load={"arm": {"mass": 3.0}}), "no entry of a press crank; expected none"),
