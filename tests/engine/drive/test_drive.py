@@ -144,3 +144,8 @@ def test_what_cannot_be_is_refused(made, message):
 def test_beside_a_large_torque_what_rounding_leaves_of_a_small_one_is_none():
     assert LOSSY.factor(-0.01, 1.0, near=3e9 * NEAR) == 1 / 0.8
     assert LOSSY.factor(-4.0, 1.0, near=3e9 * NEAR) == 0.8
+
+
+def test_a_no_load_torque_resists_either_way_and_not_at_rest():
+    one = Drive(KINDS["lead screw"].of(Load(0.0), 100.0), 0.0, no_load=0.3)
+    assert one.torque([0.0] * 3, [1.0, 0.0, -1.0]) == pytest.approx([0.3, 0.0, -0.3])
