@@ -10,7 +10,7 @@ from engine.laws import Law
 from engine.laws.inverse import inverse_by_points, is_monotone
 from engine.overlap import plan
 from engine.overlap.picture import Scene
-from engine.overlap.schedule import Inverse, Passage, Tool, Transfer
+from engine.overlap.schedule import Passage, Tool, Transfer
 from workbook.book.chart import in_scope
 from workbook.book.sentence import figure
 from workbook.entries.phase import TURN
@@ -25,12 +25,12 @@ BACKWARDS = "a law moves backwards: see its sheet, or Laws"
 
 
 class OverlapView:
-    """The engine's view: transfer, a station for each tool; laws ``inverted`` by points, as on the sheet Inverse."""
+    """The engine's view: transfer, a station for each tool; laws inverted by points, as on the sheet Inverse."""
 
-    def __init__(self, given: IndexingOverlap, library: dict[str, Law], inverted: Inverse = inverse_by_points) -> None:
+    def __init__(self, given: IndexingOverlap, library: dict[str, Law]) -> None:
         self.given, self.sizes, self.library = given.overlap, given.sizes, library
         moved = given.overlap.transfer
-        self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE), inverted)
+        self.transfer = Transfer(library[moved.law], si(moved.stroke, MM), si(moved.angle, DEGREE), inverse_by_points)
         self.rate = si(given.overlap.rate, PER_HOUR)
         self.stations = [Station(self, i, tool) for i, tool in enumerate(given.overlap.tools)]
         peaks = [max(station.peaks[schedule] for station in self.stations) for schedule in (0, 2)]
