@@ -10,11 +10,11 @@ from openpyxl.utils import range_boundaries
 
 from benchmarks.scale import of_axes
 from tests.workbook.cells import opened
-from tests.workbook.machines.test_machine_drives import BENT, SHORT, linked, small
+from tests.workbook.machines.test_machine_drives import BENT, SHORT, linked, small, some_mechanism
 from workbook.build import committed_descriptions
 from workbook.judging.matching import is_formula
 from workbook.judging.structure import ALLOWED
-from workbook.machines.machine.mechanism import LINKED, some_mechanism
+from workbook.machines.machine.mechanism import LINKED
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 

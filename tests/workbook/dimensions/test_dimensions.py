@@ -7,11 +7,11 @@ import pytest
 
 from tests.tiers import by_day
 from tests.workbook.cells import in_memory
-from tests.workbook.machines.test_machine_drives import linked, small
+from tests.workbook.machines.test_machine_drives import linked, small, some_mechanism
 from workbook.book.address import Address
 from workbook.dimensions.rules import UnitWalk
 from workbook.dimensions.units import NONE, dimension_of
-from workbook.machines.machine.mechanism import LINKED, some_mechanism
+from workbook.machines.machine.mechanism import LINKED
 from workbook.reading.contents import Contents
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES

@@ -8,6 +8,7 @@ from tests.workbook.machines.in_seconds import convert_to_seconds
 from tests.workbook.machines.test_machine import RATIO, RISE, TEMPLATE, axis, described, driven
 from workbook.errors import InputError
 from workbook.fields.paths import put, split
+from workbook.machines.machine.mechanism import MECHANISMS
 from workbook.reading.descriptions import validated
 
 CRANK = {"kind": "crank-slider", "efficiency": 1.0, "crank_radius": 50.0, "rod_length": 200.0, "offset": 10.0,
@@ -50,6 +51,13 @@ def linked(*phases, mechanism=CRANK, **entries):
     """An axis on a mechanism."""
     more = {"mechanism": mechanism, "load": {"mass": 12.0}, "motor": MOTOR}
     return axis(1, *(phases or OUT)) | more | entries
+
+
+def some_mechanism(kind):
+    """A mechanism of a kind with any sizes."""
+    model = MECHANISMS[kind]
+    sizes = {model.SIZE: 1.0} if model.SIZE else model.LARGE
+    return model.model_validate({"kind": kind, "efficiency": 1.0} | sizes)
 
 
 def press(*phases, mechanism=PRESS, **entries):

@@ -14,13 +14,14 @@ from engine.drive import KINDS
 from tests.engine.drive import machines
 from tests.workbook.cells import disagreeing, entered
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
+from tests.workbook.machines.test_machine_drives import some_mechanism
 from workbook.build import build
 from workbook.fields.units import MM
 from workbook.judging.verify import verify
 from workbook.machines.machine.drive.driven import linkage_of
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.reach import apart
-from workbook.machines.machine.mechanism import LINKED, MECHANISMS, Belted, some_mechanism
+from workbook.machines.machine.mechanism import LINKED, MECHANISMS, Belted
 
 EVERY = [*dict.fromkeys([*KINDS, *MECHANISMS, *LINKAGES])]
 FAR = 5.0  # m: no axis goes so far

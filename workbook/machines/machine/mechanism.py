@@ -182,10 +182,3 @@ LINKED = tuple(kind for kind, model in MECHANISMS.items() if model.LARGE and not
 BELTED = tuple(kind for kind, model in MECHANISMS.items() if issubclass(model, Belted))
 SLIDING = tuple(kind for kind, model in MECHANISMS.items() if model.SLIDES)
 SCREWS = ("lead screw",)  # whose losses are friction in a thread
-
-
-def some_mechanism(kind: str) -> MechanismEntry:
-    """Return a mechanism of a kind with any sizes."""
-    model = MECHANISMS[kind]
-    sizes = {model.SIZE: 1.0} if model.SIZE else model.LARGE
-    return model.model_validate({"kind": kind, "efficiency": 1.0} | sizes)
