@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Generic, TypeVar
 
-from workbook.book.declare import FIRST, Book, Text
-from workbook.book.summary import TITLE, checks_sheet, close_summary, head, repeat_verdict
+from workbook.book.declare import Book
+from workbook.book.summary import checks_sheet, close_summary, title_blocks
 from workbook.book_layout import NAME as LAYOUT
 from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine
@@ -62,12 +62,5 @@ def finish(book: Book, sources: tuple[str, ...]) -> Book:
     """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles, sources."""
     checks_sheet(book)
     close_summary(book, sources)
-    repeat_verdict(book)
-    for sheet in book.sheets:
-        sheet.texts.append(Text(2, FIRST, sheet.purpose, "note"))
-        if sheet is book.sheets[0]:
-            head(sheet)
-        else:
-            sheet.texts.append(Text(1, FIRST, sheet.title, "title"))
-            sheet.texts.append(Text(3, FIRST + 4, TITLE, "link", TITLE))
+    title_blocks(book)
     return book

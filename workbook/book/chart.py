@@ -7,6 +7,11 @@ COLOURS = ("0072B2", "D55E00", "009E73", "CC79A7", "E69F00", "56B4E9", "374151")
 """Of the lines of a chart in their order, where they name none: told apart without red and green (Okabe, Ito 2008)."""
 
 
+def colour(number: int) -> str:
+    """Return the colour that a thing, such as an axis, has in all charts of a book, by its number from 1."""
+    return COLOURS[(number - 1) % len(COLOURS)]
+
+
 def in_scope(text: str, scope: str) -> str:
     """Return a name, a reference or a formula with ``scope`` for each ``@``."""
     return text.replace("@", scope)

@@ -193,6 +193,8 @@ class Block:
     size: int
     title: str = ""
     is_table: bool = True
+    is_large: bool = False  # a figure below its name and unit
+    shared_heads: int = 0  # of a table without heads of its own: the row of the names of its columns, above a like one
     blank: str = ""  # of a table: the condition under which a row is not used, and shows nothing but its inputs
     quiet: str = ""  # of a table: the condition under which its results are errors, and are not shown
     lead: Block | None = None  # of columns beside a table: that table, whose cells of the same row formulas may name

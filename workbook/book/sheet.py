@@ -33,6 +33,7 @@ LONG = 40  # rows of a table that is not printed below others, and of which a pa
 TITLES = 3  # rows of a sheet's title, purpose and overall verdict
 DEEPEST = 14  # a table that begins farther down than this is not alone on its sheet
 MOST_COLUMNS = 40  # of a sheet
+LEAST_COLUMNS, ON_SCREEN = 9, 16  # of a printed page; those that a screen of 1366 pixels shows
 FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
 
 
@@ -59,6 +60,10 @@ class Sheet:
     """of tables of inputs: what is expected of each entry"""
     section: int = 0  # row of the heading above
     sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, scales as :attr:`Book.sizes`, of this sheet
+    shared_heads: int = 0  # the row of the names of columns, of the heads that were written last
+    later: list[Quantity] = field(default_factory=list)
+    """checks of tables without heads, until they are placed"""
+    more: Sequence[Quantity] = ()  # results that stand below what is printed
     called: str = ""  # what its checks begin with, if not with its title; on the sheet itself they go without
 
     @property
@@ -66,6 +71,12 @@ class Sheet:
         """The last row that stays in sight and stands on each printed page: that of a long table's heads over it."""
         top = next(iter(self.blocks), None)
         return top.row - 1 if top and top.size > LONG and top.row <= DEEPEST else TITLES
+
+    @property
+    def last_column(self) -> int:
+        """The last column that is printed; of a sheet that is not, the last that a screen shows."""
+        used = max((column for block in self.blocks for column in block.columns.values()), default=FIRST)
+        return min(self.print_columns or max(used, LEAST_COLUMNS), ON_SCREEN)
 
     @contextmanager
     def scoped(self, scope: str) -> Iterator[None]:
@@ -127,6 +138,15 @@ class Sheet:
         """Place a quantity in a cell of its own."""
         self._place(Block(quantity.name, self, row, column, (quantity,), 1, is_table=False))
 
+    def figure(self, quantity: Quantity, row: int, column: int) -> None:
+        """Place a figure that one came for: large, below its name, unit and note."""
+        (own,) = self._own((quantity,))
+        unit = ", ".join(filter(None, (own.unit, own.source)))
+        self.texts += [Text(row, column, own.label, "figure name"), Text(row + 1, column, unit, "figure unit")]
+        self._place(
+            Block(own.name, self, row + 2, column, (own._replace(align="left"),), 1, is_table=False, is_large=True)
+        )
+
     def checks(self, *quantities: Quantity) -> None:
         """Place checks and what each says, without the sheet's name, and enter them in the book's list."""
         name = self.called or self.title
@@ -139,22 +159,31 @@ class Sheet:
             self.book.checks.append((self, q))
 
     def table(
-        self, name: str, title: str, size: int, *quantities: Quantity, rules: Sequence[RowRule] = (), blank: str = ""
+        self,
+        name: str,
+        title: str,
+        size: int,
+        *quantities: Quantity,
+        rules: Sequence[RowRule] = (),
+        blank: str = "",
+        heads: bool = True,
     ) -> Block:
         """Place a table of ``size`` rows under a header of names, symbols with units, and equations.
 
         A table of inputs gets messages to its right on entries beyond their limits or against ``rules``, and a check
         below that counts them. A row without any entry shows nothing, of other tables a row for which ``blank`` holds.
+        A table without ``heads`` stands below a like one that has them; its check waits in :attr:`later`.
         """
         if size > LONG and not self.print_rows:
             above = self.section if self.row < self.section + 4 else self.row
             self.print_rows = above - 1 if self.blocks else self.row + LONG
         inputs = [q for q in quantities if q.role == "input"]
-        explained = any(q.source for q in quantities)
-        self._heads(title, self.row, FIRST, explained, quantities)
-        top, unused = self.row + (4 if explained else 3), in_scope(blank or limits.all_empty(inputs), self.scope)
+        if heads:
+            self.heads(title, quantities)
+        top, unused = self.row, in_scope(blank or limits.all_empty(inputs), self.scope)
         name = in_scope(name, self.scope)
         block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
+        block.shared_heads = 0 if heads else self.shared_heads
         self.row = top + size + 1
         if watched := self._limited(quantities):
             self._guard(block, watched, rules, inputs)
@@ -175,8 +204,18 @@ class Sheet:
         if columns[0].name == limits.USED:
             room = limits.room_cell(guard, as_rows(columns[0].value, block.size, limits.USED))
             self.put(room, block.row + block.size, block.columns[inputs[0].name])
+        if block.shared_heads:
+            self.later.append(verdict)
+            return
         self.checks(verdict)
         self.row += 1
+
+    def heads(self, title: str, quantities: Sequence[Quantity]) -> None:
+        """Write the title and the heads of a table, or of several alike, below what is there."""
+        self.shared_heads = self.row + 1
+        explained = any(q.source for q in quantities)
+        self._heads(title, self.row, FIRST, explained, quantities)
+        self.row += 4 if explained else 3
 
     def place_messages(self) -> None:
         """Place the messages of tables of inputs: to the right of each, where its rows are free."""
@@ -187,8 +226,8 @@ class Sheet:
 
     def _free(self, block: Block, wide: int, runs: int) -> int:
         """Return the first column right of a table with ``wide`` free behind ``runs`` for texts, not printed if any."""
-        top, end = block.row - 4, block.row + block.size
-        others = (other for other in self.blocks if other.row - 4 < end and top < other.row + other.size)
+        top, end = top_of(block), block.row + block.size
+        others = (other for other in self.blocks if top_of(other) < end and top < other.row + other.size)
         charts = (
             range(left, left + width) for _, row, left, width, height in self.charts if row < end and top < row + height
         )
@@ -208,11 +247,14 @@ class Sheet:
     def workings(self, block: Block, name: str, title: str, column: int, *quantities: Quantity) -> None:
         """Place a table in the rows of another, at a column to its right: what is worked out from each of its rows."""
         explained = any(q.source for q in block.quantities)
-        self._heads(title, block.row - (4 if explained else 3), column, explained, quantities)
+        above = block.shared_heads - 1 if block.shared_heads else block.row - (4 if explained else 3)
+        if not any((text.row, text.column) == (above, column) for text in self.texts):
+            self._heads(title, above, column, explained, quantities)
         own, name = self._own(quantities), in_scope(name, self.scope)
         workings = self._place(
             Block(name, self, block.row, column, own, block.size, title, blank=block.blank, lead=block)
         )
+        workings.shared_heads = block.shared_heads
         block.workings = block.workings or workings
 
     def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
@@ -259,3 +301,8 @@ class Sheet:
         self.book.blocks[block.name] = block
         self.blocks.append(block)
         return block
+
+
+def top_of(block: Block) -> int:
+    """Return the row above a block, and above its heads if it has its own."""
+    return block.row - 1 if block.shared_heads else block.row - 4

@@ -17,6 +17,7 @@ from workbook.judging.structure import check_structure
 from workbook.reading.contents import Contents
 from workbook.reading.files import BookFile
 from workbook.writing.charts import draw
+from workbook.writing.layout import PossibleTexts, widths
 from workbook.writing.style import conditional_formats
 from workbook.writing.write import NO_ADDITIONS, Additions, chart_size
 
@@ -65,8 +66,8 @@ def sheet_additions(match: Match, declared: Sheet, title: str) -> dict[str, list
     sheet, words = match.file.workbook[title], {text.text for text in declared.texts}
     constants = match.file.contents.constants.items()
     known = {rule_words(mark.rule) for block in declared.blocks for mark in conditional_formats(block)}
-    charts = list(read_charts(match, title))
-    drawn = [draw(chart, match.declared, *chart_size(*place)) for chart, _, *place in declared.charts]
+    charts, wide = list(read_charts(match, title)), widths(declared, PossibleTexts(match.declared))
+    drawn = [draw(chart, match.declared, *chart_size(wide, *place)) for chart, _, *place in declared.charts]
     ours = {id(chart) for *_, chart in pair_charts(match, declared, drawn, charts)}
     return {
         "texts and numbers": [

@@ -166,8 +166,9 @@ def mislabelled_cells(match: Match) -> Iterator[Finding]:
     for sheet in match.declared.sheets:
         labels = {text.text for text in sheet.texts if text.column == FIRST}
         for block, place in match.placed(sheet):
-            beside, label = texts_beside(match, place) & labels, block.quantities[0].beside
-            if beside and label not in beside and not block.is_table and not is_declared_cell(match, block, place):
+            texts, label = texts_beside(match, place), block.quantities[0].beside
+            beside = texts & labels
+            if beside and label not in texts and not block.is_table and not is_declared_cell(match, block, place):
                 yield finding(place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {label!r}")
 
 

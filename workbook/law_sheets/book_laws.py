@@ -1,6 +1,6 @@
 """The laws of a book as every sheet looks them up: the Laws sheet has each by number, and the pieces of all stacked."""
 
-from collections.abc import Container, Sequence
+from collections.abc import Sequence
 from itertools import groupby
 from typing import Any, NamedTuple
 
@@ -39,12 +39,11 @@ class BookLaws:
             second_sine=any("P2" in named.page.columns for named in self.named),
         )
 
-    def sheets(self, book: Book, printed: Container[str] | None = None) -> None:
-        """Declare a page for each law, and the Laws sheet; of the pages print all, or those of some laws."""
+    def sheets(self, book: Book) -> None:
+        """Declare a page for each law, and the Laws sheet."""
         for named in self.named:
             if named.page.has_sheet:
-                sheet = law_sheet(book, named, self.sizes, self.stack)
-                sheet.unprinted = printed is not None and named.name.casefold() not in printed
+                law_sheet(book, named, self.sizes, self.stack)
         laws_sheet(book, self)
 
 
@@ -92,6 +91,7 @@ def laws_sheet(book: Book, of: BookLaws) -> None:
     """Declare the sheet from which every axis evaluates its law."""
     cell = CELLS["laws_sheet"]
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
+    sheet.unprinted = True
     sheet.heading("Results: the laws and their coefficients")
     summary(sheet, of)
     sheet.heading(

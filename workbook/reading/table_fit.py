@@ -80,9 +80,9 @@ def fit_columns(file: BookFile, block: Block) -> None:
     place, added = file.places[block.name], file.places[block.name].columns - len(block.quantities)
     if not added and has_texts_above(file, block):
         return
-    labels = declared_headers(block)
+    labels, furthest = declared_headers(block), block.row - min(header_rows(block)) + MOST_BETWEEN
     above = [
-        {file.value(Address(place.sheet, place.row - up, place.column + c)) for up in range(1, MOST_BETWEEN + 4)}
+        {file.value(Address(place.sheet, place.row - up, place.column + c)) for up in range(1, furthest + 1)}
         for c in range(place.columns)
     ]
     inserted = [c for c, texts in enumerate(above) if not texts & set(labels)]
@@ -102,9 +102,14 @@ def fit_columns(file: BookFile, block: Block) -> None:
 
 def declared_headers(block: Block) -> list[str]:
     """Return the heading of each column of a table, as declared; nothing for a column without."""
-    texts = [text for text in block.sheet.texts if text.style == "header" and block.row - text.row in HEADER_ROWS]
-    headers = {text.column: text.text for text in texts}
+    rows = header_rows(block)
+    headers = {text.column: text.text for text in block.sheet.texts if text.style == "header" and text.row in rows}
     return [headers.get(block.column + j, "") for j in range(len(block.quantities))]
+
+
+def header_rows(block: Block) -> list[int]:
+    """Return the rows in which headings of a table may be declared: its own, or those of a like table above."""
+    return [block.shared_heads] if block.shared_heads else [block.row - up for up in HEADER_ROWS]
 
 
 def has_texts_above(file: BookFile, block: Block) -> bool:

@@ -11,14 +11,15 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from itertools import accumulate, pairwise
+from typing import NamedTuple
 
 from workbook.book.declare import FIRST, REFERENCE, Block, Book, Quantity, Sheet
-from workbook.book.quantity import sample
+from workbook.book.quantity import FAIL, OK, sample
 from workbook.book.rows import as_rows
 from workbook.writing import style
 
-WIDTHS = {1: 2, FIRST: 38}
-COLUMN_WIDTH = 12
+WIDTHS = {1: 2, FIRST: 36}
+COLUMN_WIDTH = 9.5
 RUN = 12  # columns over which a text may run
 TOWARDS = {"left": 1, "right": -1}  # where texts run over: in the middle of a table, nowhere
 GAP = 0.75  # digits beside a text, so that it does not touch what stands next to it
@@ -26,6 +27,7 @@ WORD, NAME = re.compile(r'"((?:[^"]|"")*)"'), re.compile(r"\w+")
 NARROW, SLIM, BROAD = "ilj.,:;'|()[] ", "tfr", "mwMW%ω"
 EMS = {**dict.fromkeys(NARROW, 0.3), **dict.fromkeys(SLIM, 0.37), **dict.fromkeys(BROAD, 0.84)}
 CAPITAL, LETTER, DIGIT = 0.62, 0.545, 0.507  # of the em, rather more than less: a text must not be cut
+HEAD = 10.0  # points of a table's heads
 FULL = 11.0  # points in which a column's width is counted
 BOLD = 1.06  # how much wider than others bold letters are
 
@@ -46,6 +48,9 @@ class PossibleTexts:
         return self._known[key]
 
     def _of(self, block: Block, q: Quantity) -> Iterator[str]:
+        if q.role == "check":
+            yield from (OK, FAIL)
+            return
         texts = [text for text in as_rows(q.value, block.size, q.name) if isinstance(text, str)]
         yield from texts
         if q.role == "input" and q.choices.startswith("="):
@@ -93,6 +98,10 @@ def lines_of(text: str, points: float, room: float) -> int:
 def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     """Return the width of each column that has its own, in digits."""
     known_widths: dict[int, float] = WIDTHS | sheet.widths
+    for text in sheet.texts:
+        if text.style == "header":
+            needed = GAP + max(text_width(word, HEAD, bold=True) for word in text.text.split() or [""])
+            known_widths[text.column] = max(needed, known_widths.get(text.column, COLUMN_WIDTH))
     taken = taken_rows(sheet)
     for block in sheet.blocks:
         for q, column in zip(block.quantities, block.columns.values(), strict=True):
@@ -101,7 +110,7 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
             texts: Iterable[str] = standing.texts(block, q)
             if q.wrap:
                 texts = [word for text in texts for word in text.split()]
-            font = style.ROLES[style.style_role(q.role, block.is_table)].font
+            font = style.ROLES[style.style_role(q.role, block)].font
             needed = max((text_width(text, font.sz or FULL, bool(font.b)) for text in texts), default=0.0)
             has = known_widths.get(column, COLUMN_WIDTH)
             if needed + GAP > has:
@@ -147,16 +156,36 @@ HEIGHT = 72 * (210 / 25.4 - MARGINS["top"] - MARGINS["bottom"])
 WIDE, BESIDE = 5.25, 3.75  # of a column in points: each digit of its width, and what is beside them
 ROW = 15.0  # points of a row, and of a row that a chart is high
 TALL = {"title": 24.0, "heading": 18.0}
+LEAST_SCALE, STEP = 0.71, 0.02  # of a print: texts of 10 points become 7; what is tried between
+ASIDE = 0.98  # share of a page's width that is filled at most
 SPARE = 0.96  # share of a page that is filled at most: programs differ in how high rows are
 PAGE, SECTION, FIGURES, TABLE, CHART = 20, 4, 3, 60, 200  # costs of a further page, and of cutting any of these
 CLOSE = 3  # rows of a section, and of a table, that its heading keeps to
 
 
-def breaks(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], high: Mapping[int, float]) -> list[int]:
-    """Return the rows after which a page ends, by the cheapest cuts; widths are in digits, heights in points."""
+class Pages(NamedTuple):
+    """How a sheet is printed: the scale, and the rows after which a page ends."""
+
+    scale: float
+    breaks: list[int]
+
+
+def pages(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], high: Mapping[int, float]) -> Pages:
+    """Return the fewest pages on which texts can be read, as large as they can be; widths in digits, heights in pt."""
+    widest = min(
+        1.0, ASIDE * WIDTH / math.fsum(WIDE * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1))
+    )
+    steps = max(0, int((widest - LEAST_SCALE) / STEP))
+    possible = [
+        Pages(scale, breaks(sheet, last, scale, high)) for scale in (widest - k * STEP for k in range(steps + 1))
+    ]
+    return min(possible, key=lambda pages: len(pages.breaks))
+
+
+def breaks(sheet: Sheet, last: int, scale: float, high: Mapping[int, float]) -> list[int]:
+    """Return the rows after which a page ends, by the cheapest cuts."""
     tall = {1: TALL["title"]} | {text.row: TALL[text.style] for text in sheet.texts if text.style in TALL}
     ends = list(accumulate((high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)), initial=0.0))
-    scale = min(1.0, WIDTH / math.fsum(WIDE * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1)))
     room = SPARE * HEIGHT / scale - ends[sheet.head]
     costs = [0] * (last + 1)  # of a page that ends with a row
     for first, end, cost in unbroken_spans(sheet, last, ends):
@@ -189,11 +218,9 @@ def unbroken_spans(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple
             yield row, bisect_left(ends, ends[row - 1] + height * ROW), CHART
     judged = {block.row for block in sheet.blocks if block.quantities[0].role == "check"}
     for block in sheet.blocks:
-        if block.is_table:
-            title, end = (
-                max(text_rows(sheet, "subheading", block.row - 1), default=block.row),
-                block.row + block.size - 1,
-            )
+        if block.is_table and block.lead is None:
+            above = [block.row - 1] if block.shared_heads else text_rows(sheet, "subheading", block.row - 1)
+            title, end = max(above, default=block.row), block.row + block.size - 1
             yield title, end + 2 if end + 2 in judged else end, TABLE
             yield title, block.row + CLOSE - 1, TABLE
     for head, behind in pairwise([*text_rows(sheet, "heading", last), last + 1]):

@@ -8,7 +8,7 @@ from functools import cache
 from typing import Any, Literal, NamedTuple
 
 from openpyxl import Workbook
-from openpyxl.formatting.rule import Rule
+from openpyxl.formatting.rule import DataBar, FormatObject, Rule
 from openpyxl.styles import Alignment, Border, Font, NamedStyle, PatternFill, Protection, Side
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
@@ -18,7 +18,7 @@ from workbook.book.quantity import MOST, ROUNDED
 
 INK, GREY, RULE, GRID = "1F2937", "6B7280", "D1D5DB", "E5E7EB"
 ENTRY, FIGURE, DOTS = "FFF8E1", "0B57A4", "D9B65C"
-PAPER = "FFFFFF"
+PAPER, BAR = "FFFFFF", "BFD7EA"
 NOTHING, NOTHING_ID = ";;;", 900  # a number format that shows nothing; its number is beyond those that programs give
 BEYOND = "991B1B"
 VERDICTS = (("OK", "166534", "DCFCE7"), ("FAIL", BEYOND, "FEE2E2"))
@@ -52,6 +52,7 @@ ROLES = {
     "input": Look("Entry", font(color=FIGURE), None, PatternFill("solid", fgColor=ENTRY), line(DOTS, "dotted")),
     "calculation": Look("Working", font()),
     "result": Look("Result", font(bold=True)),
+    "figure": Look("Figure", font(14, bold=True)),
     "check": Look("Verdict", font(bold=True)),
     "constant": Look("Constant", font(color=GREY)),
     "sentence": Look("Finding", font(10, GREY)),
@@ -65,12 +66,15 @@ TEXTS = {
     "symbol": Look("Symbol", font(color=GREY, italic=True), Alignment(horizontal="center")),
     "unit": Look("Unit", font(color=GREY), Alignment(horizontal="left", indent=1)),
     "note": Look("Note", font(10, GREY)),
+    "figure name": Look("Figure name", font(10, GREY, bold=True)),
+    "figure unit": Look("Figure unit", font(10, GREY)),
+    "aside": Look("Aside", font(10, GREY), Alignment(horizontal="right")),
     "link": Look("Link", font(underline="single")),
     "header": Look("Table head", font(10, GREY, bold=True),
                    Alignment(wrap_text=True, horizontal="center", vertical="bottom")),
     "units": Look("Table units", font(10, GREY, italic=True), Alignment(horizontal="center"), None, line(RULE)),
     "folded units": Look("Folded units", font(10, GREY, italic=True), Alignment(horizontal="left"), None, line(RULE)),
-    "equation": Look("Table equation", font(9, GREY),
+    "equation": Look("Table equation", font(10, GREY),
                      Alignment(wrap_text=True, horizontal="center", vertical="center")),
 }  # fmt: skip
 
@@ -96,10 +100,10 @@ class Styles:
         """Remove the scratch sheet."""
         self._workbook.remove(self._scratch)
 
-    def _quantity(self, role: str, number_format: str, aligned: Aligned, table: bool) -> int:
+    def _quantity(self, role: str, number_format: str, aligned: Aligned) -> int:
         """Return the style of a quantity's cells."""
         cell = self._scratch.cell(1, 1)
-        cell.style = ROLES[style_role(role, table)].name  # first: it resets number format and protection
+        cell.style = ROLES[role].name  # first: it resets number format and protection
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
         vertical = "top" if aligned.wrap else None
@@ -112,9 +116,11 @@ class Styles:
         return int(cell.style_id)
 
 
-def style_role(role: str, table: bool) -> str:
+def style_role(role: str, block: Block) -> str:
     """Return the kind of a quantity's cells: a whole page in bold stands out of nothing."""
-    return "calculation" if table and role == "result" else role
+    if block.is_large:
+        return "figure"
+    return "calculation" if block.is_table and role == "result" else role
 
 
 def aligned(q: Quantity, value: Any, table: bool, first: bool) -> Aligned:
@@ -154,6 +160,8 @@ def conditional_formats(block: Block) -> Iterator[FormatRule]:
             ends = [f"{q.limit * (1 + ROUNDED):.12g}", f"{MOST:.0f}"]
             look = DifferentialStyle(font=Font(color=BEYOND, bold=True))
             yield FormatRule((q,), Rule(type="cellIs", operator="between", formula=ends, dxf=look))
+            whole = [FormatObject("num", end) for end in (0, q.limit)]
+            yield FormatRule((q,), Rule(type="dataBar", dataBar=DataBar(cfvo=whole, color=BAR)))
     if block.blanked:
         look = DifferentialStyle(numFmt=NumberFormat(NOTHING_ID, NOTHING))
         formula = block.when(block.blank, block.row)

@@ -24,13 +24,13 @@ from pydantic import BaseModel
 
 from workbook.book.declare import FIRST, Block, Book, Sheet
 from workbook.book.quantity import Quantity, number_format, sample
+from workbook.book.sheet import LEAST_COLUMNS
 from workbook.entries import rules
 from workbook.writing import archive, charts, layout, style
 from workbook.writing.archive import Cells, Strings
-from workbook.writing.layout import COLUMN_WIDTH, FULL, WIDTHS, PossibleTexts, lines_of, widths
+from workbook.writing.layout import COLUMN_WIDTH, FULL, PossibleTexts, lines_of, widths
 from workbook.writing.output_files import refuse_existing, replace
 
-LAST_PAGE_COLUMN = 9
 LAST_COLUMN = 16_384
 LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 12}, {"header": 2, "equation": 5}
 """in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
@@ -134,7 +134,7 @@ def make_workbook(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -
         for block in sheet.blocks:
             write_block(block, page, content, styles, model, wide)
         for chart, row, column, columns, rows in sheet.charts:
-            drawn = charts.draw(chart, book, *chart_size(column, columns, rows))
+            drawn = charts.draw(chart, book, *chart_size(wide, column, columns, rows))
             page.add_chart(drawn, f"{get_column_letter(column)}{row}")
         set_up_page(sheet, page, wide, content.heights)
     styles.close()
@@ -144,9 +144,9 @@ def make_workbook(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -
     return workbook
 
 
-def chart_size(column: int, columns: int, rows: int) -> tuple[float, float]:
+def chart_size(wide: dict[int, float], column: int, columns: int, rows: int) -> tuple[float, float]:
     """Return width and height in cm of a chart that covers so many columns and rows."""
-    characters = sum(WIDTHS.get(c, COLUMN_WIDTH) for c in range(column, column + columns))
+    characters = sum(wide.get(c, COLUMN_WIDTH) for c in range(column, column + columns))
     return characters * CM_PER_CHARACTER, rows * CM_PER_ROW
 
 
@@ -173,7 +173,7 @@ def write_block(
     for q, column in zip(block.quantities, block.columns.values(), strict=True):
         value = sample(q)
         aligned = style.aligned(q, value, block.is_table, column == FIRST)
-        look = styles.quantity(q.role, format_of(q, value, model), aligned, block.is_table)
+        look = styles.quantity(style.style_role(q.role, block), format_of(q, value, model), aligned)
         if q.role == "input":
             rule = rules.validation(model, q)
             rule.add(block.reference(q.name).replace("$", ""))
@@ -199,7 +199,7 @@ def format_of(q: Quantity, value: Any, model: type[BaseModel]) -> str:
 def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dict[int, float]) -> None:
     """Set columns, panes, protection without a password, and how it prints."""
     used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
-    widest = max(used + 1, LAST_PAGE_COLUMN, sheet.print_columns)
+    widest = max(used + 1, LEAST_COLUMNS, sheet.print_columns)
     for column in range(1, widest + 1):
         page.column_dimensions[get_column_letter(column)].width = wide.get(column, COLUMN_WIDTH)
     if sheet.folded:
@@ -218,12 +218,9 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dic
 
 def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float], high: dict[int, float]) -> None:
     """Set what is printed, and where its pages end."""
-    columns, last = sheet.print_columns or max(used, LAST_PAGE_COLUMN), sheet.print_rows or max(sheet.row, 30)
+    columns, last = sheet.print_columns or max(used, LEAST_COLUMNS), sheet.print_rows or max(sheet.row, 30)
     goes_on = any(block.row <= last < block.row + block.size - 1 for block in sheet.blocks)  # below what is printed
-    whole = sheet.one_page or goes_on
     page.page_setup.orientation, page.page_setup.paperSize = "portrait" if sheet.portrait else "landscape", 9
-    page.page_setup.fitToWidth, page.page_setup.fitToHeight = 1, int(whole)
-    page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
     page.page_margins = PageMargins(**layout.MARGINS)
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
@@ -232,7 +229,13 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
         return
     page.print_title_rows = f"1:{sheet.head}"
     page.print_area = f"A1:{get_column_letter(columns)}{last}"
-    for row in [] if whole else layout.breaks(sheet, last, columns, wide, high):
+    pages = layout.pages(sheet, last, columns, wide, high)
+    if sheet.one_page or goes_on or not pages.breaks:
+        page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
+        page.page_setup.fitToWidth = page.page_setup.fitToHeight = 1
+        return
+    page.page_setup.scale = int(100 * pages.scale)  # a program that fits pages to paper heeds no breaks
+    for row in pages.breaks:
         page.row_breaks.append(Break(id=row))
 
 

@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field
 from tests.workbook.judging.hands import repacked
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, calc, check, constant, given, result
-from workbook.book.summary import checks_sheet, repeat_verdict
+from workbook.book.summary import checks_sheet, repeat_verdicts
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.verify import check_display
@@ -65,7 +65,7 @@ def declared(limit=20.0):
     one = Chart("Velocity alone", "master angle θ [°]", "v [m/s]", lines[1:], "Velocity")
     sheet.chart_row(both, one)
     checks_sheet(book)
-    repeat_verdict(book)
+    repeat_verdicts(book)
     return book
 
 

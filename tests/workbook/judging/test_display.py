@@ -8,6 +8,7 @@ from openpyxl.styles import Alignment, Font, GradientFill, PatternFill
 from openpyxl.styles.colors import Color
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
+from openpyxl.utils import get_column_letter
 
 from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
 from tests.workbook.judging.synthetic import Small, spots
@@ -294,12 +295,16 @@ def flat_row(book, workbook, block):
     workbook[book.book.blocks[block].sheet.title].row_dimensions[book.at(block)[0]].height = 0.5
 
 
+def column_of(book, block):
+    return get_column_letter(book.book.blocks[block].column)
+
+
 def hide_column(book, workbook, block):
-    workbook[book.book.blocks[block].sheet.title].column_dimensions["D"].hidden = True
+    workbook[book.book.blocks[block].sheet.title].column_dimensions[column_of(book, block)].hidden = True
 
 
 def narrow_column(book, workbook, block):
-    workbook[book.book.blocks[block].sheet.title].column_dimensions["D"].width = 0.1
+    workbook[book.book.blocks[block].sheet.title].column_dimensions[column_of(book, block)].width = 0.1
 
 
 def group_columns(book, workbook, block):

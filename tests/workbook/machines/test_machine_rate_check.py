@@ -14,7 +14,7 @@ from workbook.machines.machine.rates_summary import RATE_CHECK, hold_at, rate_ch
 from workbook.reading.descriptions import write_machine
 from workbook.serve.live import design
 
-WITHIN = "The machine's rate is within the range of all drives"
+WITHIN = "The rate is within the range of all drives"
 
 
 def sized_at(own, rate, **motor):

@@ -52,7 +52,7 @@ def test_no_step_of_the_calculation_is_printed_with_the_phases(path):
     sheet = next(s for s in TEMPLATES[machine.template].declare(machine).sheets if s.title == "Timing")
     assert steps_printed(sheet) == set()
     below = {q.role for block in sheet.blocks for q in block.quantities if block.row > sheet.print_rows}
-    assert below <= {"calculation", "constant"}
+    assert below <= {"calculation", "constant", "check", "sentence"}
 
 
 def test_the_comparison_of_laws_prints_their_names_and_what_they_cost():

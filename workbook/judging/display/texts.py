@@ -12,7 +12,7 @@ from workbook.judging.report import Report
 from workbook.reading.table_fit import MOST_BETWEEN
 
 HEADINGS = ("heading", "subheading", "title")
-ABOVE = (*HEADINGS, "header", "units", "equation")
+ABOVE = (*HEADINGS, "header", "units", "equation", "figure name", "figure unit")
 BESIDE = ("label", "symbol", "unit", "note")
 QUIET = ("equation", "note")  # remarks: reworded, they mislead nobody
 MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
@@ -64,9 +64,13 @@ def is_about(text: Text, block: Block) -> bool:
     if text.style in HEADINGS:
         return block.row > text.row and block.column >= text.column
     if text.style in ABOVE:
-        return block.is_table and 0 < block.row - text.row <= 4 and text.column in block.columns.values()
+        return (
+            (block.is_table or block.is_large)
+            and 0 < block.row - text.row <= 4
+            and text.column in block.columns.values()
+        )
     is_beside = block.row == text.row and FIRST <= text.column < block.column + 3
-    return text.style in BESIDE and not text.link and not block.is_table and is_beside
+    return text.style in BESIDE and not text.link and not (block.is_table or block.is_large) and is_beside
 
 
 def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:

@@ -40,6 +40,7 @@ def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces)
     """Declare the sheet."""
     cell = CELLS["cycle"]
     sheet = book.sheet("Cycle", "The tool over one cycle: it re-positions first, then works at line speed.")
+    sheet.unprinted = True
     cut, t = machine.cut, machine.times
     at, load = cut.at(t), machine.load
     radius = machine.tool.radius

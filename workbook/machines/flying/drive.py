@@ -53,12 +53,12 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         )
         outcome(sheet, view)
         sheet.checks(*checks(view))
-        sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=10, row=5, width=8, height=22)
+        sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=11, row=5, width=6, height=22)
         torque = Series("torque", "[@pt.t]", "[@pt.T]")
         over = Chart(
             "Torque of the motor over a cycle", "time t [s]", "T [Nm]", (torque,), "Torque of the motor over one cycle"
         )
-        sheet.chart(over, column=10, row=28, width=8, height=16)
+        sheet.chart(over, column=11, row=28, width=6, height=16)
         sheet.row = max(sheet.row, BELOW_CHARTS)
         in_use(sheet, view)
         sheet.not_printed_below()
@@ -72,7 +72,7 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         points(sheet, view, rows)
     book.name("tool_joints", tool_v0="v0")
     book.name("drive_pt", tool_dir="dir", tool_al="al", tool_S="S", tool_n="w")
-    sheet.print_columns = 18
+    sheet.print_columns = 16
 
 
 def outcome(sheet: Sheet, view: ToolDrive) -> None:

@@ -74,7 +74,7 @@ def lengths_sheet(book: Book, machine: CutterView) -> None:
             )
             for title, unit, lines, at in charts
         ),
-        width=7,
+        width=6,
         height=18,
     )
     cuts = [machine.of(length) for length in machine.lengths]
@@ -87,7 +87,7 @@ def lengths_sheet(book: Book, machine: CutterView) -> None:
         CELLS["lengths"]("k", list(range(n + 1))),
     )
     line(book, machine, cuts)
-    sheet.print_columns = 20
+    sheet.print_columns = 17
 
 
 def line(book: Book, machine: CutterView, cuts: Sequence[Cut]) -> None:

@@ -59,7 +59,7 @@ class RatiosSheet:
         )
         self.reducers(sheet)
         self.over_load_factor(sheet)
-        sheet.print_columns = 20
+        sheet.print_columns = 19
 
     def drawn(self, values: Array, rows: int, shows: Any) -> Array:
         """Return ratios as drawn: the first reducer's where there are none, as a logarithmic axis has no 0."""

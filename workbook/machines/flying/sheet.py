@@ -52,7 +52,7 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
             formula=[law.own(law.page.fastest) for law in laws],
         ),
     )
-    sheet.print_columns = 24
+    sheet.print_columns = 18
 
 
 def entries(sheet: Sheet, machine: CutterView) -> None:
@@ -193,9 +193,9 @@ def superimposed(machine: CutterView) -> list[Quantity]:
 def charts(sheet: Sheet) -> None:
     """Place the tool's motion, and right of it the load of its shaft, beside what is entered and what comes out."""
     for row, chart in zip((5, 24, 43), motion_charts(), strict=True):
-        sheet.chart(chart, column=11, row=row, width=7, height=18)
+        sheet.chart(chart, column=11, row=row, width=4, height=18)
     for row, chart in zip((5, 24, 43), load_charts(), strict=True):
-        sheet.chart(chart, column=18, row=row, width=7, height=18)
+        sheet.chart(chart, column=15, row=row, width=4, height=18)
 
 
 def line_chart(title: str, x: str, y: str, about: str, *lines: tuple[str, str, str]) -> Chart:

@@ -6,7 +6,7 @@ from typing import Any
 from engine.drive.motor import Reserve
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
-from workbook.fields.units import PERCENT, RPM, shown
+from workbook.fields.units import PERCENT, shown
 from workbook.machines.machine.drive.max_rate import RATE_LOOK
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.timing.axes import units
@@ -25,21 +25,25 @@ def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveV
     reaches = [[shown(end, axis.unit) for end in axis.motion.reach] for axis in axes]
     number = [axis.number for axis in axes]
     speed, acceleration = (units(machine, order) for order in (1, 2))
+    of_motors = motors(axes, drives) if drives else []
     sheet.row += 1
-    sheet.table(
+    block = sheet.table(
         "axes_short",
         "Axes",
         len(axes),
         cell("axis", [axis.given.name for axis in axes], number=number),
+        *of_motors[:2],
         cell("travel", [high - low for low, high in reaches], unit=units(machine), number=number),
         cell("v", [axis.max_velocity for axis in axes], symbol=symbols[1], unit=speed, number=number),
         cell("a", [axis.max_acceleration for axis in axes], symbol=symbols[2], unit=acceleration, number=number),
-        *(motors(axes, drives) if drives else []),
+        *of_motors[2:-2],
     )
+    if drives:
+        sheet.workings(block, "axes_low", "", sheet.print_columns + 2, *of_motors[-2:])
 
 
 def motors(axes: Sequence[MovingAxis], drives: Mapping[int, DriveView]) -> list[Quantity]:
-    """Return the columns on motors: torque and speed with the share of each limit that is used, the highest rate."""
+    """Return the columns on motors: what each is and uses of each limit, the highest and then the lowest rate."""
     cell, numbers = CELLS["motors"], [axis.number for axis in axes]
     scopes = [f"drive{number}_" for number in numbers]
     reserves = {number: view.reserve for number, view in drives.items()}
@@ -54,21 +58,20 @@ def motors(axes: Sequence[MovingAxis], drives: Mapping[int, DriveView]) -> list[
         motor = view.driven.entered.motor
         return (motor and motor.name) or ENTERED
 
-    def used(name: str, share: Callable[[Reserve], float]) -> Quantity:
-        return column(name, lambda _, reserve: shown(share(reserve), PERCENT), limit=WHOLE)
+    def used(name: str, share: Callable[[DriveView, Reserve], float]) -> Quantity:
+        return column(name, lambda view, reserve: shown(share(view, reserve), PERCENT), limit=WHOLE)
 
     return [
         column("motor", lambda view, _: motor_name(view), entered=ENTERED),
         column("ratio", lambda view, _: view.driven.reducer.ratio),
-        column("peak", lambda _, reserve: reserve.peak_torque.value),
-        used("of_peak", lambda reserve: reserve.peak_torque.use),
-        column("rms", lambda _, reserve: reserve.rms_torque.value),
-        used("of_rated", lambda reserve: reserve.rms_torque.use),
-        column("speed", lambda _, reserve: shown(reserve.speed.value, RPM)),
-        used("of_speed", lambda reserve: reserve.speed.use),
+        used("of_rated", lambda _, reserve: reserve.rms_torque.use),
+        used("of_peak", lambda _, reserve: reserve.peak_torque.use),
+        used("of_speed", lambda _, reserve: reserve.speed.use),
+        used("of_reducer", lambda view, _: max(check.use for check in view.reducer_checks[:2])),
+        column("inertias", lambda view, _: view.inertia_ratio),
         column("sized", lambda view, _: view.driven.entered.rate or MACHINES, machines=MACHINES),
-        column("lowest", lambda view, _: view.rates.low, format=RATE_LOOK),
-        column("binds_low", lambda view, _: view.rates.low_limit),
         column("highest", lambda view, _: view.rates.high),
         column("binds", lambda view, _: view.rates.high_limit),
+        column("lowest", lambda view, _: view.rates.low, format=RATE_LOOK),
+        column("binds_low", lambda view, _: view.rates.low_limit),
     ]

@@ -49,6 +49,7 @@ def clearances_sheet(book: Book, gaps: list[ClearanceView]) -> None:
     sheet.not_printed_below()
     for gap in gaps:
         gap_workings(sheet, gap)
+    sheet.widths = {PRINTED - 2: 24}  # of the least gaps, whose note is long
     sheet.print_columns, sheet.folded = PRINTED, PRINTED + 1
 
 

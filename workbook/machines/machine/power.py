@@ -20,7 +20,7 @@ from workbook.machines.machine.drive_entries import PowerEntry
 
 CELLS = cell_tables(__file__)
 
-KWH = 3.6e6  # J
+KWH, MWH = 3.6e6, 3.6e9  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
 TOGETHER = "Drives use what others give back; what is left goes into one resistor. They take no more than each alone."
 APART = "A drive at a rate of its own has no place in the {}: it is alone."
@@ -75,12 +75,12 @@ def supply(bus: Mains) -> list[Quantity]:
         cell("about_peak_most", kw(bus.cuts.peak_most + alone), beside=beside.format("peak"), scale=size),
         cell(
             "about_bus_year",
-            shown(total_bus_power([bus.common, *others]).energy_a_year(hours), KWH),
+            shown(total_bus_power([bus.common, *others]).energy_a_year(hours), MWH),
             beside=beside.format("mains"),
             scale=size,
             format=YEAR,
         ),
-        cell("about_year", shown(bus.alone.energy_a_year(hours), KWH), scale=size, format=YEAR),
+        cell("about_year", shown(bus.alone.energy_a_year(hours), MWH), scale=size, format=YEAR),
     ]
 
 

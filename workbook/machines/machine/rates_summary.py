@@ -69,12 +69,20 @@ def rate_check(found: Rates, rate: float) -> Quantity:
     both = 'IF(about_first_low>0,about_binds_low&", ","")&about_binds'
     return check(
         RATE_CHECK,
-        "The machine's rate is within the range of all drives",
+        "The rate is within the range of all drives",
         WITHIN,
         hold_at(rate, found),
         says=amount("about_rate", rate, "runs at ", "; the drives ").then(
             CheckSentence(f'about_range&" ("&{both}&")"', f"{words.text} ({binding})")
         ),
+    )
+
+
+def rates_in_words(found: WholeRange) -> Quantity:
+    """Return the sentence of the rates that all drives hold, and of the limit that is reached first."""
+    words = range_in_words(found.rates, "about_", "hold").text
+    return CELLS["rates_in_words"](
+        "about_limits", Sentence(f"The drives {words}; reached first: {found.rates.high_limit}.")
     )
 
 
@@ -89,11 +97,11 @@ def first(
 def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantity]:
     """Return the results of the whole machine: the rates at which all drives hold all limits, and who binds."""
     cell = CELLS["range_of_rates"]
-    most, least = "[axes_short.highest]", "[axes_short.lowest]"
+    most, least = "[axes_short.highest]", "[axes_low.lowest]"
 
     def binds(limit: str, row: str) -> str:
         """Return the formula of an axis and of a limit of it, by its row, which is 0 if there is none."""
-        names = (f"[axes_short.{name}]" for name in ("axis", limit))
+        names = "[axes_short.axis]", f"[{limit}]"
         axis, what = (f"{name[:-1]}.1]" if axes == 1 else f"INDEX({name},{row})" for name in names)
         return f'=IF({row}=0,"{NONE_BINDS}",{axis}&": "&{what})'
 
@@ -127,8 +135,8 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
             most=most,
             slowest=row_of(f"MIN({most})", most),
         ),
-        cell("about_binds", found.rates.high_limit, formula=binds("binds", "about_first")),
+        cell("about_binds", found.rates.high_limit, formula=binds("axes_short.binds", "about_first")),
         cell("about_lowest", found.rates.low, no_rate=NO_RATE, least=least, format=RATE_LOOK),
         cell("about_first_low", found.low_axis, least=least, fastest=row_of(f"MAX({least})", least)),
-        cell("about_binds_low", found.rates.low_limit, formula=binds("binds_low", "about_first_low")),
+        cell("about_binds_low", found.rates.low_limit, formula=binds("axes_low.binds_low", "about_first_low")),
     ]

@@ -8,8 +8,8 @@ from engine.cams.interpolation import FunctionValues, composed
 from engine.motion.profile import CamProfile, profile_of_motion
 from engine.timing import Switch
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import Book, Quantity
-from workbook.book.summary import group_verdict_column, summary_sheet
+from workbook.book.declare import FIRST, Book, Quantity
+from workbook.book.summary import SENTENCE, group_verdict_column, summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown
@@ -28,7 +28,7 @@ from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
-from workbook.machines.machine.rates_summary import range_of_rates, rate_check, whole_range
+from workbook.machines.machine.rates_summary import range_of_rates, rate_check, rates_in_words, whole_range
 from workbook.machines.machine.studies.changes import IMPROVING
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
@@ -59,7 +59,11 @@ def declare(given: AnyMachine) -> Book:
     if bus:
         rates = whole_range(drives.values())
         results += [*range_of_rates(rates, len(rows), machine.over), *supply(bus)]
-    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", results)
+    figures = [q for q in results if q.name in FIGURES]
+    more = [q for q in results if q not in figures]
+    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", figures, more)
+    if bus:
+        sheet.put(rates_in_words(rates), SENTENCE, FIRST + 2)
     if bus:
         sheet.checks(rate_check(rates.rates, given.per_minute))
     axes_summary(sheet, machine, drives)
@@ -80,7 +84,7 @@ def declare(given: AnyMachine) -> Book:
     for view in drives.values():
         if view.driven.entered.printed:
             printed_sheet(book, view)
-    book_laws.sheets(book, {phase.law.casefold() for axis in given.axes for phase in axis.phases})
+    book_laws.sheets(book)
     for row in rows:
         cycle_sheet(book, machine, row, len(rows) + len(given.switches) - row.axis.number)
     pieces_sheet(book, rows)
@@ -97,6 +101,8 @@ def pace(machine: MachineView) -> list[Quantity]:
     return [CELLS["pace"]("about_rate", rate), CELLS["pace 2"]("about_cycle", machine.time)]
 
 
+FIGURES = ("about_rate", "about_cycle", "about_highest", "about_peak", "about_bus_year")
+"""results that one comes for, large on the first sheet"""
 POINTS = {"at": "theta", "T": "T", "n": "n", "P": "P"}
 
 
@@ -120,12 +126,13 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
     """Declare the law of all movements of an axis, and whether the checks of its phases and its drive hold."""
     cell = CELLS["judge_axes"]
     block = book.blocks["axes_short"]
-    texts, checks = [], []
+    texts, checks, of_phases = [], [], []
     for axis in axes:
         moving = {names.index(phase.law) for phase in axis.given.phases} - {DWELL - 1}
         texts.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
         own = (f"axis{axis.number}_", f"drive{axis.number}_")
         checks.append([k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)])
+        of_phases.append([k for k in checks[-1] if book.checks[k - 1][1].name.startswith(own[0])])
     block.sheet.workings(
         block,
         "axes_judged",
@@ -134,6 +141,9 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
         cell("law", texts, formula=[LAW.format(axis.number) for axis in axes]),
         group_verdict_column(book, "axes_judged", "its checks", checks),
     )
+    timing = book.blocks["axes"]
+    verdicts = group_verdict_column(book, "axes_checked", "its checks", of_phases)
+    timing.sheet.workings(timing, "axes_checked", "", max(timing.columns.values()) + 1, verdicts)
 
 
 def axes(machine: AnyMachine) -> list[CamAxis]:

@@ -100,6 +100,7 @@ def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
         i, whose = station.number, "" if machine.alone else f"Tool {station.number}: "
         title, what = ("Cycle", "Both parts") if machine.alone else (f"Cycle {i}", f"Transfer and tool {i}")
         sheet = book.sheet(title, f"{what} over one turn of the master shaft, one after the other and with overlap.")
+        sheet.unprinted = True
         with sheet.scoped(station.scope):
             motions(sheet, station, pieces)
         if i == 1:

@@ -51,6 +51,7 @@ def inverse_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     sheet = book.sheet(
         "Inverse", "Each law inverted: the share of time ξ at which it has reached a share s of its rise."
     )
+    sheet.unprinted = True
     wanted = all_wanted(machine)
     worst = max(float(np.abs(table.residual).max()) for table in wanted)
     sheet.heading("Results", ABOUT)

@@ -15,7 +15,7 @@ CELLS = cell_tables(__file__)
 
 BELOW_CHARTS = 45  # the row from which the sheet is free in its whole width
 RIGHT, SECOND = 11, 24  # the column of charts beside the entries, and the row of the second two
-WIDE = 7  # columns of a chart
+WIDE = 4  # columns of a chart
 ONE = "The transfer brings the part and begins at 0°; the tool goes in, dwells at the part and goes out again."
 SEVERAL = "The transfer brings the parts and begins at 0°; each tool goes in, dwells and goes out again."
 APART = "The tools work at stations of their own: each meets the transfer, never another tool."
@@ -24,7 +24,7 @@ APART = "The tools work at stations of their own: each meets the transfer, never
 def overlap_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     """Declare the sheet, and for several tools a sheet each."""
     sheet = book.sheet("Overlap", "How much longer a tool may take when it begins before the transfer has ended.")
-    sheet.print_columns = 24 if machine.alone else 25
+    sheet.print_columns = 18 if machine.alone else 19
     sheet.heading("Enter", ONE if machine.alone else SEVERAL)
     if not machine.alone:
         sheet.note(APART)
@@ -37,7 +37,7 @@ def overlap_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     for station in machine.stations:
         name = f"Tool {station.number}"
         own = book.sheet(name, f"{name} and the transfer: how much longer its ways in and out may take.")
-        own.print_columns = 24
+        own.print_columns = 18
         own.heading("Enter", "The rate and the transfer are entered on the sheet Overlap.")
         tool.declare(own, station, pieces, 5, 38)
 

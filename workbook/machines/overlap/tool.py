@@ -118,7 +118,7 @@ def charts(sheet: Sheet, row: int) -> None:
             "Travel of the tool in both schedules, below the travel that the transfer allows it",
         ),
         (
-            18,
+            15,
             "Acceleration of the tool",
             "acceleration [m/s²]",
             "acc",
@@ -128,7 +128,7 @@ def charts(sheet: Sheet, row: int) -> None:
     ):
         lines = (Series(words, theta, f"[@motions.{name}{suffix}]") for suffix, (_, words) in SCHEDULES.items())
         chart = Chart(title, "master angle θ [°]", y, (*lines, *more), about, (0, 360, 30))
-        sheet.chart(chart, column=column, row=row, width=7, height=18)
+        sheet.chart(chart, column=column, row=row, width=4, height=18)
 
 
 def schedules(sheet: Sheet, station: Station) -> None:

@@ -250,15 +250,15 @@ def line(column: str) -> str:
     return f"=INDEX(@{column},[at])*(1-[s])+INDEX(@{column},[at]+1)*[s]"
 
 
-CHART_COLUMN = 10
+CHART_COLUMN = 11
 THETA = "angle of its phases θ [°]"
 
 
 def charts(sheet: Sheet, view: DriveView) -> None:
     """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
     peaks = [Series("peaks", f"[@tops.{x}]", "[@tops.T]", points=True, marker="circle") for x in ("n", "theta")]
-    sheet.chart(plane("[@pt.n]", "[@pt.T]", peaks[0]), column=CHART_COLUMN, row=5, width=8, height=22)
-    over, places = view.tables.machine.over, {"column": CHART_COLUMN, "width": 8, "height": 11}
+    sheet.chart(plane("[@pt.n]", "[@pt.T]", peaks[0]), column=CHART_COLUMN, row=5, width=6, height=22)
+    over, places = view.tables.machine.over, {"column": CHART_COLUMN, "width": 6, "height": 11}
     lines = Series("torque", "[@pt.theta]", "[@pt.T]"), peaks[1]
     about = "Torque of the motor at its points over a cycle, by the angle of its phases"
     torque = Chart("Torque of the motor over the cycle", THETA, "T [Nm]", lines, about, ANGLE.axis(60))

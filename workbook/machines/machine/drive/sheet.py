@@ -103,7 +103,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         points_table(sheet, view)
         tops_table(sheet, view)
         samples_table(sheet, view)
-    sheet.print_columns = 18
+    sheet.print_columns = 16
 
 
 def entries(sheet: Sheet, driven: Driven) -> None:

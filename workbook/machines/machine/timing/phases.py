@@ -1,6 +1,7 @@
 """The phases of an axis on the Timing sheet: entries, results of each movement, and checks."""
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from engine.motion import Phase
@@ -10,7 +11,7 @@ from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import AT_REST
-from workbook.fields.units import shown
+from workbook.fields.units import DEGREE, shown, si
 from workbook.law_sheets.page import finite
 from workbook.laws import sampling
 from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
@@ -31,12 +32,25 @@ RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
 """by the order of the derivative: what it is, its greatest size in tables of steps, by the law, and its equation"""
 
 
+def phases_heads(sheet: Sheet, axes: Sequence[AxisTables]) -> None:
+    """Write the heads over the phases of all axes, with the units of each."""
+    each = [columns(tables) for tables in axes]
+    units = [", ".join(dict.fromkeys(q.unit for q in same if q.unit)) for same in zip(*each, strict=True)]
+    sheet.heading("Phases", "Fill one row each, in order; between them an axis rests; leave spare rows empty.")
+    sheet.heads("", [q._replace(unit=unit) for q, unit in zip(each[0], units, strict=True)])
+
+
 def phases_table(sheet: Sheet, tables: AxisTables) -> None:
-    """Declare the phases of an axis; their geometric extremes are workings only of a machine without a rate."""
-    measured, base = tables.machine.over.measured, tables.axis.base
-    shown_as = calc if measured else result
+    """Declare the phases of an axis, below the heads of all."""
+    title = f"Phases of axis {tables.axis.number}"
+    sheet.table(tables.name, title, tables.rows, *columns(tables), rules=[AT_REST], heads=False)
+
+
+def columns(tables: AxisTables) -> list[Quantity]:
+    """Return the columns of phases: entries and what follows from each, then workings."""
+    base = tables.axis.base
     geometric = [
-        shown_as(
+        calc(
             f"y{k}",
             f"geometric {word}",
             "y" + k * "'",
@@ -47,19 +61,7 @@ def phases_table(sheet: Sheet, tables: AxisTables) -> None:
         )
         for k, (word, most, formula, source, figure) in enumerate(RATES, 1)
     ]
-    sheet.table(
-        tables.name,
-        f"Phases of axis {tables.axis.number}: fill one row each, in order; between them it rests; "
-        "leave spare rows empty",
-        tables.rows,
-        *entered(tables),
-        *([] if measured else geometric),
-        *extremes(tables),
-        *used(tables),
-        *(geometric if measured else []),
-        *faults(tables),
-        rules=[AT_REST],
-    )
+    return [*entered(tables), *extremes(tables), *used(tables), *geometric, *faults(tables)]
 
 
 def moving(tables: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
@@ -130,7 +132,11 @@ def extremes(tables: AxisTables) -> list[Quantity]:
     def timed(k: int, figure: Callable[[Phase], float]) -> list[float | str]:
         return moving(tables, lambda phase: axis.rate(figure(phase) * axis.speed**k))
 
+    durations = [1000.0 * p.duration / axis.speed for p in axis.phases]
+    pauses = [1000.0 * si(gap, DEGREE) / axis.speed for gap in gaps(tables)]
+    in_ms = [cell("ms", filled(durations, tables.rows)), cell("pause", pauses, scale=1000.0 * math.tau / axis.speed)]
     return [
+        *([] if over.measured else in_ms),
         *(
             result(
                 name,

@@ -1,22 +1,23 @@
 """The sheet Timing: the axes over a turn of the master shaft, or over a cycle."""
 
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.chart import Chart, Series, colour
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant
-from workbook.entries.abscissa import TAKEN, Abscissa, unit_cell_name
+from workbook.entries.abscissa import TAKEN, unit_cell_name
 from workbook.entries.facts import entry_cells
 from workbook.machines.machine.motion_tables import AxisTables
-from workbook.machines.machine.timing.axes import axes_table, rate_to_compare
+from workbook.machines.machine.timing.axes import axes_table, compared_rate, rate_to_compare
 from workbook.machines.machine.timing.cycle import CURVES, LANE_SHARE
-from workbook.machines.machine.timing.phases import axis_checks, phases_table
+from workbook.machines.machine.timing.phases import axis_checks, phases_heads, phases_table
 from workbook.machines.machine.timing.stops import stop_cell, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 
 CELLS = cell_tables(__file__)
 MARKS = {"mm": "mm", "°": "deg"}
 
-PHASE, PHASE_MEASURED, PASSING = 13, 12, 4
-"""columns of what is entered of a phase and comes out of it, over a length, and where movements hand over at speed"""
+RATES = 12.5  # width of the columns of velocity, acceleration and jerk, whose units are long
+LEAST, COMPARED, PASSING = 13, 15, 16
+"""columns that are printed: of the axes, of axes at two rates, of phases that hand over at speed"""
 
 
 def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> None:
@@ -29,28 +30,34 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     creeping = cell("creep_forces", machine.given.creep_forces)
     limits = [creeping, *entry_cells(machine.given.limits, "limits")] if driven else []
     sheet.rows(*pace(machine), *([weight] if machine.given.weighs else []), *limits)
-    columns = PHASE_MEASURED if machine.over.measured else PHASE
-    columns += PASSING if any(axis.ends is not None for axis in axes) else 0
+    columns = COMPARED if compared_rate(machine) else LEAST
+    columns = PASSING if machine.hands_over else columns
     draw_diagram(sheet, machine, columns)
     axes_table(sheet, machine, columns)
+    phases_heads(sheet, axes)
     for tables in axes:
         i, unit = tables.axis.number, tables.axis.given.unit
-        sheet.heading(f"Axis {i}")
-        sheet.rows(
-            cell("axis{i}_name", tables.axis.given.name, i=i),
-            constant(f"axis{i}_{MARKS[unit]}", "Moves in", "", "", unit, align="left"),
-            *map(stop_cell, stops_of(tables.axis)),
-        )
+        sheet.put(cell("axis{i}_name", tables.axis.given.name, i=i), sheet.row, FIRST)
+        sheet.put(constant(f"axis{i}_{MARKS[unit]}", "Moves in", "", "", unit, align="left"), sheet.row, FIRST + 1)
+        sheet.row += 1
         phases_table(sheet, tables)
-        axis_checks(sheet, tables)
+    stops = [stop_cell(stop) for tables in axes for stop in stops_of(tables.axis)]
+    if stops:
+        sheet.heading("Hard stops")
+        sheet.rows(*stops)
     draw_curves(sheet, machine, columns)
     sheet.not_printed_below()
+    sheet.heading("Checks of the axes")
+    for tables, verdict in zip(axes, tuple(sheet.later), strict=True):
+        sheet.checks(verdict)
+        axis_checks(sheet, tables)
     sheet.heading("Workings")
     sheet.rows(
         cell("eps", machine.near),
         cell("timing_end", 360.0 - 2.0 * machine.near),
         cell("timing_lane", LANE_SHARE),
     )
+    sheet.widths = dict.fromkeys(range(FIRST + 8, FIRST + 12), RATES)
     sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
 
 
@@ -116,31 +123,19 @@ def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
 def curve(axis: MovingAxis, x: str, column: str) -> Series:
     """Return a line of an axis over the cycle, by the columns of its samples."""
     i = axis.number
-    return Series(f"=axis{i}_name", f"[cycle{i}.{x}]", f"[cycle{i}.{column}]")
+    return Series(f"=axis{i}_name", f"[cycle{i}.{x}]", f"[cycle{i}.{column}]", color=colour(i))
 
 
 def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
-    """Place charts of position, velocity and acceleration, a row for travelling axes, another for turning; of jerk."""
-    sheet.heading("Position, velocity and acceleration over the cycle")
+    """Place charts of position, velocity, acceleration and jerk: a row for travelling axes, another for turning."""
+    sheet.heading("Position, velocity, acceleration and jerk over the cycle")
     over, moving = machine.over, dict.fromkeys(axis.given.unit for axis in machine.axes)
     for unit in moving:
-        of = {"mm": " of travelling axes", "°": " of turning axes"}[unit] if len(moving) > 1 else ""
-        charts = []
+        of = {"mm": ", travelling", "°": ", turning"}[unit] if len(moving) > 1 else ""
+        charts: list[Chart] = []
         for (column, word, *_), symbol, shown_in in zip(CURVES, over.symbols, (unit, *over.rates(unit)), strict=True):
             lines = tuple(curve(axis, over.column, column) for axis in machine.axes if axis.given.unit == unit)
             title = f"{word.capitalize()}{of}"
             about = f"{title} over the {over.name}, a line for each axis"
             charts.append(Chart(title, over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60)))
-        sheet.chart_row(*charts[:3], width=(columns + 2) // 3, height=18)
-    sheet.heading("Jerk of each axis over the cycle, between its jumps")
-    jerks = [jerk_chart(axis, over) for axis in machine.axes]
-    for k in range(0, len(jerks), 3):
-        sheet.chart_row(*jerks[k : k + 3], width=(columns + 2) // 3, height=18)
-
-
-def jerk_chart(axis: MovingAxis, over: Abscissa) -> Chart:
-    """Return the chart of an axis' jerk."""
-    title = f"Jerk of axis {axis.number}"
-    y = f"{over.symbols[-1]} [{over.rates(axis.given.unit)[-1]}]"
-    about = f"{title} over the {over.name}"
-    return Chart(title, over.title, y, (curve(axis, over.column, "j"),), about, over.axis(60))
+        sheet.chart_row(*charts, width=3, height=15)
