@@ -70,7 +70,7 @@ def is_about(text: Text, block: Block) -> bool:
             and text.column in block.columns.values()
         )
     is_beside = block.row == text.row and FIRST <= text.column < block.column + 3
-    return text.style in BESIDE and not text.link and not (block.is_table or block.is_large) and is_beside
+    return text.style in BESIDE and not text.link and not has_heads and is_beside
 
 
 def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
