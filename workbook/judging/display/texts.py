@@ -63,12 +63,9 @@ def is_about(text: Text, block: Block) -> bool:
     """Whether a text may describe a block: of several the first."""
     if text.style in HEADINGS:
         return block.row > text.row and block.column >= text.column
+    has_heads = block.is_table or block.is_large
     if text.style in ABOVE:
-        return (
-            (block.is_table or block.is_large)
-            and 0 < block.row - text.row <= 4
-            and text.column in block.columns.values()
-        )
+        return has_heads and 0 < block.row - text.row <= 4 and text.column in block.columns.values()
     is_beside = block.row == text.row and FIRST <= text.column < block.column + 3
     return text.style in BESIDE and not text.link and not has_heads and is_beside
 
