@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Generic, TypeVar
 
+from workbook.book.checks import checks_sheet
 from workbook.book.declare import Book
-from workbook.book.summary import checks_sheet, close_summary, title_blocks
+from workbook.book.summary import close_summary, title_blocks
 from workbook.book_layout import NAME as LAYOUT
 from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine

@@ -10,13 +10,13 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from workbook.book.address import Address
+from workbook.book.checks import check_cells
 from workbook.book.declare import Book, Cell
 from workbook.book.depends import Dependence
 from workbook.book.limits import EMPTY, Guard
 from workbook.book.quantity import FAIL, SAYS, number_format, sample
 from workbook.book.rows import as_rows
 from workbook.book.sentence import Sentence
-from workbook.book.summary import check_cells
 from workbook.entries.machine import Fault, Machine
 from workbook.fields.paths import key_of
 from workbook.law_sheets.library import named_laws

@@ -207,6 +207,11 @@ class Block:
         return {q.name: self.column + i for i, q in enumerate(self.quantities)}
 
     @property
+    def top(self) -> int:
+        """The row above the block, and above its heads if it has its own."""
+        return self.row - 1 if self.shared_heads else self.row - 4
+
+    @property
     def seen(self) -> dict[str, int]:
         """The sheet column of each quantity that a formula may name for its own row."""
         beside = (self.lead, self.workings)

@@ -226,8 +226,8 @@ class Sheet:
 
     def _free(self, block: Block, wide: int, runs: int) -> int:
         """Return the first column right of a table with ``wide`` free behind ``runs`` for texts, not printed if any."""
-        top, end = top_of(block), block.row + block.size
-        others = (other for other in self.blocks if top_of(other) < end and top < other.row + other.size)
+        top, end = block.top, block.row + block.size
+        others = (other for other in self.blocks if other.top < end and top < other.row + other.size)
         charts = (
             range(left, left + width) for _, row, left, width, height in self.charts if row < end and top < row + height
         )
@@ -262,20 +262,8 @@ class Sheet:
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
         self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
         self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))
-        own = self._own((quantity,))
-        self._place(
-            Block(
-                in_scope(name, self.scope),
-                self,
-                block.row,
-                column,
-                own,
-                block.size,
-                block.title,
-                blank=in_scope(blank, self.scope),
-                lead=block,
-            )
-        )
+        own, name, blank = self._own((quantity,)), in_scope(name, self.scope), in_scope(blank, self.scope)
+        self._place(Block(name, self, block.row, column, own, block.size, block.title, blank=blank, lead=block))
 
     def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:
         """Place a chart with its corner at a cell, ``width`` columns by ``height`` rows large."""
@@ -301,8 +289,3 @@ class Sheet:
         self.book.blocks[block.name] = block
         self.blocks.append(block)
         return block
-
-
-def top_of(block: Block) -> int:
-    """Return the row above a block, and above its heads if it has its own."""
-    return block.row - 1 if block.shared_heads else block.row - 4

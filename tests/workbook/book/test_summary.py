@@ -9,7 +9,7 @@ import pytest
 from openpyxl.utils import get_column_letter
 
 from tests import cutting
-from workbook.book.summary import FAILING
+from workbook.book.checks import FAILING
 from workbook.build import read_inputs
 from workbook.reading.descriptions import parse_toml, read_machine, validated
 from workbook.template import FOLDER

@@ -8,8 +8,8 @@ from pydantic import BaseModel, Field
 
 from tests.workbook.judging.hands import repacked
 from workbook.book.chart import Chart, Series
+from workbook.book.checks import checks_sheet, repeat_verdicts
 from workbook.book.declare import Book, calc, check, constant, given, result
-from workbook.book.summary import checks_sheet, repeat_verdicts
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.verify import check_display

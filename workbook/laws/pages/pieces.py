@@ -13,10 +13,10 @@ from engine.laws import Law, PieceLaw
 from engine.laws.piece import begins
 from engine.laws.points import PointedLaw, Points, piece_ends
 from workbook.book.cell_tables import cell_tables
+from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, RowRule, Sheet, given
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure
-from workbook.book.summary import ZERO
 from workbook.fields.texts import Text
 from workbook.fields.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws import sampling

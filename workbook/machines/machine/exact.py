@@ -9,8 +9,8 @@ from engine.drive.limits import BELOW, CYCLES, at_speed
 from engine.drive.motor import LimitCheck
 from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
 from engine.drive.rate_range import rate_range
+from workbook.book.checks import ZERO
 from workbook.book.sentence import rounded
-from workbook.book.summary import ZERO
 from workbook.fields.units import PER_MINUTE, PERCENT, shown, si
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.max_rate import range_in_words

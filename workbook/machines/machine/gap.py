@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from engine.laws.base import Array
 from engine.motion.shifted import GapLine, gap_size, least_gap, least_gap_by_lines, place_in_cycle
+from workbook.book.checks import ZERO
 from workbook.book.rows import filled
-from workbook.book.summary import ZERO
 from workbook.entries.phase import TURN
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown, si

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from engine.timing import turn_time
 from workbook.book.cell_tables import cell_tables
+from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, check
 from workbook.book.sentence import CheckSentence, Sentence, amount, quoted
-from workbook.book.summary import ZERO
 from workbook.entries.abscissa import Abscissa
 from workbook.fields.units import PER_MINUTE, si
 from workbook.machines.machine.axes_summary import NO_DRIVE

@@ -8,8 +8,9 @@ from engine.cams.interpolation import FunctionValues, composed
 from engine.motion.profile import CamProfile, profile_of_motion
 from engine.timing import Switch
 from workbook.book.cell_tables import cell_tables
+from workbook.book.checks import group_verdict_column
 from workbook.book.declare import FIRST, Book, Quantity
-from workbook.book.summary import SENTENCE, group_verdict_column, summary_sheet
+from workbook.book.summary import SENTENCE, summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown

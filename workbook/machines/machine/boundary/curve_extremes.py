@@ -15,9 +15,9 @@ from engine.motion import Phase
 from engine.motion.handover import PULSES, Handover
 from engine.motion.pieces import MotionPiece
 from workbook.book.cell_tables import cell_tables
+from workbook.book.checks import ZERO
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled
-from workbook.book.summary import ZERO
 from workbook.machines.machine.boundary.handover import AxisHandover
 from workbook.machines.machine.extremes import POINTS, at_points
 

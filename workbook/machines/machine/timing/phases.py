@@ -1,7 +1,7 @@
 """The phases of an axis on the Timing sheet: entries, results of each movement, and checks."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 from engine.motion import Phase
@@ -32,21 +32,13 @@ RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
 """by the order of the derivative: what it is, its greatest size in tables of steps, by the law, and its equation"""
 
 
-def phases_heads(sheet: Sheet, axes: Sequence[AxisTables]) -> None:
-    """Write the heads over the phases of all axes, with the units of each."""
-    each = [columns(tables) for tables in axes]
-    units = [", ".join(dict.fromkeys(q.unit for q in same if q.unit)) for same in zip(*each, strict=True)]
-    sheet.heading("Phases", "Fill one row each, in order; between them an axis rests; leave spare rows empty.")
-    sheet.heads("", [q._replace(unit=unit) for q, unit in zip(each[0], units, strict=True)])
-
-
 def phases_table(sheet: Sheet, tables: AxisTables) -> None:
     """Declare the phases of an axis, below the heads of all."""
     title = f"Phases of axis {tables.axis.number}"
-    sheet.table(tables.name, title, tables.rows, *columns(tables), rules=[AT_REST], heads=False)
+    sheet.table(tables.name, title, tables.rows, *phase_columns(tables), rules=[AT_REST], heads=False)
 
 
-def columns(tables: AxisTables) -> list[Quantity]:
+def phase_columns(tables: AxisTables) -> list[Quantity]:
     """Return the columns of phases: entries and what follows from each, then workings."""
     base = tables.axis.base
     geometric = [

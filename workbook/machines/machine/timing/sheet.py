@@ -8,7 +8,7 @@ from workbook.entries.facts import entry_cells
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.axes import axes_table, compared_rate, rate_to_compare
 from workbook.machines.machine.timing.cycle import CURVES, LANE_SHARE
-from workbook.machines.machine.timing.phases import axis_checks, phases_heads, phases_table
+from workbook.machines.machine.timing.phases import axis_checks, phase_columns, phases_table
 from workbook.machines.machine.timing.stops import stop_cell, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 
@@ -59,6 +59,14 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     )
     sheet.widths = dict.fromkeys(range(FIRST + 8, FIRST + 12), RATES)
     sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
+
+
+def phases_heads(sheet: Sheet, axes: list[AxisTables]) -> None:
+    """Write the heads over the phases of all axes, with the units of each."""
+    each = [phase_columns(tables) for tables in axes]
+    units = [", ".join(dict.fromkeys(q.unit for q in same if q.unit)) for same in zip(*each, strict=True)]
+    sheet.heading("Phases", "Fill one row each, in order; between them an axis rests; leave spare rows empty.")
+    sheet.heads("", [q._replace(unit=unit) for q, unit in zip(each[0], units, strict=True)])
 
 
 def pace(machine: MachineView) -> list[Quantity]:

@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from engine.motion import Motion
 from workbook.book.cell_tables import cell_tables
+from workbook.book.checks import ZERO
 from workbook.book.declare import Quantity, given
 from workbook.book.sentence import CheckSentence, amount
-from workbook.book.summary import ZERO
 from workbook.fields.units import shown
 from workbook.machines.machine.entries_beside import STOPS
 from workbook.machines.machine.view import MovingAxis
