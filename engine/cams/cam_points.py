@@ -1,8 +1,9 @@
 """Points of a cam table: their precision, the rates at its ends; its phases, and splines through few points."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +19,7 @@ from engine.motion.profile import CamProfile
 
 FEW = 6  # points, from which the velocity at an end of a table is computed
 ROUND = 24  # numbers: up to so many may be round by chance
+COUNTING = range(6, 10)  # digits that count, to which a file may round its numbers
 ROUNDED = 1e-9  # share of the range: least error that a fit may have
 RATES = 1e-5  # share of the peak by which a law's velocity and acceleration may deviate from a table's
 QUINTIC = "PO5"
@@ -80,16 +82,19 @@ class CamPoints(NamedTuple):
 
 
 def precision(y: Array) -> float:
-    """Return the precision of numbers: half of the last decimal, or the rounding of the largest in 32 or 64 bits.
+    """Return the precision of numbers: half of the last digit, or the rounding of the largest in 32 or 64 bits.
 
-    Few numbers may be round by chance, so their decimals do not count.
+    They have as many decimals each, or as many digits that count, of which the largest tells. Few numbers may be round
+    by chance, so their digits do not count.
     """
-    size = float(np.abs(y).max(initial=0.0))
-    for digits in range(10 if len(y) > ROUND else 0):
-        if np.allclose(y, np.round(y, digits), rtol=0.0, atol=1e-15 * size):
-            return float(0.5 * 10.0**-digits)
+    size, halves = float(np.abs(y).max(initial=0.0)), []
+    if len(y) > ROUND and size > 0.0:
+        decimals = (n for n in range(10) if np.allclose(y, np.round(y, n), rtol=0.0, atol=1e-15 * size))
+        counting = (n for n in COUNTING if np.allclose(y, [float(f"{number:.{n}g}") for number in y], 1e-15, 0.0))
+        halves += [0.5 * 10.0**-n for n in islice(decimals, 1)]
+        halves += [0.5 * 10.0 ** (math.floor(math.log10(size)) + 1 - n) for n in islice(counting, 1)]
     single = np.array_equal(y, y.astype(np.float32).astype(np.float64))
-    return size * (2.0**-24 if single else 2.0**-50)
+    return max(halves, default=size * (2.0**-24 if single else 2.0**-50))
 
 
 def _polynomial_rates(x: Array, y: Array) -> tuple[float, float]:

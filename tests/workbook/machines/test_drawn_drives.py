@@ -257,9 +257,15 @@ def examined(number, text):
         ways = {"motion": simulated.results} | ({"sheet": sheet_results(view)} if is_cut_everywhere(view) else {})
         for way, some in ways.items():
             shares += [(name, way, share, number, kind) for name, share in deviations(some, exact).items()]
-    wrong = [line for view, simulated in both for line in wrong_verdicts(view, simulated)]
+    wrong = [f"{number}: {line}" for view, simulated in both for line in wrong_verdicts(view, simulated)]
     cut = [view for view in drawn.views if is_cut_everywhere(view)]
-    return len(both), len(both) - len(cut), shares, wrong, [line for view in cut for line in results_of(view)]
+    return (
+        len(both),
+        len(both) - len(cut),
+        shares,
+        wrong,
+        [f"{number}: {line}" for view in cut for line in results_of(view)],
+    )
 
 
 def main(count, text="drawn"):
