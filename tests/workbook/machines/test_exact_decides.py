@@ -2,10 +2,13 @@
 
 import math
 
+import openpyxl
 import pytest
 
+from engine.drive.bounds import CONSTANT
 from engine.drive.motor import LimitCheck
 from engine.drive.results import DriveResults
+from tests.workbook import office
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from workbook.book.sentence import rounded
 from workbook.build import build
@@ -17,6 +20,7 @@ from workbook.studies.evaluate import Evaluator
 from workbook.studies.plan import make_plan
 from workbook.studies.space import Study
 from workbook.template_outputs import ExactJudgement, JudgedLimit
+from workbook.witnesses.engines import libreoffice_path
 
 RMS = "Drive A1: RMS torque within the continuous torque"
 TURNING = [
@@ -113,6 +117,36 @@ def test_build_and_verify_end_with_3_where_an_axis_turns_round_inside_a_phase(tm
     assert code == 3
     assert "RMS torque within the continuous torque" in " ".join(said.split())
     assert not studied(path).feasible.any()
+
+
+@pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
+def test_a_law_and_a_rate_entered_by_hand_in_libreoffice_fail_there_before_any_command(tmp_path):
+    """A straight line makes the axis turn inside its last phase, where its peak then lies, at a higher rate."""
+    data = turning(60.0).model_dump()
+    (view,) = drives_of(turning(60.0))
+    data["axes"][0]["motor"]["peak_torque"] = view.driven.results.torque.peak / 1.04
+    data["axes"][0]["phases"][1]["law"], data["master"]["rate"] = "PO5", 60.0
+    build(machine := TEMPLATE.model.model_validate(data), tmp_path / "book.xlsx")
+    blocks = TEMPLATE.declare(machine).blocks
+    phases, rate = blocks["axis1"], blocks["timing_rate"]
+    edited = office.edit(
+        tmp_path / "book.xlsx",
+        tmp_path / "edited.xlsx",
+        [
+            'sheet = book.Sheets.getByName("Timing")',
+            f'sheet.getCellByPosition({phases.columns["law"] - 1}, {phases.row}).String = "LIN"',
+            f"sheet.getCellByPosition({rate.column - 1}, {rate.row - 1}).Value = 200",
+        ],
+    )
+    (before, now) = (openpyxl.load_workbook(path, data_only=True) for path in (tmp_path / "book.xlsx", edited))
+
+    def value(book, name):
+        ((title, cell),) = book.defined_names[name].destinations
+        return book[title][cell].value
+
+    assert (value(before, "drive1_ok_peak"), value(now, "drive1_ok_peak")) == ("OK", "FAIL")
+    peak = max(value(now, "drive1_tmax"), -value(now, "drive1_tmin"))
+    assert peak == pytest.approx(view.driven.results.torque.peak, rel=CONSTANT.peak_torque)
 
 
 @pytest.mark.parametrize(
