@@ -14,7 +14,7 @@ class Bounds(NamedTuple):
 
     peak_torque: float = 5e-3  # highest and lowest, of motor and reducer
     rms_torque: float = 1e-3
-    mean_torque: float = 1e-3  # cubic mean behind the reducer
+    mean_torque: float = 2e-3  # cubic mean behind the reducer
     speed: float = 5e-3  # the largest
     mean_speed: float = 1e-3
     peak_power: float = 0.05  # highest and lowest
@@ -24,8 +24,8 @@ class Bounds(NamedTuple):
 
 CONSTANT = Bounds()  # without viscous friction peaks are exact, if the acceleration is monotone in each piece
 CHANGING = Bounds()
-TABLE = Bounds(rms_torque=5e-3, mean_torque=5e-3, peak_power=0.1)  # its ratio bends at each of its points
-BY_ANGLE = Bounds(peak_torque=1e-2)
+TABLE = Bounds(rms_torque=5e-3, mean_torque=5e-3, speed=1e-2, peak_power=0.1)  # its ratio bends at each of its points
+BY_ANGLE = Bounds(peak_torque=2.5e-2)  # of an axis that turns most of the way in one interval
 
 
 def stated_bounds(train: Drivetrain) -> Bounds:

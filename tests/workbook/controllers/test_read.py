@@ -225,6 +225,32 @@ def test_a_triangle_stays_a_triangle(run, tmp_path) -> None:
     assert [(p.law, p.start, p.stop, p.lift) for p in phases] == [("LIN", 0, 180, 20.0), ("LIN", 180, 360, -20.0)]
 
 
+SHARP = {
+    "sawtooth": ([0, 100, 120, 220, 240, 360], [0, 20, 0, 20, 0, 0], range(0, 361, 2)),
+    "corners at one side": ([0, 40, 100, 220, 300, 360], [0, 0, 25, 25, 0, 0], range(361)),
+    "unequal steps": (
+        [0, 90, 250, 360],
+        [0, 20, 0, 0],
+        [*range(0, 90, 7), *range(90, 250, 3), 250, 261.3, 280.05, 360],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SHARP)
+def test_a_sharp_table_stays_sharp_in_the_digits_of_a_spreadsheet(name, run, tmp_path) -> None:
+    at, positions, steps = SHARP[name]
+    rows = (f"{angle};{np.interp(angle, at, positions):.9g}" for angle in steps)
+    (tmp_path / "sharp.csv").write_text("\n".join(rows), "utf-8")
+    code, out, err = run("read", "sharp.csv", "--from", "csv")
+    assert code == 0, err
+    (tmp_path / "back.toml").write_text(out, "utf-8")
+    moves = [(a, b, d - c) for a, b, c, d in zip(at, at[1:], positions, positions[1:], strict=False) if c != d]
+    phases = read_machine(tmp_path / "back.toml").axes[0].phases
+    assert [(p.law, p.start, p.stop, pytest.approx(p.lift, abs=1e-6)) for p in phases] == [
+        ("LIN", *one) for one in moves
+    ]
+
+
 def test_a_motion_that_misses_a_point_is_refused(axes) -> None:
     """By the profile of the machine that was described, not by the phases from which it was made."""
     made = tabulate(target("csv"), axes[1], 40)

@@ -11,6 +11,7 @@ from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from tests.workbook.machines.test_machine_drives import CRANK, ROCKER, SCREW, lossy, table
 from tests.workbook.machines.test_machine_drives import small as linked_small
 from workbook.law_sheets.book_laws import BookLaws
+from workbook.machines.machine import exact
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.view import AT_NO_RATE, DriveView
 from workbook.machines.machine.entries import Master
@@ -153,6 +154,16 @@ def test_a_rate_is_told_where_the_sheet_has_none_for_it_is_beyond_rounding(rate,
     found = list(rate_of(view))
     assert len(found) == lines
     assert all("holds from 0 to 420.9 cycles/min exactly; its sheet says no limit" in line for line in found)
+
+
+def test_ranges_that_differ_behind_their_rounded_digits_are_told_with_more(monkeypatch):
+    (view,) = drives_of(machine(100.0, {"peak_torque": 40.0}, {}))
+    monkeypatch.setattr(exact, "ends_exactly", lambda _: False)
+    monkeypatch.setattr(exact, "agree", lambda *_: False)
+    monkeypatch.setattr(exact, "exact_rates", lambda _: view.rates._replace(high=view.rates.high * (1 - 1e-5)))
+    (line,) = rate_of(view)
+    first, second = (float(words.split()[0]) for words in line.split("holds up to ")[1:])
+    assert first < second
 
 
 def test_of_equal_drives_the_first_is_named():

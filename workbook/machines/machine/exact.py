@@ -50,7 +50,10 @@ def rate_of(view: DriveView) -> Iterator[str]:
         return
     exact = exact_rates(view)
     if not agree(view.rates, exact):
-        yield f"{view.driven.called}: {in_words(exact)} exactly; its sheet says {in_words(view.rates)}"
+        ranges = [in_words(rates) for rates in (exact, view.rates)]
+        if ranges[0] == ranges[1]:  # so near that their rounded ends are equal
+            ranges = [f"holds up to {rates.high:.6g} cycles/min" for rates in (exact, view.rates)]
+        yield f"{view.driven.called}: {ranges[0]} exactly; its sheet says {ranges[1]}"
 
 
 def ends_exactly(view: DriveView) -> bool:
