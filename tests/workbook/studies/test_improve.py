@@ -142,7 +142,9 @@ def test_axes_that_limit_alike_have_better_laws_both(tmp_path) -> None:
     design = first_design(machine.model_copy(update={"axes": [machine.axes[0], twin]}), True)
     best = list(better(design, ("law",), THIS_PROCESS, silent))[-1]
     assert best.rate > design.rate * 1.01
-    assert {path[1] for path in best.changes if path[-1] == "law"} == {"0", "1"}
+    laws = {path[1]: law for path, law in best.changes.items() if path[-1] == "law"}
+    assert laws.keys() == {"0", "1"}
+    assert all(law.startswith(f"Shaped {int(i) + 1}-1") for i, law in laws.items() if "Shaped" in law)
 
 
 def test_a_drive_that_holds_at_no_rate_says_so(tmp_path) -> None:

@@ -34,6 +34,7 @@ EDGE = 10.0  # degrees of a turn by which an edge may move
 LIGHTER = 0.9  # of the inertias of load and parts
 RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}  # by what must not jump: the highest derivative that is 0 at ends
 RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
+SHAPED = "Shaped"  # begins the name of a law that is shaped for its drive
 PIECES = 8  # of a law that is shaped for its drive, at most
 NEAR = 1e-9  # of the rise: ends of laws that differ by less are the same
 
@@ -85,7 +86,7 @@ def law_changes(machine: AnyMachine, i: int, rate: float) -> Iterator[Change]:
             yield shaped(driven, checks, k, begin, free_name(machine, i, k), min(PIECES, machine.sizes.pieces))
         for law in known.values():
             new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
-            if law.name != phase.law:
+            if law.name != phase.law and not law.name.startswith(SHAPED):  # for the drive of another phase
                 yield Change(f"{begin} → {law.words}", new | {path: law.name}, "law")
 
 
@@ -105,7 +106,7 @@ def from_rest_to_rest(machine: AnyMachine) -> Iterator[NamedLaw]:
 
 def free_name(machine: AnyMachine, i: int, k: int) -> str:
     """Return a name for a law that is shaped for a phase; that of the law that it has, if no other phase takes that."""
-    begin, own = f"Shaped {i + 1}-{k + 1}", machine.axes[i].phases[k].law
+    begin, own = f"{SHAPED} {i + 1}-{k + 1}", machine.axes[i].phases[k].law
     users = [reference.name for reference in references(machine)].count(own)
     if own.startswith(begin) and users == 1:
         return own
