@@ -138,14 +138,15 @@ class Sheet:
         """Place a quantity in a cell of its own."""
         self._place(Block(quantity.name, self, row, column, (quantity,), 1, is_table=False))
 
-    def figure(self, quantity: Quantity, row: int, column: int) -> None:
-        """Place a figure that one came for: large, below its name, unit and note."""
+    def figure(self, quantity: Quantity, row: int, column: int) -> str:
+        """Place a figure that one came for: large, below its name, unit and note; return these two."""
         (own,) = self._own((quantity,))
         unit = ", ".join(filter(None, (own.unit, own.source)))
         self.texts += [Text(row, column, own.label, "figure name"), Text(row + 1, column, unit, "figure unit")]
         self._place(
             Block(own.name, self, row + 2, column, (own._replace(align="left"),), 1, is_table=False, is_large=True)
         )
+        return unit
 
     def checks(self, *quantities: Quantity) -> None:
         """Place checks and what each says, without the sheet's name, and enter them in the book's list."""

@@ -47,8 +47,9 @@ USE = (
     "Workings are not printed, nor are Catalogue, Laws and the laws' sheets: clear a sheet's print area to print it.",
 )
 COLUMNS = 17
-WIDTHS: dict[int, float] = {FIRST: 14, FIRST + 1: 24, 6: 12, 7: 13, 13: 12, 14: 12, 15: 16}
-SENTENCE, FIGURES, FIGURE_COLUMNS = 4, 6, (2, 3, 4, 7, 10, 13)  # rows of the verdict in words and of figures, columns
+WIDTHS: dict[int, float] = {FIRST: 14.5, FIRST + 1: 24, 6: 12, 7: 13, 13: 12, 14: 12, 15: 16}
+SENTENCE, FIGURES = 4, 6  # rows of the verdict in words, and of figures
+LETTER, COLUMN = 0.95, 9.5  # width of a letter at most, and of a column that has none of its own, in digits
 ENTERED = 15  # the column of entries
 PICTURE_ROW, PICTURE_ROWS = 11, 17
 
@@ -74,8 +75,12 @@ def summary_sheet(
     for row, quantity in enumerate(entered, FIGURES):
         sheet.texts.append(Text(row, ENTERED - 1, quantity.label, "aside"))
         sheet.put(quantity, row, ENTERED)
-    for column, quantity in zip(FIGURE_COLUMNS, figures, strict=False):
-        sheet.figure(quantity, FIGURES, column)
+    column = FIRST
+    for quantity in figures:
+        unit = sheet.figure(quantity, FIGURES, column)
+        room = LETTER * max(len(quantity.label), len(unit)) + 1
+        while room > 0:
+            room, column = room - WIDTHS.get(column, COLUMN), column + 1
     sheet.row = PICTURE_ROW + PICTURE_ROWS
     return sheet
 

@@ -18,7 +18,7 @@ from workbook.book.quantity import FAIL, OK, sample
 from workbook.book.rows import as_rows
 from workbook.writing import style
 
-WIDTHS = {1: 2, FIRST: 36}
+WIDTHS = {1: 2, FIRST: 39.5}
 COLUMN_WIDTH = 9.5
 RUN = 12  # columns over which a text may run
 TOWARDS = {"left": 1, "right": -1}  # where texts run over: in the middle of a table, nowhere
@@ -99,8 +99,9 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     """Return the width of each column that has its own, in digits."""
     known_widths: dict[int, float] = WIDTHS | sheet.widths
     for text in sheet.texts:
-        if text.style == "header":
-            needed = GAP + max(text_width(word, HEAD, bold=True) for word in text.text.split() or [""])
+        if text.style in ("header", "units"):
+            words = text.text.split() if text.style == "header" else [text.text]
+            needed = GAP + max((text_width(word, HEAD, text.style == "header") for word in words), default=0.0)
             known_widths[text.column] = max(needed, known_widths.get(text.column, COLUMN_WIDTH))
     taken = taken_rows(sheet)
     for block in sheet.blocks:

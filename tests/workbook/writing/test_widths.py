@@ -17,7 +17,7 @@ from workbook.writing.layout import COLUMN_WIDTH, WIDTHS, PossibleTexts, text_wi
 
 WRAPPED = ("header", "equation")
 INDENT = 9  # pixels, of a text that keeps off a number before it
-FARTHEST = 12  # columns over which a text may run, where they are empty
+FARTHEST = 15  # columns over which a text may run, where they are empty
 
 
 @cache
