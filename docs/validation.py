@@ -33,9 +33,9 @@ DRAWN = """\
 Machines that nobody printed are drawn: all mechanisms, laws that turn back, hand-over at speed, dead centres, slow
 running, falling curves, brakes. Each drive is computed at the points of its sheet, by the exact engine and, apart from
 both, by fine quadrature of the equation of motion. This is the worst deviation of each result from the exact
-engine's, as `python -m tests.workbook.machines.test_drawn_drives COUNT` prints it; CI draws 100 machines with every
-change. RMS and mean torques are shares of the peak, powers and energies of the larger of what drives and what comes
-back.
+engine's, as `python -m tests.workbook.machines.test_drawn_drives COUNT WORD` prints it, of other machines for each
+word; CI draws 100 machines with every change. RMS and mean torques are shares of the peak, powers and energies of the
+larger of what drives and what comes back.
 
 """
 DRAWN_TABLE = FOLDER.parent / "tests/printed/drawn_machines.md"
