@@ -34,7 +34,10 @@ def improve(path: Path, output: Path | None, stage: str, jobs: int | None, force
         show_limits(design)
         with pool(jobs or 1, None) as workers:
             best = show_gains(design, stage, workers, done)
-    if output is None or best is design:
+    if output is None:
+        return AGREES
+    if best is design:
+        say(ERR, f"{output} is not written: no better design is known", "yellow")
         return AGREES
     return write_best(path, best, output, force)
 

@@ -136,6 +136,13 @@ def test_interrupted_it_keeps_the_best_so_far(cutting, monkeypatch, capsys) -> N
     assert "best so far" in capsys.readouterr().err
 
 
+def test_where_nothing_is_better_no_file_is_written_and_that_is_said(tmp_path, monkeypatch, capsys) -> None:
+    monkeypatch.setattr(command, "show_gains", lambda design, *_: design)
+    assert command.improve(base(tmp_path), tmp_path / "faster.toml", "laws", None, False) == AGREES
+    assert not (tmp_path / "faster.toml").exists()
+    assert "is not written" in capsys.readouterr().err.replace("\n", " ")
+
+
 def test_axes_that_limit_alike_have_better_laws_both(tmp_path) -> None:
     machine = read_machine(base(tmp_path))
     twin = machine.axes[0].model_copy(update={"name": "MC02"})
