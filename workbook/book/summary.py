@@ -92,7 +92,8 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
         each.place_messages()
     sheet = book.sheets[0]
     sheet.put(cell("about_verdict", in_one(book), formula=IN_ONE), SENTENCE, FIRST)
-    for picture in [chart for other in book.sheets[1:] for chart, *_ in other.charts][:1]:
+    drawn = [chart for other in book.sheets[1:] for chart, *_ in other.charts]
+    for picture in sorted(drawn, key=lambda chart: not chart.in_short)[:1]:
         sheet.charts.append((picture, PICTURE_ROW, FIRST, COLUMNS - FIRST + 1, PICTURE_ROWS))
     to_mend(book, sheet)
     sheet.not_printed_below()

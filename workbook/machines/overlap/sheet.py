@@ -131,6 +131,7 @@ def timing_diagrams(sheet: Sheet, machine: OverlapView, column: int) -> None:
             (0, 360, 30),
             (0, top, 1),
             lanes=True,
+            in_short=lane == "lane_a",
         )
         sheet.chart(chart, left, 5, WIDE, 18)
 
