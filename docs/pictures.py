@@ -29,7 +29,7 @@ PICTURES = (  # file, workbook, page of the printed book, left, top, width, heig
     ("selection.png", "flying-cutter", 8, 30, 30, 1112, 685),
     ("motion.png", "motion-composer", 2, 30, 30, 1112, 653),
     ("overlap.png", "indexing-overlap", 2, 30, 30, 1112, 685),
-    ("actuator.png", "actuator-sizing", 5, 30, 30, 1112, 712),
+    ("actuator.png", "actuator-sizing", 4, 30, 30, 1112, 712),
     ("cutter.png", "flying-cutter", 2, 30, 30, 1112, 712),
     ("laws.png", "motion-laws", 2, 30, 30, 1112, 712),
     ("functions.png", FUNCTIONS, 1, 40, 30, 974, 712),
