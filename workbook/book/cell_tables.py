@@ -147,14 +147,24 @@ class CellTable(dict[str, CellWords]):
 
 def cell_tables(module: str) -> dict[str, CellTable]:
     """Return the tables of the Markdown file beside a module, whose ``__file__`` is given, by their headings."""
+    return {title: CellTable(rows_of(text)) for title, text in sections(module)}
+
+
+def sections(module: str) -> Iterator[tuple[str, str]]:
+    """Yield the headings of the Markdown file beside a module, each with the text below it."""
     _, *parts = HEADING.split(Path(module).with_suffix(".md").read_text(encoding="utf-8"))
-    return {title: CellTable(rows_of(text)) for title, text in zip(parts[::2], parts[1::2], strict=True)}
+    yield from zip(parts[::2], parts[1::2], strict=True)
 
 
 def rows_of(text: str) -> Iterator[tuple[str, CellWords]]:
-    """Yield the rows of a Markdown table, each with the name of its cell."""
+    """Yield the rows of a Markdown table of cells, each with the name of its cell."""
+    for texts in markdown_rows(text):
+        yield texts.get("cell") or texts["formula"], CellWords.of_row(texts)
+
+
+def markdown_rows(text: str) -> Iterator[dict[str, str]]:
+    """Yield the rows of a Markdown table, each with its entries by the heads of their columns; empty ones left out."""
     lines = (BAR.split(line)[1:-1] for line in text.splitlines() if line.startswith("|"))
     heads, _, *rows = ([entry.strip() for entry in line] for line in lines)
     for row in rows:
-        texts = {head: entry.strip("`").replace("\\|", "|") for head, entry in zip(heads, row, strict=True) if entry}
-        yield texts.get("cell") or texts["formula"], CellWords.of_row(texts)
+        yield {head: entry.strip("`").replace("\\|", "|") for head, entry in zip(heads, row, strict=True) if entry}

@@ -52,6 +52,7 @@ class Chart:
     lanes: bool = False  # each line in a lane of its own, named where it begins; heights have no figures
     log_y: bool = False
     in_short: bool = False  # whether it stands on the first sheet too, in place of the book's first chart
+    legend: bool = True  # of several lines; else the title says what they are
 
     def within(self, scope: str) -> Self:
         """Return the chart with ``scope`` for each ``@`` in the references of its lines."""

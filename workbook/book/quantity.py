@@ -58,13 +58,15 @@ class Quantity(NamedTuple):
     """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
     upper_limit: float = inf  # of an input: its largest value, where that depends on other entries
     limit: float = 0.0  # of figures beside a limit: above it they are shown as beyond it; none by default
+    grey: str = ""  # the condition, without =, under which the cell does not count, and is shown in grey
+    row_label: str = ""  # the label that stands in its row, where that is another than its own
     says: str = ""  # of a check: the formula of where it fails, and by how much
     sentence: str = ""  # what that formula gives, by the engine, where the check fails
 
     @property
     def beside(self) -> str:
         """The label that stands in its row: of a sentence that of its check, of a message that of its entry."""
-        return self.label.removesuffix(WHERE).removesuffix(WANTED)
+        return self.row_label or self.label.removesuffix(WHERE).removesuffix(WANTED)
 
     @property
     def floor(self) -> float:
@@ -74,12 +76,13 @@ class Quantity(NamedTuple):
     def within(self, scope: str) -> Quantity:
         """Return the quantity with ``scope`` for each ``@`` in its name and formulas."""
         formula = self.formula
-        texts = (self.name, self.says, *((formula,) if isinstance(formula, str) else formula or ()))
+        texts = (self.name, self.says, self.grey, *((formula,) if isinstance(formula, str) else formula or ()))
         if not any("@" in text for text in texts):
             return self
         if formula is not None:
             formula = in_scope(formula, scope) if isinstance(formula, str) else [in_scope(f, scope) for f in formula]
-        return self._replace(name=in_scope(self.name, scope), formula=formula, says=in_scope(self.says, scope))
+        name, says, grey = (in_scope(text, scope) for text in (self.name, self.says, self.grey))
+        return self._replace(name=name, formula=formula, says=says, grey=grey)
 
 
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:

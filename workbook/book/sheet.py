@@ -51,6 +51,9 @@ class Sheet:
     print_columns: int = 0
     print_rows: int = 0
     folded: int = 0  # the column from which on there are workings alone: an outline of them is folded
+    folded_rows: int = 0  # the row from which on there are workings alone, likewise
+    page_end: int = 0  # the last row of its first page, if that is a whole
+    heights: dict[int, float] = field(default_factory=dict)  # of rows (points) that differ from others
     unprinted: bool = False  # whether it is for the screen alone: its print area is an empty cell
     one_page: bool = False
     portrait: bool = False
@@ -108,7 +111,7 @@ class Sheet:
     def rows(self, *quantities: Quantity) -> None:
         """Place quantities in a column; beside inputs with limits what is expected, below all a check."""
         own = self._own(quantities)
-        watched = self._limited(own)
+        watched = self.limited(own)
         messages = {q.name: limits.message_beside(q, limit) for q, limit in watched}
         for q in own:
             self._row(q, messages.get(q.name))
@@ -118,9 +121,10 @@ class Sheet:
             self.book.guards.append(guard)
             self.checks(verdict)
 
-    def _limited(self, quantities: Sequence[Quantity]) -> list[tuple[Quantity, Limit]]:
+    def limited(self, quantities: Sequence[Quantity]) -> list[tuple[Quantity, Limit]]:
         """Return the inputs that have limits, with these."""
-        inputs = [(q, self.book.limit(q.key, q.upper_limit)) for q in quantities if q.role == "input"]
+        own = self._own(quantities)
+        inputs = [(q, self.book.limit(q.key, q.upper_limit)) for q in own if q.role == "input"]
         return [(q, limit) for q, limit in inputs if limit is not None]
 
     def _row(self, q: Quantity, message: Quantity | None = None) -> None:
@@ -136,7 +140,8 @@ class Sheet:
 
     def put(self, quantity: Quantity, row: int, column: int) -> None:
         """Place a quantity in a cell of its own."""
-        self._place(Block(quantity.name, self, row, column, (quantity,), 1, is_table=False))
+        own = self._own((quantity,))
+        self._place(Block(own[0].name, self, row, column, own, 1, is_table=False))
 
     def figure(self, quantity: Quantity, row: int, column: int) -> str:
         """Place a figure that one came for: large, below its name, unit and note; return these two."""
@@ -151,13 +156,19 @@ class Sheet:
     def checks(self, *quantities: Quantity) -> None:
         """Place checks and what each says, without the sheet's name, and enter them in the book's list."""
         name = self.called or self.title
-        for q in self._own(quantities):
+        for q in quantities:
             rest = q.label.removeprefix(f"{name}: ").removeprefix(f"{name}, ")
             here = q._replace(label=q.label if rest == q.label else f"{rest[0].upper()}{rest[1:]}")
-            message = sentence(here)
-            self.put(message, self.row, FIRST + 4)
-            self._row(here._replace(source=""))
-            self.book.checks.append((self, q))
+            self.texts.append(Text(self.row, FIRST, here.label, "label"))
+            self.check(here, self.row, FIRST + 2, FIRST + 4)
+            self.book.checks.append((self, self._own((q,))[0]))
+            self.row += 1
+
+    def check(self, q: Quantity, row: int, column: int, says: int) -> None:
+        """Place a check at a column, and at another what it says."""
+        (own,) = self._own((q,))
+        self.put(sentence(own), row, says)
+        self.put(own._replace(source=""), row, column)
 
     def table(
         self,
@@ -186,7 +197,7 @@ class Sheet:
         block = self._place(Block(name, self, top, FIRST, self._own(quantities), size, title, blank=unused))
         block.shared_heads = 0 if heads else self.shared_heads
         self.row = top + size + 1
-        if watched := self._limited(quantities):
+        if watched := self.limited(quantities):
             self._guard(block, watched, rules, inputs)
         return block
 
@@ -279,7 +290,7 @@ class Sheet:
             column += wide
         self.row += height + 1
 
-    def _own(self, quantities: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
+    def _own(self, quantities: Sequence[Quantity]) -> tuple[Quantity, ...]:
         sizes = {**self.book.sizes, **self.sizes}
         sized = (q if q.scale else q._replace(scale=sizes.get(q.unit, 0.0)) for q in quantities)
         return tuple(q.within(self.scope) if self.scope else q for q in sized)

@@ -12,7 +12,7 @@ from workbook.fields.units import RPM, shown
 
 CELLS = cell_tables(__file__)
 
-RMS_POINT, PEAK, CONTINUOUS = "374151", "D55E00", "009E73"  # colours in the plane of speed and torque
+RMS_POINT, PEAK, CONTINUOUS = "374151", "991B1B", "6B7280"  # colours of the RMS torque, and of limits, in charts
 PEAKS = "MAX(@tmax,0-@tmin)"
 ReducerLimit = tuple[str, str, str, bool, float, float]  # what, both its cells, whether it is met, value and limit
 
@@ -126,20 +126,24 @@ def rms_point(sheet: Sheet, speed: float, torque: float) -> None:
     )
 
 
-def plane(speed: str, torque: str, *more: Series) -> Chart:
-    """Return the chart of torque against speed, from these columns, and the RMS point, within the limits."""
+def plane(speed: str, torque: str, *more: Series, ink: str = "", title: str = "") -> Chart:
+    """Return the chart of torque against speed, from these columns, and the RMS point, within the limits.
+
+    With a ``title`` that says what the lines are, it has no legend.
+    """
     lines = (
-        Series("cycle", speed, torque),
+        Series("cycle", speed, torque, color=ink),
         *more,
         Series("RMS point", "[@point.rpm]", "[@point.torque]", points=True, marker="diamond", color=RMS_POINT),
         Series("peak torque and speed", "[@limits.rpm]", "[@limits.peak]", dashed=True, color=PEAK),
         Series("continuous torque", "[@limits.rpm]", "[@limits.rated]", dashed=True, color=CONTINUOUS),
     )
     return Chart(
-        "Torque against speed of the motor",
+        title or "Torque against speed of the motor",
         "motor speed n_m [rpm]",
         "motor torque T [Nm]",
         lines,
         "Speed and torque of the motor over one cycle, and its RMS torque at its mean speed: the point that has to lie "
         "within the continuous limit, the cycle within the peak limit",
+        legend=not title,
     )

@@ -67,7 +67,7 @@ def sheet_additions(match: Match, declared: Sheet, title: str) -> dict[str, list
     constants = match.file.contents.constants.items()
     known = {rule_words(mark.rule) for block in declared.blocks for mark in conditional_formats(block)}
     charts, wide = list(read_charts(match, title)), widths(declared, PossibleTexts(match.declared))
-    drawn = [draw(chart, match.declared, *chart_size(wide, *place)) for chart, _, *place in declared.charts]
+    drawn = [draw(chart, match.declared, *chart_size(declared, wide, *place)) for chart, *place in declared.charts]
     ours = {id(chart) for *_, chart in pair_charts(match, declared, drawn, charts)}
     return {
         "texts and numbers": [

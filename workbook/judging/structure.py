@@ -164,12 +164,12 @@ def stray_blocks(match: Match) -> Iterator[Finding]:
 def mislabelled_cells(match: Match) -> Iterator[Finding]:
     """Yield single cells that stand beside another label or heading; words of the engineer's own are none of these."""
     for sheet in match.declared.sheets:
-        labels = {text.text for text in sheet.texts if text.column == FIRST}
+        labels = {text.text for text in sheet.texts if text.column == FIRST or text.style == "label"}
         for block, place in match.placed(sheet):
             texts, label = texts_beside(match, place), block.quantities[0].beside
-            beside = texts & labels
-            if beside and label not in texts and not block.is_table and not is_declared_cell(match, block, place):
-                yield finding(place, block.name, f"the row {sorted(beside)[0]!r}", f"the row {label!r}")
+            beside = next((text for text in texts if text in labels or text == label), None)
+            if beside not in (None, label) and not block.is_table and not is_declared_cell(match, block, place):
+                yield finding(place, block.name, f"the row {beside!r}", f"the row {label!r}")
 
 
 def is_declared_cell(match: Match, block: Block, place: Place) -> bool:
@@ -178,7 +178,7 @@ def is_declared_cell(match: Match, block: Block, place: Place) -> bool:
     if pair is not None and pair.declared_formula:
         return is_formula(pair.held) and match.same_shape(pair)
     q = block.quantities[0]
-    around = texts_beside(match, place) | {str(match.file.value(place.cell(0, 1)))}
+    around = {*texts_beside(match, place), str(match.file.value(place.cell(0, 1)))}
     return bool(q.symbol) and {text for text in (q.symbol, q.unit) if text} <= around
 
 
@@ -196,10 +196,10 @@ def displaced_texts(match: Match) -> Iterator[Finding]:
                 yield finding(place, block.name, range_of(place), f"the cell of {q.label!r}, below or above the others")
 
 
-def texts_beside(match: Match, place: Place) -> set[str]:
-    """Return the texts to the left of a place, in its row."""
+def texts_beside(match: Match, place: Place) -> list[str]:
+    """Return the texts to the left of a place, in its row, the nearest first."""
     cells = (match.file.value(place.cell(0, -j)) for j in range(1, place.column))
-    return {text for text in cells if isinstance(text, str)}
+    return [text for text in cells if isinstance(text, str)]
 
 
 def exchanged_tables(match: Match) -> Iterator[Finding]:

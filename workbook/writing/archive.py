@@ -183,6 +183,7 @@ class Cells:
         self._strings, self._dynamic = strings, dynamic
         self._rows: dict[int, dict[int, str]] = defaultdict(dict)
         self.heights: dict[int, float] = {}
+        self.folded = range(0)  # rows of an outline that is closed
 
     def put(self, row: int, column: int, style: int, content: Any) -> None:
         """Put a text, a number, a truth value, or nothing but a style."""
@@ -208,13 +209,14 @@ class Cells:
         columns = [column for cells in self._rows.values() for column in (min(cells), max(cells))]
         first, last = (get_column_letter(end(columns, default=1)) for end in (min, max))
         span = f"{first}{min(self._rows)}:{last}{max(self._rows)}" if self._rows else "A1"
-        data = f"<sheetData>{''.join(map(self._row, sorted(self._rows)))}</sheetData>".encode()
+        data = f"<sheetData>{''.join(map(self._row, sorted({*self._rows, *self.folded})))}</sheetData>".encode()
         return SHEET_DATA.sub(lambda _: data, DIMENSION.sub(span.encode(), sheet, count=1), count=1)
 
     def _row(self, row: int) -> str:
         height = f' ht="{self.heights[row]:g}" customHeight="1"' if row in self.heights else ""
+        folded = ' hidden="1" outlineLevel="1"' if row in self.folded else ""
         cells = self._rows[row]
-        return f'<row r="{row}"{height}>{"".join([cells[column] for column in sorted(cells)])}</row>'
+        return f'<row r="{row}"{height}{folded}>{"".join([cells[column] for column in sorted(cells)])}</row>'
 
 
 def value_xml(value: Any) -> tuple[str, str]:

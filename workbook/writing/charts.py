@@ -43,7 +43,8 @@ NUMBERS = re.compile(rb"<numRef><f>([^<]*)</f></numRef>")
 def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     """Return the openpyxl chart for ``chart``, ``width`` by ``height`` cm large."""
     drawn = ScatterChart()
-    drawn.title, drawn.style, drawn.scatterStyle = heading(chart.title, TITLE, book), 2, "lineMarker"
+    drawn.title = heading(chart.title, TITLE if chart.legend else AXIS_TITLE, book)
+    drawn.style, drawn.scatterStyle = 2, "lineMarker"
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
         ink = series.color or COLOURS[i % len(COLOURS)]
@@ -52,16 +53,17 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
             drawn.series[-1].dLbls = lane_labels(series, book, ink)
     drawn.graphical_properties = NO_LINE  # no frame
     drawn.visible_cells_only = not any(is_folded(series.y, book) for series in chart.series)
-    drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 and not chart.lanes else None
+    drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 and chart.legend and not chart.lanes else None
     axes(drawn, chart, book)
     return drawn
 
 
 def is_folded(text: str, book: Book) -> bool:
-    """Whether the column ``[table.column]`` is folded away on its sheet; programs draw no such column unless told."""
+    """Whether the column ``[table.column]`` is folded away on its sheet; programs draw no such cells unless told."""
     table, column = text.strip("[]").split(".")
     block = book.blocks[table]
-    return 0 < block.sheet.folded <= block.columns[column]
+    sheet = block.sheet
+    return 0 < sheet.folded <= block.columns[column] or 0 < sheet.folded_rows <= block.row
 
 
 def heading(text: str, look: ParagraphProperties, book: Book) -> Title:

@@ -176,24 +176,29 @@ def pages(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], high
     widest = min(
         1.0, ASIDE * WIDTH / math.fsum(WIDE * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1))
     )
-    steps = max(0, int((widest - LEAST_SCALE) / STEP))
-    possible = [
-        Pages(scale, breaks(sheet, last, scale, high)) for scale in (widest - k * STEP for k in range(steps + 1))
-    ]
+    scales = [widest - k * STEP for k in range(max(0, int((widest - LEAST_SCALE) / STEP)) + 1)]
+    if sheet.page_end:
+        scales = [min(widest, ASIDE * HEIGHT / row_ends(sheet, last, high)[sheet.page_end])]
+    possible = [Pages(scale, breaks(sheet, last, scale, high)) for scale in scales]
     return min(possible, key=lambda pages: len(pages.breaks))
 
 
-def breaks(sheet: Sheet, last: int, scale: float, high: Mapping[int, float]) -> list[int]:
-    """Return the rows after which a page ends, by the cheapest cuts."""
+def row_ends(sheet: Sheet, last: int, high: Mapping[int, float]) -> list[float]:
+    """Return how far down each row ends (points), from the top of the first on."""
     tall = {1: TALL["title"]} | {text.row: TALL[text.style] for text in sheet.texts if text.style in TALL}
-    ends = list(accumulate((high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)), initial=0.0))
+    return list(accumulate((high.get(row) or tall.get(row, ROW) for row in range(1, last + 1)), initial=0.0))
+
+
+def breaks(sheet: Sheet, last: int, scale: float, high: Mapping[int, float]) -> list[int]:
+    """Return the rows after which a page ends, by the cheapest cuts; the first page may be a whole."""
+    ends, start = row_ends(sheet, last, high), sheet.page_end or sheet.head
     room = SPARE * HEIGHT / scale - ends[sheet.head]
     costs = [0] * (last + 1)  # of a page that ends with a row
     for first, end, cost in unbroken_spans(sheet, last, ends):
         for row in range(first, min(end, last + 1)):
             costs[row] += cost
-    best: dict[int, tuple[int, int]] = {sheet.head: (0, 0)}  # by the row that a page ends with: cost, page before
-    for row in range(sheet.head + 1, last + 1):
+    best: dict[int, tuple[int, int]] = {start: (0, 0)}  # by the row that a page ends with: cost, page before
+    for row in range(start + 1, last + 1):
         possible = [
             (cost + PAGE + (costs[row] if row < last else 0), before)
             for before, (cost, _) in best.items()
@@ -202,11 +207,11 @@ def breaks(sheet: Sheet, last: int, scale: float, high: Mapping[int, float]) -> 
         if possible:
             best[row] = min(possible, key=lambda choice: (choice[0], -choice[1]))
     rows: list[int] = []
-    row = best[last][1] if last in best else sheet.head
-    while row > sheet.head:
+    row = best[last][1] if last in best else start
+    while row > start:
         rows.append(row)
         row = best[row][1]
-    return rows[::-1]
+    return [*([start] if sheet.page_end else []), *rows[::-1]]
 
 
 def unbroken_spans(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple[int, int, int]]:

@@ -70,6 +70,9 @@ TEXTS = {
     "figure unit": Look("Figure unit", font(10, GREY)),
     "aside": Look("Aside", font(10, GREY), Alignment(horizontal="right")),
     "link": Look("Link", font(underline="single")),
+    "group": Look("Group", font(bold=True), None, None, line(INK)),
+    "group head": Look("Group head", font(color=GREY), Alignment(horizontal="right"), None, line(INK)),
+    "group word": Look("Group word", font(color=GREY), None, None, line(INK)),
     "header": Look("Table head", font(10, GREY, bold=True),
                    Alignment(wrap_text=True, horizontal="center", vertical="bottom")),
     "units": Look("Table units", font(10, GREY, italic=True), Alignment(horizontal="center"), None, line(RULE)),
@@ -162,6 +165,9 @@ def conditional_formats(block: Block) -> Iterator[FormatRule]:
             yield FormatRule((q,), Rule(type="cellIs", operator="between", formula=ends, dxf=look))
             whole = [FormatObject("num", end) for end in (0, q.limit)]
             yield FormatRule((q,), Rule(type="dataBar", dataBar=DataBar(cfvo=whole, color=BAR)))
+        if q.grey:
+            look = DifferentialStyle(font=Font(color=GREY))
+            yield FormatRule((q,), Rule(type="expression", formula=[block.when(q.grey, block.row)], dxf=look))
     if block.blanked:
         look = DifferentialStyle(numFmt=NumberFormat(NOTHING_ID, NOTHING))
         formula = block.when(block.blank, block.row)

@@ -17,7 +17,7 @@ from openpyxl.worksheet.header_footer import HeaderFooterItem, _HeaderFooterPart
 from openpyxl.worksheet.hyperlink import Hyperlink
 from openpyxl.worksheet.page import PageMargins
 from openpyxl.worksheet.pagebreak import Break
-from openpyxl.worksheet.properties import PageSetupProperties
+from openpyxl.worksheet.properties import Outline, PageSetupProperties
 from openpyxl.worksheet.worksheet import Worksheet
 from openpyxl.writer.excel import ExcelWriter
 from pydantic import BaseModel
@@ -32,7 +32,7 @@ from workbook.writing.layout import COLUMN_WIDTH, FULL, PossibleTexts, lines_of,
 from workbook.writing.output_files import refuse_existing, replace
 
 LAST_COLUMN = 16_384
-LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 12}, {"header": 2, "equation": 5}
+LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 13}, {"header": 2, "equation": 5}
 """in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
 ROW_HEIGHT = 15  # of a line in a cell that wraps
 MARGIN = "A1:A1"  # empty on each sheet: programs print no page of it
@@ -130,13 +130,14 @@ def make_workbook(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -
     for sheet in book.sheets:
         page, content = sheets[sheet.title], cells[sheet.title]
         wide = widths(sheet, standing)
+        content.heights |= sheet.heights
         write_texts(sheet, page, content, styles, wide)
         for block in sheet.blocks:
             write_block(block, page, content, styles, model, wide)
         for chart, row, column, columns, rows in sheet.charts:
-            drawn = charts.draw(chart, book, *chart_size(wide, column, columns, rows))
+            drawn = charts.draw(chart, book, *chart_size(sheet, wide, row, column, columns, rows))
             page.add_chart(drawn, f"{get_column_letter(column)}{row}")
-        set_up_page(sheet, page, wide, content.heights)
+        set_up_page(sheet, page, wide, content)
     styles.close()
     workbook.properties.title = book.title
     workbook.properties.creator = "motionbook"
@@ -144,10 +145,13 @@ def make_workbook(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -
     return workbook
 
 
-def chart_size(wide: dict[int, float], column: int, columns: int, rows: int) -> tuple[float, float]:
-    """Return width and height in cm of a chart that covers so many columns and rows."""
+def chart_size(
+    sheet: Sheet, wide: dict[int, float], row: int, column: int, columns: int, rows: int
+) -> tuple[float, float]:
+    """Return width and height in cm of a chart that covers so many columns and rows of a sheet."""
     characters = sum(wide.get(c, COLUMN_WIDTH) for c in range(column, column + columns))
-    return characters * CM_PER_CHARACTER, rows * CM_PER_ROW
+    points = sum(sheet.heights.get(r, ROW_HEIGHT) for r in range(row, row + rows))
+    return characters * CM_PER_CHARACTER, points / ROW_HEIGHT * CM_PER_ROW
 
 
 def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Styles, wide: dict[int, float]) -> None:
@@ -196,7 +200,7 @@ def format_of(q: Quantity, value: Any, model: type[BaseModel]) -> str:
     return AS_TYPED if rules.is_free_text(model, q) else number_format(q, value)
 
 
-def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dict[int, float]) -> None:
+def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], cells: Cells) -> None:
     """Set columns, panes, protection without a password, and how it prints."""
     used = max([c for b in sheet.blocks for c in b.columns.values()], default=FIRST)
     widest = max(used + 1, LEAST_COLUMNS, sheet.print_columns)
@@ -205,6 +209,11 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dic
     if sheet.folded:
         first, last = (get_column_letter(column) for column in (sheet.folded, used))
         page.column_dimensions.group(first, last, hidden=True)
+    if sheet.folded_rows:
+        cells.folded = range(sheet.folded_rows, sheet.row)
+        page.row_dimensions.group(cells.folded[0], cells.folded[-1], hidden=True)
+        page.sheet_format.outlineLevelRow = 1
+        page.sheet_properties.outlinePr = Outline(summaryBelow=False)
     page.sheet_view.showGridLines = False
     page.freeze_panes = f"A{sheet.head + 1}"
     page.protection.sheet = True
@@ -213,7 +222,7 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], high: dic
     rest.min, rest.max, rest.width = widest + 1, LAST_COLUMN, COLUMN_WIDTH
     for column in range(min(used + 2, widest + 1), widest + 2):  # an engineer writes there without unprotecting
         page.column_dimensions[get_column_letter(column)].protection = Protection(locked=False)
-    set_up_print(sheet, page, used, wide, high)
+    set_up_print(sheet, page, used, wide, cells.heights)
 
 
 def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float], high: dict[int, float]) -> None:

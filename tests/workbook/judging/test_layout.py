@@ -161,7 +161,7 @@ def test_other_faults_are_still_told_beside_an_inserted_row(books, tmp_path):
     workbook = excel.edited(openpyxl.load_workbook(path), excel.Lines(sheet, first + 2, 1))
     cell = next(c for c in workbook[sheet][first] if "timing_rate" in str(c.value))
     cell.value += "*2"
-    workbook["Drive MC01"]["D13"].value = "=1+1"
+    workbook["Drive MC01"]["F6"].value = "=1+1"
     workbook.save(tmp_path / "edited.xlsx")
     kinds = [(f.kind, f.cell) for f in sums(verify(tmp_path / "edited.xlsx")).findings]
     assert kinds[0] == ("layout", f"{first + 2}:{first + 2}")

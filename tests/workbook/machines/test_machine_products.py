@@ -117,7 +117,7 @@ def test_the_factor_of_the_catalogue_counts_beyond_a_thousand_cycles_an_hour_in_
         assert value("sel_reducers", "held")[1] == value("drive1_reducer_held")
 
 
-@pytest.mark.parametrize(("name", "block"), [("machine", "drive1_motor_rated"), ("flying-cutter", "drive_motor_rated")])
+@pytest.mark.parametrize(("name", "block"), [("machine", "drive1_rated"), ("flying-cutter", "drive_motor_rated")])
 def test_the_figures_in_use_are_printed(name, block):
     used = TEMPLATES[name].declare(read_machine(FOLDER / f"{name}.toml")).blocks[block]
     assert used.row <= used.sheet.print_rows

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from workbook.book.address import Address
-from workbook.book.declare import FIRST, Block, Sheet, Text
+from workbook.book.declare import Block, Sheet, Text
 from workbook.judging.display.differences import Differences, Subject, is_unit
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
@@ -13,7 +13,7 @@ from workbook.reading.table_fit import MOST_BETWEEN
 
 HEADINGS = ("heading", "subheading", "title")
 ABOVE = (*HEADINGS, "header", "units", "equation", "figure name", "figure unit")
-BESIDE = ("label", "symbol", "unit", "note")
+BESIDE, BEHIND = ("label", "symbol", "unit", "note"), ("unit", "note")
 QUIET = ("equation", "note")  # remarks: reworded, they mislead nobody
 MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
 
@@ -54,20 +54,20 @@ def describe_texts(sheet: Sheet) -> Iterator[tuple[Text, Block]]:
     """Yield the texts of a sheet that say what its cells are, each with the block that it describes."""
     ordered = sorted(sheet.blocks, key=lambda block: (block.row, block.column))
     for text in (text for text in sheet.texts if text.text):
-        block = next((block for block in ordered if is_about(text, block)), None)
-        if block is not None:
-            yield text, block
+        if about := [block for block in ordered if is_about(text, block)]:
+            yield text, about[-1 if text.style in BEHIND else 0]
 
 
 def is_about(text: Text, block: Block) -> bool:
-    """Whether a text may describe a block: of several the first."""
+    """Whether a text may describe a block: of several the first, or the last before a unit or note."""
     if text.style in HEADINGS:
         return block.row > text.row and block.column >= text.column
     has_heads = block.is_table or block.is_large
     if text.style in ABOVE:
         return has_heads and 0 < block.row - text.row <= 4 and text.column in block.columns.values()
-    is_beside = block.row == text.row and FIRST <= text.column < block.column + 3
-    return text.style in BESIDE and not text.link and not has_heads and is_beside
+    if text.style not in BESIDE or text.link or has_heads or block.row != text.row:
+        return False
+    return block.column < text.column if text.style in BEHIND else block.column > text.column
 
 
 def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:

@@ -12,7 +12,7 @@ CELLS = cell_tables(__file__)
 
 NONE = "-"
 LOSSY = "/@i/(@eta1*@eta2)"
-INERTIA = f"(@j0-@jm+@j1/@i1^2/@eta1+@m/@i{LOSSY})"
+INERTIA = f"(@j0-@jm/10000+@j1/@i1^2/@eta1+@m/@i{LOSSY})"
 RESISTS = f"(@rub+@steady){LOSSY}"
 ALL = "[@printed.here.3]"
 STEADY = "[@printed.here.6]+@no_load"  # a no-load torque is no load of the document's, but the motor has to give it
@@ -52,7 +52,7 @@ FIGURES = (
     Printed(
         "Inertia in all",
         "kg m²",
-        f"@jm+{INERTIA}",
+        f"@jm/10000+{INERTIA}",
         2e-5,
         0.0128,
         (2.007466e-5, 0.01280429),

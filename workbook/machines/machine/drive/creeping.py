@@ -56,7 +56,8 @@ def creeping_table(sheet: Sheet, view: DriveView) -> None:
         cell("use", uses(view), decimals=DECIMALS, scale=1.0),
     )
     sheet.row += 1
-    sheet.rows(*largest_use(view))
+    most = uses(view).index(max(uses(view)))
+    sheet.rows(CELLS["results"]("@creep_binds", view.creep_checks[most].name))
 
 
 def uses(view: DriveView) -> list[float]:
@@ -64,13 +65,9 @@ def uses(view: DriveView) -> list[float]:
     return [round(check.use, DECIMALS) for check in view.creep_checks]
 
 
-def largest_use(view: DriveView) -> list[Quantity]:
-    """Return the rows of the limit that is used most: how much, and which."""
-    each, cell = uses(view), CELLS["results"]
-    return [
-        cell("@creep_use", max(each), scale=1.0),
-        cell("@creep_binds", view.creep_checks[each.index(max(each))].name),
-    ]
+def largest_use(view: DriveView) -> Quantity:
+    """Return the share that is used of the limit that is used most."""
+    return CELLS["results"]("@creep_use", max(uses(view)), scale=1.0, limit=1.0)
 
 
 def creeping_check(view: DriveView) -> Quantity:

@@ -81,7 +81,8 @@ class Driven:
             raise ValueError(f"{entered.name} has no drive")
         self.axis, self.entered, self.number, self.products = axis.sized, entered, axis.number, products
         self.called = f"Drive {entered.called}"
-        self.given, self.holding, load = entered.mechanism, entered.motor.holding, entered.load
+        self.given, self.entered_motor, load = entered.mechanism, entered.motor, entered.load
+        self.holding = entered.motor.holding
         limits = self.limits = machine.limits.of_axis(entered.limits)
         self.catalogued_falling = falling_of(entered.motor.name, products, limits.peak_reserve)
         self.motor_used = motor_in_use(entered, products, limits)

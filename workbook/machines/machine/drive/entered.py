@@ -65,7 +65,7 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
     sheet.row += 1
     sheet.table(
         "@windows",
-        "Process forces over the cycle: leave spare rows empty",
+        "Process forces: leave spare rows empty",
         WINDOWS,
         cell("k", list(range(1, WINDOWS + 1))),
         column("start", place=over.unit, format=over.format, upper_limit=over.upper_limit),

@@ -1,45 +1,33 @@
 """Motor and reducer of a drive: by name from the sheet Catalogue, or as entered; one entry decides, the name."""
 
 import math
-from collections.abc import Sequence
-from typing import Any, NamedTuple, TypeVar
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 from engine.drive import Motor, derating
 from engine.drive.limits import ReducerLimits
 from engine.drive.motor import TorqueFall
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity
-from workbook.entries.facts import entry_cells
+from workbook.entries.facts import entry_cells, table_of
 from workbook.fields.texts import place_of
 from workbook.fields.units import KG_CM2, KW, PER_HOUR, RPM, shown, si
-from workbook.machines.machine.drive_entries import NEEDED, UNTOLD, AxisMotor
+from workbook.machines.machine.drive_entries import NEEDED, UNTOLD, AxisMotor, Reducer
 from workbook.machines.machine.entries import Axis
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Limits, Products
 
+if TYPE_CHECKING:
+    from workbook.machines.machine.drive.driven import Driven
+
 CELLS = cell_tables(__file__)
 
 P = TypeVar("P", MotorRow, ReducerRow)
-MOTOR = {
-    "inertia": "@jm",
-    "stall_torque": "@motor_stall",
-    "rated_torque": "@motor_rated",
-    "rated_speed": "@motor_nn",
-    "peak_torque": "@motor_peak",
-    "max_speed": "@motor_nmax",
+LISTED: dict[str, tuple[type[MotorRow | ReducerRow], tuple[str, ...]]] = {
+    "motor": (MotorRow, ("inertia", "stall", "rated", "nn", "peak", "nmax", "pcu")),
+    "reducer": (ReducerRow, ("i", "eta", "inertia", "t012", "tmax", "full", "fs", "t2n", "nmax")),
 }
-REDUCER = {
-    "ratio": "@i1",
-    "efficiency": "@eta1",
-    "inertia": "@j_reducer",
-    "no_load_torque": "@no_load",
-    "peak_torque": "@reducer_peak",
-    "full_cycles": "@reducer_full",
-    "cycle_factor": "@reducer_fs",
-    "mean_torque": "@reducer_mean",
-    "max_speed": "@reducer_nmax",
-}
-"""by entry, the cell that is used"""
+"""by product, the columns of its catalogue that a drive reads"""
 
 
 def named(rows: Sequence[P], name: str) -> tuple[int, P | None]:
@@ -143,42 +131,68 @@ def reducer_in_use(axis: Axis, products: Products, limits: Limits) -> ReducerInU
     )
 
 
-UNUSED = "not used"  # what is entered of a product that has the catalogue's figures
+def entries(driven: "Driven", key: str) -> list[Quantity]:
+    """Return the entries of motor and reducer, grey where the catalogue's figures count, and of the limits."""
+    cell, axis = CELLS["entries"], driven.entered
+    rows = list[Quantity]()
+    products: dict[str, AxisMotor | Reducer] = {"motor": driven.entered_motor, "reducer": axis.reducer}
+    for kind, entered in products.items():
+        rows.append(cell("@{kind}_name", entered.name or None, kind=kind, product=kind.capitalize(), key=key))
+        figures = entry_cells(entered, f"{key}.{kind}")
+        rows += [q._replace(grey=f"@{kind}_row>0") if q.name.startswith("@own_") else q for q in figures]
+    return [*rows, *entry_cells(axis.limits, f"{key}.limits")]
 
 
-def entries(axis: Axis, key: str) -> list[Quantity]:
-    """Return the rows of what is entered of reducer and motor."""
-    return [
-        *product(axis.reducer, "reducer", key),
-        *product(axis.motor, "motor", key),
-        *entry_cells(axis.limits, f"{key}.limits"),
-    ]
+def catalogued(driven: "Driven") -> Iterator[Quantity]:
+    """Yield the catalogue's figures of motor and reducer, where a product is named."""
+    rows = {"motor": driven.motor_used.row, "reducer": driven.reducer.row}
+    products: dict[str, Sequence[MotorRow | ReducerRow]] = {
+        "motor": driven.products.motors,
+        "reducer": driven.products.reducers,
+    }
+    for kind, (model, columns) in LISTED.items():
+        product = products[kind][rows[kind] - 1] if rows[kind] else None
+        for column in columns:
+            figure = getattr(product, table_of(model)[column].texts["key"]) or 0.0 if product else ""
+            yield CELLS["catalogue"]("@listed_{kind}_{column}", figure, kind=kind, column=column)
 
 
-def product(entered: Any, kind: str, key: str) -> list[Quantity]:
-    """Return the rows of what is entered of a motor or a reducer: its name, and its other entries."""
-    cell = CELLS["entries"]
-    return [
-        cell("@{kind}_name", entered.name or None, kind=kind, product=kind.capitalize(), key=key),
-        cell("@own_{kind}", UNUSED if entered.name else "used", kind=kind, product=kind.capitalize(), unused=UNUSED),
-        *entry_cells(entered, f"{key}.{kind}"),
-    ]
-
-
-def in_use(motor: MotorInUse, reducer: ReducerInUse, left: float, limits: Limits) -> list[Quantity]:
-    """Return the rows of the figures that the drive uses, limits over their reserves."""
-    cell = CELLS["in_use"]
-    return [
-        *(CELLS["limits in use"](f"@{name}", getattr(limits, name)) for name in Limits.model_fields),
-        cell("@reducer_row", reducer.row),
-        cell("@motor_row", motor.row),
-        *(CELLS["reducer in use"](name, getattr(reducer, entry)) for entry, name in REDUCER.items()),
-        cell("@derate", left),
-        cell("@nn_given", motor.rated_given),
-        *(CELLS["motor in use"](name, getattr(motor, entry)) for entry, name in MOTOR.items()),
-        cell("@losses", motor.losses),
-        cell("@copper", shown(motor.copper, KW)),
-    ]
+def figures(driven: "Driven") -> list[Quantity]:
+    """Return the figures of motor and reducer: of the catalogue, in use, and the limits, over their reserves."""
+    motor, reducer, limits = driven.motor_used, driven.reducer, driven.limits
+    lasting = driven.left / limits.rms_reserve
+    values = {
+        "@motor_row": motor.row,
+        "@reducer_row": reducer.row,
+        "@jm": shown(motor.inertia, KG_CM2),
+        "@stall": motor.stall_torque / lasting,
+        "@rated": motor.rated_torque / lasting,
+        "@nn_given": motor.rated_given,
+        "@motor_nn": motor.rated_speed,
+        "@peak": motor.peak_torque * limits.peak_reserve,
+        "@nmax": motor.max_speed * limits.speed_reserve,
+        "@losses": motor.losses,
+        "@copper": shown(motor.copper, KW),
+        "@derate": driven.left,
+        "@motor_stall": motor.stall_torque,
+        "@motor_rated": motor.rated_torque,
+        "@motor_peak": motor.peak_torque,
+        "@motor_nmax": motor.max_speed,
+        "@i1": reducer.ratio,
+        "@eta1": reducer.efficiency,
+        "@j_reducer": shown(reducer.inertia, KG_CM2),
+        "@no_load": reducer.no_load_torque,
+        "@reducer_rated": reducer.peak_torque * limits.torque_factor,
+        "@reducer_full": reducer.full_cycles,
+        "@reducer_fs": reducer.cycle_factor,
+        "@reducer_mean": reducer.mean_torque,
+        "@reducer_nmax": reducer.max_speed,
+        "@reducer_peak": reducer.peak_torque,
+        "@mean_most": reducer.mean_torque,
+        "@input_most": reducer.max_speed,
+    }
+    values |= {f"@{name}": getattr(limits, name) for name in Limits.model_fields}
+    return [*catalogued(driven), *(CELLS["figures"](name, value) for name, value in values.items())]
 
 
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'

@@ -10,10 +10,10 @@ import numpy as np
 
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import LEAST, NOT_ZERO, SHARES, WEIGHTS, filled
-from workbook.drive.motor import plane
+from workbook.drive.motor import PEAK, RMS_POINT, plane
 from workbook.entries.abscissa import ANGLE
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, RPM, shown
@@ -250,21 +250,45 @@ def line(column: str) -> str:
     return f"=INDEX(@{column},[at])*(1-[s])+INDEX(@{column},[at]+1)*[s]"
 
 
-CHART_COLUMN = 11
 THETA = "angle of its phases θ [°]"
+BY_SPEED = "Torque against speed: limits red, continuous grey, RMS dot"
+OVER_CYCLE = "Torque over the cycle: limits red, RMS dashed"
 
 
-def charts(sheet: Sheet, view: DriveView) -> None:
-    """Place the charts: torque against speed, torque over the cycle, and the angle of a shaft whose ratio changes."""
-    peaks = [Series("peaks", f"[@tops.{x}]", "[@tops.T]", points=True, marker="circle") for x in ("n", "theta")]
-    sheet.chart(plane("[@pt.n]", "[@pt.T]", peaks[0]), column=CHART_COLUMN, row=5, width=6, height=22)
-    over, places = view.tables.machine.over, {"column": CHART_COLUMN, "width": 6, "height": 11}
-    lines = Series("torque", "[@pt.theta]", "[@pt.T]"), peaks[1]
-    about = "Torque of the motor at its points over a cycle, by the angle of its phases"
-    torque = Chart("Torque of the motor over the cycle", THETA, "T [Nm]", lines, about, ANGLE.axis(60))
-    sheet.chart(torque, row=28, **places)
-    if view.varies:
-        line = Series("angle", f"[cycle{view.driven.number}.{over.column}]", "[@cycle.phi]")
-        title = "Angle of the mechanism's shaft"
-        turned = Chart(title, over.title, "φ [rad]", (line,), f"{title} over {over.cycle}", over.axis(60))
-        sheet.chart(turned, row=40, **places)
+def limit_lines(sheet: Sheet, view: DriveView) -> None:
+    """Declare the lines of the motor's peak torque and of the RMS torque over the cycle, as the chart draws them."""
+    cell, peak, rms = CELLS["lines"], view.driven.motor.peak_torque, view.points.rms_torque
+    sheet.table(
+        "@lines",
+        "Limits over the cycle, as drawn in the chart",
+        2,
+        cell("at", [0.0, TURN]),
+        cell("up", [peak, peak]),
+        cell("down", [-peak, -peak]),
+        cell("rms", [rms, rms], scale=view.scales.torque),
+    )
+
+
+def charts(view: DriveView) -> tuple[Chart, Chart]:
+    """Return the charts of torque against speed and of torque over the cycle, in the colour of the axis."""
+    ink = COLOURS[(view.driven.number - 1) % len(COLOURS)]
+    speeds, places = (
+        Series("peaks", f"[@tops.{x}]", "[@tops.T]", points=True, marker="circle", color=ink) for x in ("n", "theta")
+    )
+    lines = (
+        Series("torque", "[@pt.theta]", "[@pt.T]", color=ink),
+        places,
+        Series("largest torque", "[@lines.at]", "[@lines.up]", dashed=True, color=PEAK),
+        Series("likewise", "[@lines.at]", "[@lines.down]", dashed=True, color=PEAK),
+        Series("RMS torque", "[@lines.at]", "[@lines.rms]", dashed=True, color=RMS_POINT),
+    )
+    about = "Torque of the motor at its points over a cycle, by the angle of its phases, its limit and its RMS value"
+    over = Chart(OVER_CYCLE, THETA, "T [Nm]", lines, about, ANGLE.axis(60), legend=False)
+    return plane("[@pt.n]", "[@pt.T]", speeds, ink=ink, title=BY_SPEED), over
+
+
+def angle_chart(view: DriveView) -> Chart:
+    """Return the chart of the angle of a shaft whose ratio changes."""
+    over, title = view.tables.machine.over, "Angle of the mechanism's shaft"
+    line = Series("angle", f"[cycle{view.driven.number}.{over.column}]", "[@cycle.phi]")
+    return Chart(title, over.title, "φ [rad]", (line,), f"{title} over {over.cycle}", over.axis(60))

@@ -22,8 +22,12 @@ BACK = '([@pt.S]*[@pt.dir]<0)*(@method="physical")'
 def load_of(view: DriveView) -> PointLoad:
     """Return the engine's view of the load behind the reducer."""
     ratio = view.driven.reducer.ratio
-    inertia = (view.inertia - view.driven.mechanism.on_shaft(0)) * ratio**2
-    return PointLoad(view.load, view.speed / ratio, view.reducer_checks[0].value, inertia)
+    return PointLoad(view.load, view.speed / ratio, view.reducer_checks[0].value, behind_reducer(view) * ratio**2)
+
+
+def behind_reducer(view: DriveView) -> float:
+    """Return the inertia behind the reducer, at the motor (kg m²)."""
+    return view.inertia - view.driven.mechanism.on_shaft(0)
 
 
 def turns_of(view: DriveView) -> float:
@@ -85,7 +89,7 @@ def shaft_of(view: DriveView) -> Shaft:
             "left": ("@derate", d.left),
             **limit_figures(d.limits, "@"),
             "held_j": ("@j0", d.at_motor),
-            "held_jm": ("@jm", motor.inertia),
+            "held_jm": ("@jm/10000", motor.inertia),
             "held_i": ("@i1", reducer.ratio),
             "held_eta": ("@eta1", reducer.efficiency),
             "held_no_load": ("@no_load", reducer.no_load_torque),

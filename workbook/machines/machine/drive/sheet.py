@@ -3,10 +3,12 @@
 import math
 import re
 
+import numpy as np
+
 from engine.drive.bounds import stated_bounds
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
-from workbook.book.sentence import CheckSentence
+from workbook.book.sentence import CheckSentence, Sentence, rounded
 from workbook.drive.motor import (
     below_curve,
     continuous,
@@ -31,11 +33,14 @@ from workbook.machines.machine.drive import (
 )
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
+from workbook.machines.machine.drive.front_page import NAMED, RIGHT, FrontPage
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
 from workbook.machines.machine.drive.points import (
+    angle_chart,
     charts,
     cuts_table,
     intervals_table,
+    limit_lines,
     points_table,
     samples_table,
     tops_table,
@@ -50,10 +55,6 @@ from workbook.selection.catalogue import FULL_CYCLES
 
 CELLS = cell_tables(__file__)
 
-USED = (
-    "The figures that this sheet computes with: the catalogue's where a name is entered, else those entered below; "
-    "limits over their reserves."
-)
 MACHINES, OWN = "the machine's rate", "a rate of its own"
 LEVEL = (
     "its peak torque falls beyond a speed, and this book knows none that does: give it to the description, and build"
@@ -69,18 +70,17 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
-        sheet.heading("Motor and reducer in use", USED)
-        sheet.rows(*in_use.in_use(driven.motor_used, driven.reducer, driven.left, driven.limits), *at_rate(view))
-        entries(sheet, driven)
-        outcome(sheet, view)
-        sheet.checks(*checks(view))
-        charts(sheet, view)
-        if linkage and linkage.entered:
-            linkage.entered(sheet, driven, sizes.positions)
+        steps = first_page(sheet, view)
         sheet.heading("Enter: parts and process forces")
         parts_table(sheet, driven, sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
+        if linkage and linkage.entered:
+            linkage.entered(sheet, driven, sizes.positions)
+        sheet.note(CLOSED)
         sheet.not_printed_below()
+        sheet.folded_rows = sheet.row
+        sheet.heading("Workings: motor and reducer")
+        sheet.rows(*steps)
         workings(sheet, view, sized(driven))
         if linkage and linkage.worked:
             linkage.worked(sheet, driven, sizes.positions)
@@ -96,6 +96,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         corners = driven.motor.corners(backward)
         limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
         rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
+        limit_lines(sheet, view)
         sheet.heading("Workings: the cycle in intervals and points")
         turns_table(sheet, view)
         cuts_table(sheet, view)
@@ -103,20 +104,35 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         points_table(sheet, view)
         tops_table(sheet, view)
         samples_table(sheet, view)
-    sheet.print_columns = 16
 
 
-def entries(sheet: Sheet, driven: Driven) -> None:
-    """Declare what is entered of this mechanism, its load, reducer and motor.
+ANGLE_ROWS = 13
+CLOSED = "The workings of this sheet stand below, in rows that are hidden: select the rows around them, and Unhide."
 
-    They are watched by two checks: the sentence of one would be too long for a cell.
-    """
+
+def first_page(sheet: Sheet, view: DriveView) -> list[Quantity]:
+    """Place the page of the drive, and below it checks that have no row on it; return the workings."""
+    judged = checks(view)
+    quantities = [*entries(view.driven), *in_use.figures(view.driven), *at_rate(view), *outcome(view), *uses(view)]
+    front = FrontPage(sheet, [*quantities, *judged])
+    front.place(charts(view))
+    sheet.book.checks += [(sheet, q.within(sheet.scope)) for q in judged if q.name in NAMED]
+    sheet.heading("Checks of what is entered")
+    if view.varies:
+        sheet.chart(angle_chart(view), RIGHT, sheet.row, 8, ANGLE_ROWS)
+    top = sheet.row
+    sheet.checks(*front.verdicts(), *(q for q in judged if q.name not in NAMED))
+    sheet.row = max(sheet.row, top + ANGLE_ROWS) if view.varies else sheet.row
+    return [q for q in quantities if q.name not in NAMED and q.formula is not None]
+
+
+def entries(driven: Driven) -> list[Quantity]:
+    """Return the entries of this mechanism, its load, stages, reducer and motor."""
     cell = CELLS["entries"]
     m, key = driven.given, f"axes.{driven.number - 1}"
     entry, own = table_of(type(m)).entries(m, f"{key}.mechanism"), table_of(Axis).entries(driven.entered, key)
     none = f"empty: {'2 − 1/η_2, of its friction' if m.kind in SCREWS else 'η_2'}; 0 or less: self-locking"
-    sheet.heading("Enter")
-    sheet.rows(
+    return [
         cell("@axis", driven.entered.name, number=driven.number),
         cell("@{kind}", m.kind, kind=re.sub("[ -]", "_", m.kind)),
         own("@own_rate"),
@@ -125,11 +141,9 @@ def entries(sheet: Sheet, driven: Driven) -> None:
         entry("@eta2_back", source=none),
         entry("@method"),
         *loads(driven, key),
-    )
-    sheet.rows(*in_use.entries(driven.entered, key))
-    if driven.entered.stages:
-        sheet.heading("Enter: stages between reducer and mechanism", stages.ABOUT)
-        sheet.rows(*stages.entries(driven, key))
+        *in_use.entries(driven, key),
+        *stages.entries(driven, key),
+    ]
 
 
 UNDAMPED = "; exact without viscous friction"
@@ -140,15 +154,16 @@ def to(bound: float, of: str = "") -> str:
     return f"to {100.0 * bound:g} %{f' of {of}' if of else ''}"
 
 
-def outcome(sheet: Sheet, view: DriveView) -> None:
-    """Declare what the cycle asks of the motor, and the highest rate."""
+def outcome(view: DriveView) -> list[Quantity]:
+    """Return the results: torques, speeds, energies that the cycle asks of the motor, and the range of rates."""
     cell = CELLS["outcome"]
     driven, points, size = view.driven, view.points, view.scales
-    motor, reducer, own = view.reserve, view.reducer_checks, driven.entered.rate
-    limits, bound = driven.limits, stated_bounds(driven.train)
+    reducer, own, bound = view.reducer_checks, driven.entered.rate, stated_bounds(driven.train)
+    inertias = np.array(
+        [driven.motor_used.inertia, driven.reducer.inertia, driven.beside_motor, reducer_load.behind_reducer(view)]
+    )
     fastest = f"=MAX({top('n')},0-{top('n', 'low')})" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
-    sheet.heading("Results")
-    sheet.rows(
+    return [
         cell("@sized", OWN if own else MACHINES, machines=MACHINES, own=OWN),
         cell("@rate", view.rate),
         cell(
@@ -158,6 +173,9 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
             source="the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts",
         ),
         cell("@inertias", view.inertia_ratio),
+        cell("@j_all", shown(driven.motor_used.inertia + view.inertia, KG_CM2)),
+        cell("@j_figures", Sentence(" + ".join(map(rounded, shown(inertias, KG_CM2)))), inertia=stages.inertia(driven)),
+        cell("@largest", view.size("T"), scale=size.torque, source=to(bound.peak_torque)),
         cell(
             "@tmax",
             view.top("T"),
@@ -177,9 +195,6 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         ),
         cell("@mean", shown(points.mean_speed, RPM), scale=size.rpm),
         continuous(view.driven.motor, points.mean_speed),
-        cell("@res_rms", motor.rms_torque.reserve * limits.rms_reserve),
-        cell("@res_peak", motor.peak_torque.reserve * limits.peak_reserve),
-        cell("@res_speed", motor.speed.reserve * limits.speed_reserve),
         *([cell("@spare", view.spare, scale=size.torque)] if view.knows_falling else []),
         cell(
             "@smax",
@@ -192,7 +207,21 @@ def outcome(sheet: Sheet, view: DriveView) -> None:
         cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]"), scale=size.behind),
         *energies(view),
         *max_rate.range_results(view),
-    )
+    ]
+
+
+def uses(view: DriveView) -> list[Quantity]:
+    """Return the shares of the limits that are used, and the reserves of the motor."""
+    cell, limits = CELLS["uses"], view.driven.limits
+    names, least = ("rms", "peak", "speed", "reducer", "mean", "input"), (limits.rms_reserve, limits.peak_reserve)
+    shares = {name: check.use for name, check in zip(names, [*view.reserve, *view.reducer_checks], strict=True)}
+    shares["inertia"] = view.inertia_ratio / limits.inertia_ratio
+    reserves = zip(names, view.reserve, (*least, limits.speed_reserve), strict=False)
+    return [
+        *(cell(f"@use_{name}", use, limit=1.0) for name, use in shares.items()),
+        *(cell(f"@res_{name}", check.reserve * reserve) for name, check, reserve in reserves),
+        creeping.largest_use(view),
+    ]
 
 
 def energies(view: DriveView) -> list[Quantity]:
@@ -223,9 +252,9 @@ def energies(view: DriveView) -> list[Quantity]:
 
 
 def at_rate(view: DriveView) -> list[Quantity]:
-    """Return the rows of the reducer's torque at its cycles an hour, and of the motor's curve if the book has any."""
+    """Return the rows of the reducer's cycles an hour, and of the motor's curve if the book has any."""
     cell = CELLS["at_rate"]
-    held, driven, falling = view.reducer_checks[0].limit, view.driven, view.driven.catalogued_falling
+    driven, falling, held = view.driven, view.driven.catalogued_falling, view.reducer_checks[0].limit
     peak, row, motors = driven.motor.peak_torque, driven.motor_used.row, driven.products.motors
     listed = row > 0 and motors[row - 1].end_torque is not None
     fastest = driven.motor.max_speed * driven.limits.speed_reserve

@@ -143,10 +143,10 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     cell = CELLS["peaks"]
     points, sizes, last = view.points, view.scales, view.rows * POINTS
     words = {
-        "T": ("torque of the motor", sizes.torque),
-        "S": ("output torque of the reducer", sizes.behind),
-        "P": ("power of the motor", sizes.power),
-        "n": ("speed of the motor", sizes.rpm),
+        "T": ("motor torque", sizes.torque),
+        "S": ("output torque", sizes.behind),
+        "P": ("motor power", sizes.power),
+        "n": ("motor speed", sizes.rpm),
     }
     each, found = list(view.peaks), list(view.peaks.values())
     size = max(words[name][1] for name, _ in each)

@@ -282,6 +282,29 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "reducer_held": lambda study: study.reducer_held_at(1.0 / study.time),
 } | {f"pair_{name}": lambda study, name=name: study.motors_used[name] + study.reducers_used[name] for name in WEIGHED}
 
+FIGURES = {
+    "motor": {
+        "inertia": "jm",
+        "stall_torque": "motor_stall",
+        "rated_torque": "motor_rated",
+        "rated_speed": "motor_nn",
+        "peak_torque": "motor_peak",
+        "max_speed": "motor_nmax",
+    },
+    "reducer": {
+        "ratio": "i1",
+        "efficiency": "eta1",
+        "inertia": "j_reducer",
+        "no_load_torque": "no_load",
+        "peak_torque": "reducer_peak",
+        "full_cycles": "reducer_full",
+        "cycle_factor": "reducer_fs",
+        "mean_torque": "reducer_mean",
+        "max_speed": "reducer_nmax",
+    },
+}
+"""of motor and reducer by figure, the cell that it stands in; limits are over their reserves"""
+
 SLOW = ("highest", "binds", "lowest", "binds_low", "t_hold")
 """results for which the points of each design are worked out"""
 
@@ -290,9 +313,9 @@ def results(study: DriveStudy) -> Computations:
     """Return all results by name, each worked out when it is called."""
     asked = RESULTS | ({"brake_load": lambda study: study.brake_load} if study.bases[0].brakes else {})
     asked |= {"spare": lambda study: study.extremes.spare} if study.products.knows_falling else {}
-    for kind, figures_of in (("motor", in_use.MOTOR), ("reducer", in_use.REDUCER)):
-        cells = {cell.removeprefix("@"): name for name, cell in figures_of.items()}
-        cells |= {f"{kind}_{name}": name for name in ("row", *WEIGHED)}
+    for kind, figures_of in FIGURES.items():
+        cells = {cell: (name, KG_CM2 if name == "inertia" else 1.0) for name, cell in figures_of.items()}
+        cells |= {f"{kind}_{name}": (name, 1.0) for name in ("row", *WEIGHED)}
         used = attrgetter(f"{kind}s_used")
-        asked |= {cell: lambda study, used=used, name=name: used(study)[name] for cell, name in cells.items()}
+        asked |= {cell: lambda study, used=used, of=of: shown(used(study)[of[0]], of[1]) for cell, of in cells.items()}
     return {f"drive{study.axis.number}_{name}": partial(figure, study) for name, figure in asked.items()}
