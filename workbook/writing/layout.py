@@ -99,7 +99,8 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     """Return the width of each column that has its own, in digits."""
     known_widths: dict[int, float] = WIDTHS | sheet.widths
     for text in sheet.texts:
-        if text.style in ("header", "units"):
+        is_folded = 0 < sheet.folded_rows <= text.row  # heads of such workings make no page wider
+        if text.style in ("header", "units") and not is_folded:
             words = text.text.split() if text.style == "header" else [text.text]
             needed = GAP + max((text_width(word, HEAD, text.style == "header") for word in words), default=0.0)
             known_widths[text.column] = max(needed, known_widths.get(text.column, COLUMN_WIDTH))

@@ -21,7 +21,6 @@ def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     cell = CELLS["parts"]
     column = table_of(AxisPart).columns(driven.entered.parts, f"axes.{driven.number - 1}.parts", rows)
     turned = driven.parts
-    sheet.row += 1
     sheet.table(
         "@parts",
         TITLE,
@@ -62,7 +61,6 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
     column = table_of(ForceWindow).columns(driven.axis.typed.load.windows, f"{key}.load.windows", WINDOWS)
     late = f"[axes_taken.late.{driven.number}]"
     spans = [shown((w.end - w.begin), DEGREE) for w in found]
-    sheet.row += 1
     sheet.table(
         "@windows",
         "Process forces: leave spare rows empty",
