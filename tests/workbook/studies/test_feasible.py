@@ -124,7 +124,7 @@ def test_the_names_of_a_machine_are_listed_the_fast_ones_first(tmp_path):
     lines = done.stdout.splitlines()
     heads = [k for k, line in enumerate(lines) if not line.startswith(" ")]
     fast, slow, books = (lines[a + 1 : b] for a, b in zip(heads, [*heads[1:], len(lines)], strict=True))
-    assert "  drive1_motor_rated  Motor: rated torque [Nm]" in fast
+    assert "  drive1_motor_rated  Motor: continuous torque at the rated speed [Nm]" in fast
     assert any(line.startswith("  drive1_highest ") for line in slow)
     assert any(line.startswith("  MTP_k ") for line in books)
 
