@@ -76,6 +76,12 @@ class DrivePoints:
         return float(np.abs(np.where(self.load.braked, self.load.at_motor(self.load.output_torque), 0.0)).max())
 
     @property
+    def shortest_braked_dwell(self) -> float:
+        """The shortest dwell that a brake holds (s), or infinite."""
+        dwells = self.load.dwell[self.load.braked & (self.load.dwell > 0.0)]
+        return float(dwells.min(initial=np.inf))
+
+    @property
     def holding_torque(self) -> float:
         """The largest torque that the motor gives at rest (Nm)."""
         return float(np.abs(np.where(self.load.direction == 0.0, self.torque, 0.0)).max())

@@ -185,6 +185,16 @@ class Drivetrain:
         return self.drive.mechanism.ratio_to(self.drive.mechanism.last - 1)
 
     @property
+    def has_constant_ratio(self) -> bool:
+        """Whether the load moves in step with its shaft."""
+        return self.linkage is None and self.by_angle is None
+
+    @property
+    def is_viscous(self) -> bool:
+        """Whether the load has viscous friction."""
+        return self.viscous > 0.0
+
+    @property
     def inertia_varies(self) -> bool:
         """Whether the load's inertia at the mechanism's shaft depends on the position."""
         return self.linkage is not None or (self.by_angle is not None and self.by_angle.slides)

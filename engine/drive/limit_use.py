@@ -29,7 +29,6 @@ from engine.drive.rate_estimates import (
     TARGET,
     TARGET_BETWEEN,
     TARGET_CURVE,
-    TINY,
     Ends,
     Estimate,
     RateRange,
@@ -37,6 +36,7 @@ from engine.drive.rate_estimates import (
     estimates_of,
     growth_power,
     largest,
+    power_through,
 )
 
 
@@ -59,18 +59,14 @@ class RateSearch:
     @cached_property
     def estimated(self) -> dict[str, Ends]:
         """The estimated range of each limit; beyond its cycles a reducer's full torque is held up to these."""
+        growth = growth_power(self.points)
         ends = {
-            name: Ends(estimate.least * self.rate, estimate.most(2.0 if name in SPEEDS else self.growth) * self.rate)
+            name: Ends(estimate.least * self.rate, estimate.most(2.0 if name in SPEEDS else growth) * self.rate)
             for name, estimate in self.estimates.items()
         }
         cycles = self.estimates[CYCLES]
         ends[CYCLES] = Ends(0.0, self._beyond_full(ends[CYCLES].high, cycles.standing / cycles.limit))
         return ends
-
-    @cached_property
-    def growth(self) -> float:
-        """The power of the rate with which torques grow, in estimates."""
-        return growth_power(self.points)
 
     def _beyond_full(self, high: float, use: float) -> float:
         """Return up to which rate (1/s) the reducer's torque at its cycles is held, where it begins at a use of it."""
@@ -163,14 +159,8 @@ class RateSearch:
     @property
     def target(self) -> float:
         """The use of a limit at the ends of the range, less than 1 for what lies between points."""
-        between = not self.has_constant_ratio or self.is_viscous
-        return TARGET_BETWEEN if between else TARGET
-
-    @property
-    def has_constant_ratio(self) -> bool:
-        """Whether the load moves in step with its shaft."""
         train = self.points.load.train
-        return train.linkage is None and train.by_angle is None
+        return TARGET if train.has_constant_ratio and not train.is_viscous else TARGET_BETWEEN
 
     @cached_property
     def begin(self) -> int:
@@ -189,19 +179,15 @@ class RateSearch:
         or no use if there is more at standstill, a power is drawn; A n + B n² lies below it between both rates, and
         beyond them below a line over the square.
         """
-        if not (self.is_viscous or name == BELOW) or (self.holds and self.share(name) < 1.0):
+        if not (self.points.load.train.is_viscous or name == BELOW) or (self.holds and self.share(name) < 1.0):
             return 2.0
         rest, now, then = self.uses_at_rates(name)
-        most = 2.0 if rest < min(now, then) else self.growth
+        most = 2.0 if rest < min(now, then) else growth_power(self.points)
         return max(1.0, min(most, self.power(name)))
 
     def power(self, name: str) -> float:
-        """Return the power of the rate that the use of a limit at standstill, or 0, and at both rates tells; or 1."""
-        rest, now, then = self.uses_at_rates(name)
-        base = rest if rest < min(now, then) else 0.0
-        if min(now, then) <= base:
-            return 1.0
-        return math.log((then - base) / (now - base)) / (math.log(self.factor) + TINY)
+        """Return the power of the rate that the use of a limit at both rates and at standstill tells."""
+        return power_through(*self.uses_at_rates(name), self.factor)
 
     def uses_at_rates(self, name: str) -> tuple[float, float, float]:
         """Return the use of a limit at standstill, the present rate and the tried; 0 where it is not there.
@@ -212,11 +198,6 @@ class RateSearch:
         estimate = self.estimates.get(name)
         standing = estimate.standing / estimate.limit if estimate else 0.0
         return standing, self.uses.get(name, 0.0), self.uses_tried.get(name, 0.0)
-
-    @property
-    def is_viscous(self) -> bool:
-        """Whether the load has viscous friction."""
-        return self.points.load.train.viscous > 0.0
 
     @cached_property
     def caps(self) -> dict[str, float]:
@@ -280,7 +261,7 @@ class RateSearch:
         if end < begin:
             return Ends(met if math.isfinite(met) else 0.0, self.tried)
         if name in SPEEDS:
-            met = estimated.high * (1.0 - HAIR if self.has_constant_ratio else self.target)
+            met = estimated.high * (1.0 - HAIR if self.points.load.train.has_constant_ratio else self.target)
         return Ends(estimated.low, met)
 
     @property
@@ -292,10 +273,8 @@ class RateSearch:
     @cached_property
     def released(self) -> float:
         """The rate (1/s) beyond which the first of the dwells that the brake holds is too short for it; or infinite."""
-        load = self.points.load
-        dwells = load.dwell[load.braked & (load.dwell > 0.0)]
-        time = load.train.drive.brake.time
-        return self.rate * float(dwells.min()) / time if dwells.size and time > 0.0 else math.inf
+        time = self.points.load.train.drive.brake.time
+        return self.rate * self.points.shortest_braked_dwell / time if time > 0.0 else math.inf
 
     @cached_property
     def limits_ends(self) -> Ends:

@@ -98,6 +98,17 @@ def growth_power(points: DrivePoints) -> float:
     return 2.0 - min(1.0, points.mean(viscous**2) / (mean_squares(points)[2] + TINY))
 
 
+def power_through(rest: float, now: float, then: float, factor: float) -> float:
+    """Return the power of the rate that three uses of a limit tell; 1 where none does.
+
+    They are at standstill, or 0 if there is more than at a rate, at the present rate, and at ``factor`` times this.
+    """
+    base = rest if rest < min(now, then) else 0.0
+    if min(now, then) <= base:
+        return 1.0
+    return math.log((then - base) / (now - base)) / (math.log(factor) + TINY)
+
+
 class ContinuousTorqueLine(NamedTuple):
     """The continuous torque over the rate; mean (S + x I)² = (M − D √x)² with √x ≤ (e + x/e)/2 is quadratic in x."""
 

@@ -15,6 +15,7 @@ from engine.drive.rate_estimates import (
     SPEEDS,
     Ends,
     continuous_line,
+    growth_power,
     mean_squares,
     mean_torque_line,
 )
@@ -158,7 +159,7 @@ def is_viscous(view: DriveView) -> bool:
 def growth(view: DriveView) -> Quantity:
     """Return the row of the power of the rate with which torques grow in estimates."""
     speed = "[@pt.vs]" if view.slides else "[@pt.v]"
-    return CELLS["growth of a viscous load"]("@growth", view.search.growth, speed=speed)
+    return CELLS["growth of a viscous load"]("@growth", growth_power(view.search.points), speed=speed)
 
 
 SHARES = {"forward": "forward", "backward": "backward", "from": "from_forward", "from_back": "from_backward"}

@@ -238,7 +238,7 @@ def high(row: int, name: str, search: RateSearch) -> str:
     """Return the formula of the rate up to which a limit is held."""
     rate = f"[@held.rate.{row}]"
     if name in SPEEDS:
-        least = "(1-1E-6)" if search.has_constant_ratio else "@target"
+        least = "(1-1E-6)" if search.points.load.train.has_constant_ratio else "@target"
         held = f'IF(ISNUMBER({rate}),{rate}*{least},"{NOT_REACHED}")'
     else:
         held = "[met]"
