@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive.rate_estimates import TINY
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import cell_tables
@@ -84,7 +83,7 @@ class BusCuts:
         self.lines = lines = HalfLines(*map(np.concatenate, zip(*tables, strict=True)))
         self.inner = np.tile(INNER, (lines.begin.size // 2, 1))
         (up, down), top = np.repeat(self.shares, counts, axis=1), np.repeat(peaks[0], counts)
-        high, low, lasting = lines.first + lines.above, lines.first - lines.below, lines.length + TINY
+        high, low, lasting = lines.first + lines.above, lines.first - lines.below, np.maximum(lines.length, SHORT)
         end = high + lines.rise
         self.most = np.maximum(up * high, down * high)
         self.climbs = (np.maximum(up * end, down * end) - self.most) / lasting
@@ -144,9 +143,9 @@ def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
         cell("above", kw(lines.above), n=number),
         cell("below", kw(lines.below), n=number),
         cell("draws", kw(cuts.most), row=row),
-        cell("climbs", kw(cuts.climbs), row=row),
+        cell("climbs", kw(cuts.climbs), row=row, short=SHORT),
         cell("least", kw(cuts.least), row=row),
-        cell("grows", kw(cuts.grows), row=row),
+        cell("grows", kw(cuts.grows), row=row, short=SHORT),
         cell("at", cuts.cuts, scale=TURN),
         cell("span", cuts.span, len=len(each), scale=TURN),
         cell("most", kw(cuts.sum_most), acts=ACTS, since=SINCE),
