@@ -41,10 +41,13 @@ def wide(text, style_name):
 
 
 def cut(sheet, room_of):
-    """Yield the texts of a sheet that do not fit, with what they take and what they have, in pixels."""
+    """Yield the texts of a sheet that do not fit, with what they take and what they have, in pixels.
+
+    Workings that are closed below a page have its columns, whatever their own heads and labels take.
+    """
     taken = {(t.row, t.column) for t in sheet.texts if t.text}
     taken |= {(cell.row, cell.column) for block in sheet.blocks for cell in block.cells()}
-    for text in sheet.texts:
+    for text in (text for text in sheet.texts if not 0 < sheet.folded_rows <= text.row):
         column, has = text.column, room(room_of.get(text.column, COLUMN_WIDTH))
         if text.style not in (*WRAPPED, "units"):
             while (text.row, column + 1) not in taken and column < text.column + FARTHEST:
