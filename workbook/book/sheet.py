@@ -64,8 +64,7 @@ class Sheet:
     section: int = 0  # row of the heading above
     sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, scales as :attr:`Book.sizes`, of this sheet
     shared_heads: int = 0  # the row of the names of columns, of the heads that were written last
-    later: list[Quantity] = field(default_factory=list)
-    """checks of tables without heads, until they are placed"""
+    later: list[Quantity] = field(default_factory=list)  # checks of tables without heads, until they are placed
     more: Sequence[Quantity] = ()  # results that stand below what is printed
     called: str = ""  # what its checks begin with, if not with its title; on the sheet itself they go without
 
@@ -123,8 +122,7 @@ class Sheet:
 
     def limited(self, quantities: Sequence[Quantity]) -> list[tuple[Quantity, Limit]]:
         """Return the inputs that have limits, with these."""
-        own = self._own(quantities)
-        inputs = [(q, self.book.limit(q.key, q.upper_limit)) for q in own if q.role == "input"]
+        inputs = [(q, self.book.limit(q.key, q.upper_limit)) for q in self._own(quantities) if q.role == "input"]
         return [(q, limit) for q, limit in inputs if limit is not None]
 
     def _row(self, q: Quantity, message: Quantity | None = None) -> None:
@@ -148,9 +146,8 @@ class Sheet:
         (own,) = self._own((quantity,))
         unit = ", ".join(filter(None, (own.unit, own.source)))
         self.texts += [Text(row, column, own.label, "figure name"), Text(row + 1, column, unit, "figure unit")]
-        self._place(
-            Block(own.name, self, row + 2, column, (own._replace(align="left"),), 1, is_table=False, is_large=True)
-        )
+        large = own._replace(align="left")
+        self._place(Block(own.name, self, row + 2, column, (large,), 1, is_table=False, is_large=True))
         return unit
 
     def checks(self, *quantities: Quantity) -> None:

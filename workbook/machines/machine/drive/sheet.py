@@ -9,15 +9,7 @@ from engine.drive.bounds import stated_bounds
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.sentence import CheckSentence, Sentence, rounded
-from workbook.drive.motor import (
-    below_curve,
-    continuous,
-    inertia_check,
-    limit_checks,
-    limits_table,
-    rms_point,
-    within_reducer,
-)
+from workbook.drive import motor
 from workbook.entries.facts import table_of
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
@@ -94,8 +86,8 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         sheet.heading("Workings: the motor's limits in the chart")
         backward = min(0.0, float(view.cycle.direction.min()))
         corners = driven.motor.corners(backward)
-        limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
-        rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
+        motor.limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
+        motor.rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         limit_lines(sheet, view)
         sheet.heading("Workings: the cycle in intervals and points")
         turns_table(sheet, view)
@@ -194,7 +186,7 @@ def outcome(view: DriveView) -> list[Quantity]:
             source=f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio",
         ),
         cell("@mean", shown(points.mean_speed, RPM), scale=size.rpm),
-        continuous(view.driven.motor, points.mean_speed),
+        motor.continuous(view.driven.motor, points.mean_speed),
         *([cell("@spare", view.spare, scale=size.torque)] if view.knows_falling else []),
         cell(
             "@smax",
@@ -283,8 +275,8 @@ def checks(view: DriveView) -> list[Quantity]:
     is_level, level_says = not driven.catalogued_falling.fall, CheckSentence(f'"{LEVEL}"', LEVEL)
     level = cell("@ok_curve", is_level, called=called, says=level_says)
     return [
-        *limit_checks(view.reserve, called, mends=mends),
-        *within_reducer(
+        *motor.limit_checks(view.reserve, called, mends=mends),
+        *motor.within_reducer(
             called,
             ("torque", "@smax", "@reducer_held", torque.ok, torque.value, torque.limit),
             ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
@@ -292,13 +284,13 @@ def checks(view: DriveView) -> list[Quantity]:
             mends=mends,
         ),
         creeping.creeping_check(view),
-        inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
+        motor.inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
         turns_check(view),
         *([brake.holds(view)] if view.brakes else []),
         *in_use.checks(driven.number, called),
         *stages.checks(driven),
         *page.on_bed(driven),
-        below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
+        motor.below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.tables.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()),
         *(by_angle.checks(view) if driven.by_angle else ()),

@@ -19,8 +19,7 @@ from workbook.machines.machine.exact import axes_of, limit_of_gap, limit_of_stop
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.power import KWH, MWH
 from workbook.machines.machine.rates_summary import RATE_CHECK
-from workbook.machines.machine.studies import drives as each_drive
-from workbook.machines.machine.studies import limits
+from workbook.machines.machine.studies import drive_results, limits
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles
 from workbook.machines.machine.studies.limits import ok_texts
 from workbook.machines.machine.timing.stops import stops_of
@@ -55,7 +54,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         checks |= end_checks(machine, axis, rows)
         if axis.given.mechanism and axis.given.motor:
             drives.append(DriveStudy(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
-            figures |= each_drive.results(drives[-1])
+            figures |= drive_results.results(drives[-1])
             checks |= limits.checks(drives[-1])
     add_clearances(machine, rows, figures, checks)
     if not drives:
@@ -64,7 +63,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     slow = checks_of_drives(machine, drives)
     held = [partial(limits.hold_machine_rate, drive, rate.each) for drive in drives]
     (slow if any(drive.axis.given.rate for drive in drives) else checks)[RATE_CHECK] = partial(all_hold, held)
-    each = {f"drive{drive.axis.number}_{name}" for drive in drives for name in each_drive.SLOW}
+    each = {f"drive{drive.axis.number}_{name}" for drive in drives for name in drive_results.SLOW}
     slow_names = {*slow, *each, "about_highest", "about_binds"}
     return Results(figures | checks | slow, [*checks, *slow], slow_names, exact_judgements(drives, rate))
 

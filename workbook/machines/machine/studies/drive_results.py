@@ -1,0 +1,81 @@
+"""The results of a drive in a study, by the names of the cells that have them in the book."""
+
+from collections.abc import Callable
+from functools import partial
+from operator import attrgetter
+from typing import Any
+
+import numpy as np
+
+from engine.selection.point_load import shares_of
+from workbook.fields.units import KG_CM2, KW, shown
+from workbook.machines.machine.studies.drives import WEIGHED, DriveStudy
+from workbook.template_outputs import Computations
+
+RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
+    "rate": lambda study: study.rates.each,
+    "jtot": lambda study: shown(study.at_motor, KG_CM2),
+    "inertias": lambda study: study.inertias,
+    "tmax": lambda study: study.extremes.torque,
+    "tmin": lambda study: study.extremes.torque_low,
+    "rms": lambda study: study.rms,
+    "speed": lambda study: study.speed,
+    "mean": lambda study: study.mean,
+    "continuous": lambda study: study.continuous,
+    "res_rms": lambda study: shares_of(study.continuous * study.limits.rms_reserve, study.rms),
+    "res_peak": lambda study: shares_of(
+        study.motors_used["peak_torque"] * study.limits.peak_reserve, study.extremes.peak
+    ),
+    "res_speed": lambda study: shares_of(study.motors_used["max_speed"] * study.limits.speed_reserve, study.speed),
+    "smax": lambda study: study.behind(0),
+    "smean": lambda study: study.behind(1),
+    "energy": lambda study: study.works.driving,
+    "returned": lambda study: study.works.regenerated,
+    "power": lambda study: shown(study.works.net / study.time, KW),
+    "pmax": lambda study: shown(np.maximum(0.0, study.extremes.power), KW),
+    "pmin": lambda study: shown(np.minimum(0.0, study.extremes.power_low), KW),
+    "highest": lambda study: study.highest[0],
+    "binds": lambda study: study.highest[1],
+    "lowest": lambda study: study.lowest[0],
+    "binds_low": lambda study: study.lowest[1],
+    "t_hold": lambda study: study.holding_torque,
+    "reducer_held": lambda study: study.reducer_held_at(1.0 / study.time),
+} | {f"pair_{name}": lambda study, name=name: study.motors_used[name] + study.reducers_used[name] for name in WEIGHED}
+
+FIGURES = {
+    "motor": {
+        "inertia": "jm",
+        "stall_torque": "motor_stall",
+        "rated_torque": "motor_rated",
+        "rated_speed": "motor_nn",
+        "peak_torque": "motor_peak",
+        "max_speed": "motor_nmax",
+    },
+    "reducer": {
+        "ratio": "i1",
+        "efficiency": "eta1",
+        "inertia": "j_reducer",
+        "no_load_torque": "no_load",
+        "peak_torque": "reducer_peak",
+        "full_cycles": "reducer_full",
+        "cycle_factor": "reducer_fs",
+        "mean_torque": "reducer_mean",
+        "max_speed": "reducer_nmax",
+    },
+}
+"""of motor and reducer by figure, the cell that it stands in; limits are over their reserves"""
+
+SLOW = ("highest", "binds", "lowest", "binds_low", "t_hold")
+"""results for which the points of each design are worked out"""
+
+
+def results(study: DriveStudy) -> Computations:
+    """Return all results by name, each worked out when it is called."""
+    asked = RESULTS | ({"brake_load": lambda study: study.brake_load} if study.bases[0].brakes else {})
+    asked |= {"spare": lambda study: study.extremes.spare} if study.products.knows_falling else {}
+    for kind, figures_of in FIGURES.items():
+        cells = {cell: (name, KG_CM2 if name == "inertia" else 1.0) for name, cell in figures_of.items()}
+        cells |= {f"{kind}_{name}": (name, 1.0) for name in ("row", *WEIGHED)}
+        used = attrgetter(f"{kind}s_used")
+        asked |= {cell: lambda study, used=used, of=of: shown(used(study)[of[0]], of[1]) for cell, of in cells.items()}
+    return {f"drive{study.axis.number}_{name}": partial(figure, study) for name, figure in asked.items()}
