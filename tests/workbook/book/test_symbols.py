@@ -31,7 +31,17 @@ def test_a_symbol_stands_for_one_quantity(name):
     assert [q.label for q in shown if q.symbol in LIMITS and LIMITS[q.symbol] not in q.label] == []
 
 
-ALIKE = {"mm": "m", "m/min": "m/s", "kWh": "J", "kg cm²": "kg m²", "h": "s", "1/min": "rpm", "cycles/min": "rpm"}
+ALIKE = {
+    "mm": "m",
+    "m/min": "m/s",
+    "kWh": "J",
+    "MWh": "J",
+    "ms": "s",
+    "kg cm²": "kg m²",
+    "h": "s",
+    "1/min": "rpm",
+    "cycles/min": "rpm",
+}
 """units of one kind of quantity"""
 OF_AXES = frozenset([
     "A", "F", "c0", "c1", "c2", "c3", "c4", "c5", "h", "j", "j_max", "y", "y'", "y''", "y'''", "y_0", "ÿ", "ÿmax",
