@@ -207,8 +207,8 @@ def changes(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[C
         old: Any = was.value if was else None
         new: Any = now.value if now else None
         if not same(old, new):
-            less = is_number(old) and is_number(new) and new < old
-            worse = new == FAIL if old == OK else less and shown.label.startswith("Reserve")
+            more = is_number(old) and is_number(new) and new > old
+            worse = new == FAIL if old == OK else more and shown.label.startswith("Use of")
             listed.append(Change(*shown[:3], old, new, worse, now.says if now else ""))
     return listed
 

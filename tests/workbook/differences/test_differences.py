@@ -105,7 +105,7 @@ def test_a_check_that_fails_now_is_worse_and_says_where(folder, data):
     (failed,) = [one for one in found.checks if "RMS torque" in one.label]
     assert (failed.old, failed.new, failed.worse) == ("OK", "FAIL", True)
     assert failed.says
-    assert [one.worse for one in found.results if one.label == "Reserve of RMS torque"] == [True]
+    assert [one.worse for one in found.results if one.label == "Use of the continuous torque"] == [True]
 
 
 def test_an_edited_formula_and_cells_of_ones_own_are_named(folder, tmp_path):

@@ -28,6 +28,7 @@ OVERALL = ("overall", "status")  # verdicts of the book and of each sheet, alway
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 NO_RULE, IN_SIGHT = "no such rule", "in sight"
 LIKE_CELLS = {"font name val": "Calibri", "font sz val": "11", "font color": BLACK}  # as .ods has it in each rule
+OF_BARS = {"minLength": "10", "maxLength": "90", "showValue": "1"}  # defaults, which LibreOffice writes
 UNSHOWN = ("priority", "dxfId", "sqref")  # attributes of rules
 DEFAULTS = ("0", "between", "stop")  # values of attributes of rules, which some programs write
 
@@ -200,7 +201,8 @@ def rule_words(rule: Any) -> str:
     """Return the effect of a conditional format, but for the cells that the formula of its condition reads."""
     flat = Flat() if rule.type == "expression" else Flat(formula=", ".join(map(str, rule.formula)))
     for sign in (rule.colorScale, rule.dataBar, rule.iconSet):
-        flat |= flatten(sign.to_tree()) if sign is not None else {}
+        shown = flatten(sign.to_tree()) if sign is not None else {}
+        flat |= {name: value for name, value in shown.items() if value != OF_BARS.get(name.strip())}
         flat |= {"showValue": "off"} if getattr(sign, "showValue", None) is False else {}
     if rule.dxf is not None:
         look = flatten(rule.dxf.to_tree("look")) | {"numFmt numFmtId": ""}
