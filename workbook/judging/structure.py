@@ -165,6 +165,7 @@ def mislabelled_cells(match: Match) -> Iterator[Finding]:
     """Yield single cells that stand beside another label or heading; words of the engineer's own are none of these."""
     for sheet in match.declared.sheets:
         labels = {text.text for text in sheet.texts if text.column == FIRST or text.style == "label"}
+        labels |= {block.quantities[0].beside for block in sheet.blocks if not block.is_table and not block.is_large}
         for block, place in match.placed(sheet):
             texts, label = texts_beside(match, place), block.quantities[0].beside
             beside = next((text for text in texts if text in labels or text == label), None)
