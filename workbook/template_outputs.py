@@ -169,8 +169,12 @@ class ExactJudgement(NamedTuple):
         ]
 
     def judge(self, check: str, verdict: str, says: str) -> tuple[str, str]:
-        """Return the verdict of a check and its sentence: it holds where its sheet and the exact engine say so."""
+        """Return the verdict of a check and its sentence: it holds where its sheet and the exact engine say so.
+
+        Where the sheet says OK, its sentence tells how well the figure is known, which explains no verdict.
+        """
         limit = next((each for each in self.limits if each.check == check), None)
+        says = "" if verdict == OK else says
         if limit is None or verdict not in (OK, FAIL) or limit.exact.ok == (verdict == OK):
             return verdict, says
         return FAIL, "; ".join(filter(None, (limit.line, says)))

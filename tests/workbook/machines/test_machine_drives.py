@@ -69,7 +69,7 @@ def press(*phases, mechanism=PRESS, **entries):
 def arm(*phases, **entries):
     """An arm of 10 kg at 0.3 m that begins 20° below the horizontal."""
     load = {"inertia": 9000.0, "friction_torque": 0.4, "arm": {"mass": 10.0, "radius": 300.0, "angle": -20.0}}
-    return press(*phases, mechanism={"kind": "gear train", "efficiency": 1.0}, load=load, **entries)
+    return press(*phases, **({"mechanism": {"kind": "gear train", "efficiency": 1.0}, "load": load} | entries))
 
 
 def lossy(viscous=300.0, mechanism=SCREW, **entries):

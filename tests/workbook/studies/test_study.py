@@ -54,10 +54,21 @@ def compared(plan, number):
     return {name: (np.ravel(found[name]())[0], book_value(book, name)) for name in both}, set(found) - both
 
 
+ON_THE_PAGE = frozenset(
+    (
+        "creep_use inertia_ratio j_all j_figures largest losses nmax peak peak_reserve rated reducer_rated "
+        "rms_reserve speed_reserve stall torque_factor use_inertia use_input use_mean use_peak use_reducer "
+        "use_rms use_speed"
+    ).split()
+)
+"""what a drive's page shows in bold besides: what is in use, and what follows from results that a study has"""
+
+
 def drive_results(book):
     """The names of what comes out of drives, a value each."""
     singles = (block.quantities[0] for block in book.blocks.values() if len(block.quantities) == 1)
-    return {one.name for one in singles if one.role == "result" and one.name.startswith("drive")}
+    names = {one.name for one in singles if one.role == "result" and one.name.startswith("drive")}
+    return {name for name in names if name.partition("_")[2] not in ON_THE_PAGE}
 
 
 PEAKS = ("tmax", "tmin", "pmax", "pmin", "about_peak")
