@@ -179,7 +179,7 @@ UNFINISHED = [
     (linked(), "mechanism.rod_length", None, "a size of the mechanism is empty", "ok_sized"),
     (linked(mechanism=ROCKER), "phases.0.lift", 120.0, "A1 row 1 reaches 120 mm, ", "ok_reach"),
     (press(), "mechanism.rod_length", 50.0, CRANKED, "ok_linked"),
-    (lossy(), "load.viscous", -5.0, "expected a number of at least 0", "own_rate_entries"),
+    (lossy(), "load.viscous", -5.0, "expected a number of at least 0", "entries"),
     (linked(*SHORT, mechanism=BENT), "mechanism.points", points((0, 0), (10, 5), (10, 30)),
      "point 3 at 10 °, 30 mm is not beyond the one before it, at 10 °, 5 ", "ok_linked"),
     (linked(*SHORT, mechanism=BENT), "mechanism.points", points((0, 0), (10, 5), (20, 4)),
