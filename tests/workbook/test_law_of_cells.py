@@ -18,7 +18,7 @@ from workbook.machines.machine.mechanism import LINKED
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
-LONGEST, MOST, HALF = 200, 130, 60
+LONGEST, MOST, HALF = 200, 135, 60
 """characters of any formula, of 95 % of a book's formulas and of half of them"""
 DEEPEST, WIDEST, STEPS, LONG = 4, 40, 8, 40
 """functions within each other, columns of a sheet, precedents from a result to an entry, rows of a long table"""
