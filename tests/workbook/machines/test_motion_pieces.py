@@ -70,7 +70,7 @@ def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
     workbook = openpyxl.load_workbook(path)
     sheet, (area,) = workbook["Timing"], workbook.defined_names["axis1"].destinations
     top = sheet[area[1].replace("$", "")][0]
-    law = next(cell.column for cell in sheet[top[0].row - 3] if cell.value == "law")
+    law = next(cell.column for row in sheet["A1:Z60"] for cell in row if cell.value == "law")
     for row in range(top[0].row, top[0].row + 24):
         sheet.cell(row, law).value = "MTP"
     workbook.save(path)

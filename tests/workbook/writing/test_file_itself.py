@@ -110,7 +110,8 @@ def designed(book):
             numbers[place] = shown | closed | guarded.get(f"{block.name}.{q.name}" if block.is_table else q.name, set())
             by_row = q.formula is not None and not isinstance(q.formula, str)  # one for each row: each law, each part
             fixed = not block.is_table and block.sheet.title == "Straight line"  # coefficients of 1 and 0, in turn
-            if by_row or fixed:
+            name_of_axis = not block.is_table and block.sheet.title == "Timing"  # above the rows of its phases
+            if by_row or fixed or name_of_axis:
                 own.add(place)
     return numbers, own
 
