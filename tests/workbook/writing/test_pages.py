@@ -43,7 +43,11 @@ def test_a_page_ends_between_charts_and_tables_and_is_no_higher_than_paper(path,
             rows = next(n for n in range(1, height + 1) if sum(high[:n]) >= 15 * height or n == height)
             assert any(top < row and row + rows - 1 <= end for top, end in between), (sheet.title, chart.title)
             assert column + width - 1 <= across, (sheet.title, chart.title)
-        tables = [(block.row - 3, block.row + block.size - 1, block.name) for block in sheet.blocks if block.is_table]
+        tables = [
+            (block.row if block.shared_heads else block.row - 3, block.row + block.size - 1, block.name)
+            for block in sheet.blocks
+            if block.is_table
+        ]
         for first, end, name in tables:
             if end <= last and fits(page, first - 1, end, sheet.head, 0.9):
                 assert any(top < first and end <= bottom for top, bottom in between), (sheet.title, name)
@@ -58,7 +62,9 @@ def fits(page, first, last, head, share):
     letters = [openpyxl.utils.get_column_letter(column) for column in columns]
     width = sum(5.25 * page.column_dimensions[letter].width + 3.75 for letter in letters)
     margins = page.page_margins
-    scale = min(1.0, (WIDE - 72 * (margins.left + margins.right)) / width)
+    is_fitted = getattr(page.sheet_properties.pageSetUpPr, "fitToPage", False)
+    set_scale = 1.0 if is_fitted else (page.page_setup.scale or 100) / 100
+    scale = min(set_scale, (WIDE - 72 * (margins.left + margins.right)) / width)
     room = share * (HIGH - 72 * (margins.top + margins.bottom)) / scale
     return sum(page.row_dimensions[r].height or 15 for r in [*range(1, head + 1), *range(first, last + 1)]) <= room
 
