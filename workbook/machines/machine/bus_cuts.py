@@ -127,6 +127,7 @@ def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
     each = [(row, drive.driven.number) for row, drive in enumerate(cuts.drives, 1) for _ in range(2 * drive.rows)]
     row, number = ([*column] for column in zip(*each, strict=True))
     first = [1 + POINTS * k + side for drive in cuts.drives for k in range(drive.rows) for side in (0, HALF)]
+    slope = sheet.sizes.get("kW", 0.0)  # a difference of powers, exact to their own digits, over some degrees
     sheet.heading("Bounds of the power of the bus", CUTS)
     sheet.table(
         "bus_cuts",
@@ -143,9 +144,9 @@ def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
         cell("above", kw(lines.above), n=number),
         cell("below", kw(lines.below), n=number),
         cell("draws", kw(cuts.most), row=row),
-        cell("climbs", kw(cuts.climbs), row=row, short=SHORT),
+        cell("climbs", kw(cuts.climbs), row=row, short=SHORT, scale=slope),
         cell("least", kw(cuts.least), row=row),
-        cell("grows", kw(cuts.grows), row=row, short=SHORT),
+        cell("grows", kw(cuts.grows), row=row, short=SHORT, scale=slope),
         cell("at", cuts.cuts, scale=TURN),
         cell("span", cuts.span, len=len(each), scale=TURN),
         cell("most", kw(cuts.sum_most), acts=ACTS, since=SINCE),
