@@ -22,7 +22,7 @@ HERE = Path(__file__).parent
 QUICK = [
     HERE / "engine", HERE / "printed", HERE / "workbook/test_titles.py",
     HERE / "workbook/machines/test_cutting_machine.py",
-    *(HERE / f"test_{rules}.py" for rules in ("called", "glossary", "project", "start", "structure")),
+    *(HERE / f"test_{rules}.py" for rules in ("called", "glossary", "project", "start", "structure", "budget")),
 ]  # fmt: skip
 """Folders and files of the quick tests."""
 
