@@ -33,7 +33,7 @@ def test_four_commits_run_a_whole_night_and_nothing_of_the_day():
     assert tiers.shared(night, "00000001ff") == tiers.shared(night, "00000001ff") == shares[1]
 
 
-def test_a_night_runs_four_of_a_list_and_all_that_is_drawn(monkeypatch):
+def test_a_night_runs_a_case_of_a_list_and_all_that_is_drawn(monkeypatch):
     listed = [Item(f"test_a.py::test[book {k}]", "nightly") for k in range(9)]
     rest = [Item(f"test_a.py::test[night {k}]", "nightly") for k in range(9)] + [Item("test_a.py::test[0]")]
     nights = []

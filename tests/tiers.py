@@ -8,7 +8,7 @@ import pytest
 PARTS = 16
 """of a night, one of which runs with every change"""
 
-CASES = 2
+CASES = 1
 """of a test that has a list of them, in one night; what is drawn is drawn anew and runs whole"""
 
 night = 0
@@ -45,7 +45,7 @@ def sampled(items):
 
 
 def of_this_night(items):
-    """Return the tests without the listed cases of other nights: this night's seed chooses two of each test."""
+    """Return the tests without the listed cases of other nights: this night's seed chooses one of each test."""
     listed = defaultdict(list)
     for item in items:
         if item.get_closest_marker("nightly") and "night " not in item.nodeid:

@@ -76,7 +76,7 @@ def numbers(night: int):
     return [*(pytest.param(k, "faster", id=str(k)) for k in range(8)), *by_night]
 
 
-@pytest.mark.parametrize(("number", "drawn_from"), numbers(200))
+@pytest.mark.parametrize(("number", "drawn_from"), numbers(30))
 def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number: int, drawn_from: str) -> None:
     try:
         design = first_design(drawn_machine(number, drawn_from), True)
