@@ -38,10 +38,11 @@ def highest_rate(checks: LimitChecks) -> RateLimit:
     if not 0.0 < estimate < math.inf:
         return RateLimit(estimate, search.range.high_limit)
     uses = search.at(estimate / search.rate).uses
-    names = dict.fromkeys(EXACT_NAMES.get(name, name) for name, use in uses.items() if use > NEARLY)
+    nearly_used = (name for name, use in uses.items() if use > NEARLY)
+    names = dict.fromkeys(EXACT_NAMES.get(name, name) for name in (search.range.high_limit, *nearly_used))
     rate = reached(checks, names, estimate)
-    there = at_speed(checks, rate * checks.drive_cycle.unshifted.total)
-    return RateLimit(rate, max(there.of(names), key=lambda check: check.use).name)
+    there = {check.name: check.use for check in at_speed(checks, rate * checks.drive_cycle.unshifted.total).of(names)}
+    return RateLimit(rate, max(names, key=lambda name: there.get(name, 0.0)))
 
 
 def limits_in_order(checks: LimitChecks) -> Iterator[RateLimit]:
@@ -77,8 +78,8 @@ def reached(checks: LimitChecks, names: Iterable[str], estimate: float) -> float
     asked, total = list(names), checks.drive_cycle.unshifted.total
 
     def excess(rate: float) -> float:
-        uses = [check.use for check in at_speed(checks, rate * total).of(asked)]
-        return min(max(uses), 2.0) - 1.0
+        uses = (check.use for check in at_speed(checks, rate * total).of(asked))
+        return min(max(uses, default=0.0), 2.0) - 1.0  # a reducer may have a limit from a number of cycles on
 
     low, high = estimate, estimate * (1.0 + STEP)
     for _ in range(WIDENED):

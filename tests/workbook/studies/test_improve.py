@@ -73,7 +73,8 @@ def test_an_edge_keeps_the_order_of_all_edges_and_stays_within_10_degrees() -> N
 
 def numbers(night: int):
     by_night = (pytest.param(k, seed("faster"), marks=pytest.mark.nightly, id=f"night {k}") for k in range(night))
-    return [*(pytest.param(k, "faster", id=str(k)) for k in range(8)), *by_night]
+    far_above_the_points = pytest.param(198, "1, faster", id="reached far above the rate of the points")
+    return [*(pytest.param(k, "faster", id=str(k)) for k in range(7)), far_above_the_points, *by_night]
 
 
 @pytest.mark.parametrize(("number", "drawn_from"), numbers(30))
