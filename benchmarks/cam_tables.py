@@ -34,7 +34,7 @@ RISE = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0)]))
 TURN = profile_of_motion(Motion([Phase(law("MTP"), 300.0, 80.0), Phase(law("dwell"), 0.0, 280.0)]))
 INTERVALS = (8, 16, 20, 24, 40, 80, 160, 400, 800, 1000, 2000, 4000)
 FLOOR = 1e-12  # what is less is drawn there
-AXES, POINTS = 24, 1000
+AXES, POINTS, ROUNDS = 24, 1000, 5
 WHOLE, AUTO = 3.0, 2.0  # s, the most that exporting them may take, and finding the fewest points of one axis
 
 
@@ -98,7 +98,7 @@ def costs() -> Table:
     """The cost of exporting, and of finding the fewest points, beside certifying a table once."""
     axis = CamAxis("demo", TURN, "°", "mm")
     x = equal_steps(TURN, POINTS)
-    unit = min(spent(lambda: certify(TURN, quintic(TURN, x))) for _ in range(5))
+    unit = min(spent(lambda: certify(TURN, quintic(TURN, x))) for _ in range(ROUNDS))
     title = f"What it costs; the unit is certifying one table of {POINTS:,} points"
     grid = Table("Step", "ms of a core", "at most", "Ratio", title=title)
     steps: dict[str, Callable[[], object]] = {f"{AXES} axes of {POINTS:,} points, written, read, certified twice":

@@ -14,6 +14,7 @@ from workbook.templates import TEMPLATES
 
 INERTIA = Polynomial([3.62477004e-3, -8.11242143e-5, 1.54632995e-2, -1.01883497e-2, 1.68396654e-3])  # kg m²
 LOAD = Polynomial([0.10244372, 1.22240552, -0.13085737, -1.22211419, 0.62392123, -0.08375826])  # Nm
+ROUNDS, DEGREES = 3, (7, 9, 11, 13)
 CUTTING = TEMPLATES["machine"].description.with_name("cutting-machine.toml")
 
 
@@ -23,9 +24,9 @@ def bolt_torque(y, v, a):
 
 
 def measure(words: str, task: Callable[[], object]) -> None:
-    """Print the least time of three runs, the first of which also imports."""
+    """Print the least time of the rounds, the first of which also imports."""
     least = math.inf
-    for _ in range(3):
+    for _ in range(ROUNDS):
         begin = time.process_time()
         task()
         least = min(least, time.process_time() - begin)
@@ -33,7 +34,7 @@ def measure(words: str, task: Callable[[], object]) -> None:
 
 
 def main() -> None:
-    for degree in (7, 9, 11, 13):
+    for degree in DEGREES:
         measure(f"a law of degree {degree}", lambda degree=degree: shape(bolt_torque, 3.0299, 0.07375, degree))
     design = first_design(read_machine(CUTTING), True)
     measure("what limits the cutting machine", lambda: obstacles(design))

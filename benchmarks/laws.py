@@ -39,7 +39,7 @@ def laws() -> dict[str, Law]:
     """Every law of the engine, and some that have all that can cost time."""
     cases = {one.code: one() for one in CATALOGUE}
     cases["MTP, asymmetric"] = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))
-    cases["SCC, at speed"] = SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6, BoundaryValues(1.0, -0.4, 0.9))
+    cases["SCC, at speed"] = SineConstantCosine(0.1, 0.2, 0.3, 0.4, 0.6).between(BoundaryValues(1.0, -0.4, 0.9))
     cases["PO7, between ends"] = Polynomial4567().between(BoundaryValues(1.0, 0.4, -0.3, 1.0, 2.0, 3.0, 4.0))
     cases["SPL, 100 points"] = POINTS
     cases["OWN, mixed pieces"] = MIXED

@@ -27,6 +27,9 @@ from workbook.witnesses.pycel.model import PycelModel
 from workbook.writing import archive
 from workbook.writing.write import parts
 
+SIZES = ((12, 10), (180, 50), (360, 100))
+"""points of the cycle and of a law"""
+
 
 class Wrapper(ExcelOpxWrapperNoData):
     """pycel's reader of a workbook, mended for the defined names of openpyxl 3.1; without it no name is found."""
@@ -74,7 +77,7 @@ def stock(workbook: Workbook, cells: list[Address]) -> float:
 def main() -> None:
     most = int(sys.argv[1]) if len(sys.argv) > 1 else 1500
     table = Table("Formula cells", "Stock, µs a cell", "Here, µs a cell", "of which evaluating", "Ratio")
-    for cycle, law in ((12, 10), (180, 50), (360, 100)):
+    for cycle, law in SIZES:
         workbook = book(cycle, law)
         model = PycelModel(workbook)
         n = len(model.formulas)

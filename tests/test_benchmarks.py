@@ -1,0 +1,47 @@
+"""Each program of benchmarks/ runs to its end, on a case that is small."""
+
+import asyncio
+import importlib
+
+import pytest
+
+from tests.tiers import by_day
+from workbook.templates import TEMPLATES
+from workbook.witnesses.engines import libreoffice_path
+
+SMALLEST = {"flying-cutter": TEMPLATES["flying-cutter"]}
+SMALL = {
+    "any_workbook": {"SIZES": (20,), "CASES": 3, "GOAL": {}},
+    "build": {"ROUNDS": 1, "TEMPLATES": SMALLEST},
+    "cam_tables": {"INTERVALS": (8,), "AXES": 1, "POINTS": 20, "ROUNDS": 1, "targets": list},
+    "improve": {"ROUNDS": 1, "DEGREES": (7,), "STAGES": {}},
+    "laws": {"SAMPLES": 100, "ROUNDS": 1},
+    "pycel_speed": {"SIZES": ((4, 4),)},
+    "scale": {"ROUNDS": 1, "COUNTS": (1,), "JOBS": (1,), "AXES": (), "TEMPLATES": SMALLEST},
+    "serve": {"EDITS": 1, "GOALS": {1: 1.0}, "BUILT": 1},
+    "study": {},
+}
+
+
+@pytest.fixture
+def benchmark(request, monkeypatch):
+    """The module of a benchmark, made small."""
+    module = importlib.import_module(f"benchmarks.{request.param}")
+    for name, value in SMALL[request.param].items():
+        assert hasattr(module, name), name
+        monkeypatch.setattr(module, name, value)
+    return module
+
+
+@pytest.mark.parametrize("benchmark", by_day(SMALL, "laws", "improve", "cam_tables", "any_workbook"), indirect=True)
+def test_a_benchmark_runs(benchmark, monkeypatch, capsys):
+    monkeypatch.setattr("sys.argv", ["benchmark", "10"])
+    name = benchmark.__name__.removeprefix("benchmarks.")
+    if name == "scale" and libreoffice_path() is None:
+        pytest.skip("LibreOffice is not on this machine")
+    if name == "serve":
+        asyncio.run(benchmark.main())
+        benchmark.pages()
+    else:
+        benchmark.main(*([10, 0] if name == "study" else []))
+    assert len(capsys.readouterr().out.splitlines()) > 1
