@@ -1,4 +1,4 @@
-"""The pages: from an edit to its figures, of few and many driven axes; the first page; pages while many axes are built."""
+"""The pages: from an edit to its figures, of few and many driven axes; first page; pages while many axes are built."""
 
 from __future__ import annotations
 
