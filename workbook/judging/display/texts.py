@@ -75,13 +75,13 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
 
     They are the nearest in which most of these texts stand, so that a right text elsewhere excuses no wrong text.
     """
-    lines = defaultdict[tuple[str, int], list[tuple[Text, Block]]](list)
+    lines = defaultdict[tuple[str, int, int], list[tuple[Text, Block]]](list)
     for text, block in describe_texts(sheet):
         if block.name in match.file.places:
             is_above = text.style in ABOVE
             offset = text.row - block.row if is_above else text.column - block.column
-            lines[block.name if is_above else "", offset].append((text, block))
-    for (above, offset), line in lines.items():
+            lines[(block.name, 0, offset) if is_above else ("", text.column, offset)].append((text, block))
+    for (above, _, offset), line in lines.items():
         furthest = MOST_BETWEEN + 4 if above else MOST_ASIDE
         offsets = range(offset, offset + furthest) if offset > 0 else range(offset, offset - furthest, -1)
         tried = ([text_address(match, *entry, each) for entry in line] for each in offsets)
