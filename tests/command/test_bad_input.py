@@ -74,11 +74,7 @@ def small(layout, tmp_path):
 
 DESCRIPTIONS = {
     "TOML syntax": ("rate = 100.0", "rate = = 100", ["not valid TOML", "line"]),
-    "unknown entry": (
-        "rate = 100.0",
-        "rate = 100.0\nspeed = 3",
-        ["master.speed", "unknown", "expected one of rate"],
-    ),
+    "unknown entry": ("rate = 100.0", "rate = 100.0\nspeed = 3", ["master.speed", "unknown", "expected one of rate"]),
     "missing table": ("[master]", "[shaft]", ["master", "expected the entries rate"]),
     "unknown template": ('"machine"', '"saw"', ["template", "'saw'", "machine"]),
     "no template": ('template = "machine"', "", ["template", "empty", "machine"]),
@@ -111,11 +107,7 @@ DESCRIPTIONS = {
         MTP.format([0.2, 0.2, 0.2, 0.2, 0.1, 0.1]),
         ["laws.MTP.durations", "expected 7 entries"],
     ),
-    "more phases than rows": (
-        "phases = 6 ",
-        "phases = 2 ",
-        ["axes[2].phases", "5 rows", "raise sizes.phases"],
-    ),
+    "more phases than rows": ("phases = 6 ", "phases = 2 ", ["axes[2].phases", "5 rows", "raise sizes.phases"]),
     "formula for a name": ('name = "MC02"', 'name = "=1+1"', ["axes[2].name", "'=1+1'", "does not begin with ="]),
     "control character": ('title = "Cutting machine"', 'title = "Cutting\\u0007"', ["title", "expected a text"]),
 }

@@ -11,14 +11,7 @@ from engine.drive import KINDS, Drive, Part, resisting
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
-from engine.laws import (
-    ConstantAcceleration,
-    Cubic,
-    Cycloidal,
-    Dwell,
-    ModifiedTrapezoidal,
-    TrapezoidalVelocity,
-)
+from engine.laws import ConstantAcceleration, Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, TrapezoidalVelocity
 from engine.motion import Motion, Phase
 from engine.timing import shaft_speed
 from tests.engine.motion.junctions import junctions, runs_smoothly

@@ -6,17 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.drive import (
-    KINDS,
-    NEAR,
-    STANDSTILL,
-    Drive,
-    Load,
-    Motor,
-    Part,
-    Stage,
-    resisting,
-)
+from engine.drive import KINDS, NEAR, STANDSTILL, Drive, Load, Motor, Part, Stage, resisting
 from engine.drive.motor import TorqueFall, reserve
 
 RADIUS = 0.134

@@ -10,13 +10,7 @@ import numpy as np
 import pytest
 
 import engine.laws
-from engine.laws import (
-    CATALOGUE,
-    ConstantAcceleration,
-    Cubic,
-    UnknownLawError,
-    law,
-)
+from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, UnknownLawError, law
 from tests.engine.families import ENTRIES
 from tests.engine.measured import complaints
 

@@ -6,16 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.laws import (
-    CATALOGUE,
-    Cubic,
-    Cycloidal,
-    Dwell,
-    ModifiedTrapezoidal,
-    Piece,
-    PieceLaw,
-    TrapezoidalVelocity,
-)
+from engine.laws import CATALOGUE, Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
 from engine.laws.inverse import breaks, inverse, is_monotone, velocity_extremes, velocity_peak
 
 MOVING = [entry() for entry in CATALOGUE if entry.code != "DWL"]

@@ -9,15 +9,7 @@ from hypothesis import strategies as st
 
 from engine.laws.extremes import coefficients_of, square_integral
 from engine.laws.piece import gains
-from engine.laws.pulse_law import (
-    CONSTANT,
-    HALF_345,
-    HALF_4567,
-    HALF_SINE,
-    LINE_DOWN,
-    edged,
-    polynomial_pulse,
-)
+from engine.laws.pulse_law import CONSTANT, HALF_345, HALF_4567, HALF_SINE, LINE_DOWN, edged, polynomial_pulse
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
 QUARTIC = polynomial_pulse(0.0, 4.0, -4.0)

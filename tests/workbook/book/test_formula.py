@@ -18,14 +18,7 @@ def test_a_formula_longer_than_excel_takes_is_refused() -> None:
 
 @pytest.mark.parametrize(
     ("text", "shape"),
-    [
-        ("007", "=7"),
-        ("1.5E+3", "=1500"),
-        (".5", "=0.5"),
-        ("1.", "=1"),
-        ("2e-3*A1", "=0.002*A1"),
-        ("1E5", "=100000"),
-    ],
+    [("007", "=7"), ("1.5E+3", "=1500"), (".5", "=0.5"), ("1.", "=1"), ("2e-3*A1", "=0.002*A1"), ("1E5", "=100000")],
 )
 def test_numbers_are_read_as_they_were(text: str, shape: str) -> None:
     assert read(f"={text}", "Sheet", area).shape == shape

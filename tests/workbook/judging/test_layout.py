@@ -130,12 +130,7 @@ def test_a_row_deleted_from_a_table_is_one_line_that_says_where(name, table, boo
         made = edited(path, tmp_path, excel.Lines(sheet, row, -1))
         told = last if unnumbered else row
         line = refused(made)
-        for word in (
-            f"{sheet}: ",
-            f"a row is gone above row {told}",
-            "undo",
-            table.removesuffix("_workings"),
-        ):
+        for word in (f"{sheet}: ", f"a row is gone above row {told}", "undo", table.removesuffix("_workings")):
             assert word in line
 
 

@@ -135,10 +135,7 @@ def test_names_of_two_sheets_exchanged_are_found(failing, tmp_path):
 
 
 def test_another_name_of_a_sheet_is_a_notice(failing, tmp_path):
-    assert said(failing, renamed(failing, tmp_path / "a.xlsx", {"Motors": "Other"})) == (
-        set(),
-        {("Other", "Other")},
-    )
+    assert said(failing, renamed(failing, tmp_path / "a.xlsx", {"Motors": "Other"})) == (set(), {("Other", "Other")})
 
 
 # lines of charts

@@ -82,10 +82,7 @@ def test_a_description_says_the_same_after_it_was_written():
 
 REFUSED = {
     "no family": ({"A": {}}, ("laws.A.family: empty; expected one of ACS, TVP",)),
-    "an unknown family": (
-        {"A": {"family": "MTB"}},
-        ("no family is named 'MTB'; expected one of MTP, MTS",),
-    ),
+    "an unknown family": ({"A": {"family": "MTB"}}, ("no family is named 'MTB'; expected one of MTP, MTS",)),
     "a parameter of another": ({"A 1.5": SOFT | {"share": 0.4}}, ('laws."A 1.5".share: unknown entry; expected',)),
     "a basic law's name": ({"tvp": SOFT}, ("laws.tvp", "take this for the law TVP")),
     "a basic law's name, of another family": ({"TVP": SOFT}, ("laws.TVP.family",)),

@@ -31,13 +31,7 @@ def entered(rate=100.0, lift=50.0, stop=90.0, mass=25.0, law="MTP"):
     axis["phases"][0] |= {"stop": stop, "lift": lift, "law": law}
     axis["phases"][1]["lift"] = -lift
     axis["load"]["mass"] = mass
-    data = {
-        "template": "machine",
-        "title": "Press",
-        "master": {"rate": rate},
-        "axes": [axis],
-        "sizes": SIZES,
-    }
+    data = {"template": "machine", "title": "Press", "master": {"rate": rate}, "axes": [axis], "sizes": SIZES}
     return validated(TEMPLATE, data, lambda key: key)
 
 

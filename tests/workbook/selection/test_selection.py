@@ -17,12 +17,7 @@ from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
-from workbook.selection.catalogue_files import (
-    committed_motors,
-    committed_reducers,
-    read_motors,
-    read_reducers,
-)
+from workbook.selection.catalogue_files import committed_motors, committed_reducers, read_motors, read_reducers
 from workbook.selection.entries import Limits
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
