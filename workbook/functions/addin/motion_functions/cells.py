@@ -173,7 +173,7 @@ def rested(table: tuple[tuple[Cell, ...], ...]) -> Motion:
 
 
 def phase(row: tuple[Cell, ...]) -> Row:
-    """Return the phase of a row."""
+    """Return law, parameters, duration and lift of a row of cells; refuse one that is no phase."""
     code = str(row[0]).strip().upper()
     duration, lift = number(row[1]), number(row[2])
     given: tuple[tuple[Cell, ...], ...] = (row[3 : 3 + PARAMETERS.get(code, 0)] or (0.0,),)
