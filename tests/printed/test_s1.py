@@ -87,19 +87,6 @@ def test_asymmetric_trapezoidal_integrated():
 # --- Timing diagram for a cutting machine ---------------------------------------------------------
 
 
-def test_speed_of_the_master_shaft_at_200_pieces_a_minute():
-    """Printed: 3.33 turns per second, 0.3 s a turn, ω = 20.944 rad/s."""
-    assert shaft_speed(200 / 60) == pytest.approx(20.944, abs=5e-4)
-
-
-def test_mc01_with_constant_acceleration_as_printed():
-    """Printed: y' = 0.43 m/rad, y'' = 0.61 m/rad², ẏ = 9 m/s, ÿ = 270 m/s²."""
-    rise = movements(ConstantAcceleration(), 200 / 60)[0]
-    assert rise.of.y1_max == pytest.approx(0.43, abs=0.005)
-    assert math.floor(rise.of.y2_max * 100) / 100 == 0.61  # 0.6155, cut off and not rounded
-    assert (rise.v_max, rise.a_max) == pytest.approx((9.0, 270.0), rel=1e-13)
-
-
 @pytest.mark.parametrize(
     ("law", "y1", "y2", "v", "a"),
     [
@@ -183,13 +170,6 @@ def test_torque_at_the_roller_shaft(law, acceleration, highest, lowest):
     assert rise.a_max / RADIUS == pytest.approx(acceleration, abs=5e-5)
     exact = results(law).torque
     assert (exact.highest.value, exact.lowest.value) == pytest.approx((highest, lowest), abs=1.1e-4)
-
-
-def test_speed_of_the_rollers():
-    """ω_r,max = 33.582 rad/s = 320.685 rpm."""
-    fastest = results(MTP).speed.peak
-    assert fastest == pytest.approx(33.582, abs=5e-4)
-    assert fastest * 60 / (2 * math.pi) == pytest.approx(320.685, abs=5e-4)
 
 
 def test_exact_rms_torque_over_the_cycle():

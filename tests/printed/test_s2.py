@@ -1,6 +1,6 @@
 """Figures of S2, 'Timing Diagram (Part 3 – Cycloid Cam Profile Analysis)': indexing mill and die.
 
-Printed figures have the tolerance of their digits; exact ones were computed from the formulas, not by the engine.
+Figures here were computed from the formulas, not by the engine; those printed stand in ``figures.py``.
 """
 
 from math import degrees, radians
@@ -11,7 +11,7 @@ import pytest
 from engine.laws import Cycloidal
 from engine.laws.inverse import inverse
 from engine.overlap.plan import Station
-from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time
+from engine.overlap.schedule import Passage, Schedule, Tool, Transfer
 
 RATE = 2000 / 3600  # pieces a second
 MILL = Transfer(Cycloidal(), stroke=0.1, angle=radians(150))
@@ -26,7 +26,6 @@ def rounded(schedule, angle):
 
 
 def test_a_tenth_of_the_time_moves_065_percent():
-    assert 100 * Cycloidal().s(0.1) == pytest.approx(0.65, abs=0.005)
     assert Cycloidal().s(0.1) == pytest.approx(0.00645107, abs=5e-9)
     assert inverse(Cycloidal(), PASSAGE.remaining) == pytest.approx(0.1, abs=1e-12)
 
@@ -34,7 +33,6 @@ def test_a_tenth_of_the_time_moves_065_percent():
 def test_without_overlap_55_degrees_and_4154_metres_per_second_squared():
     before = STATION.one_after_the_other()
     assert degrees(before.angle_in) == pytest.approx(55, abs=1e-12)
-    assert before.peak_acceleration(RATE) == pytest.approx(4.154, abs=5e-4)
     assert before.peak_acceleration(RATE) == pytest.approx(4.154172, abs=5e-7)
 
 
@@ -48,13 +46,11 @@ def test_effective_angle_of_the_mill_is_120_degrees_and_70_remain_each_way():
 
 
 def test_38_percent_are_reached_at_44_percent_of_the_time():
-    assert 100 * inverse(Cycloidal(), 19 / 50) == pytest.approx(44, abs=0.5)
     assert inverse(Cycloidal(), 0.38) == pytest.approx(0.4392684, abs=5e-8)
 
 
 def test_new_angle_is_125_degrees_and_120_with_the_allowance():
     after = STATION.overlapping()
-    assert degrees(after.angle_in) == pytest.approx(125, abs=0.5)
     assert degrees(after.angle_in) == pytest.approx(124.8369, abs=5e-5)
     assert after.angle_out == pytest.approx(after.angle_in, rel=1e-12)
     assert after.limit == "clearance"
@@ -66,15 +62,12 @@ def test_new_angle_is_125_degrees_and_120_with_the_allowance():
 
 def test_time_of_the_movement_and_peak_acceleration_at_125_degrees():
     after = rounded(STATION.overlapping(), 125)
-    assert movement_time(radians(125), RATE) == pytest.approx(0.625, abs=1e-12)
-    assert after.peak_acceleration(RATE) == pytest.approx(0.804, abs=5e-4)
     assert after.peak_acceleration(RATE) == pytest.approx(0.804248, abs=5e-7)
 
 
 def test_the_acceleration_falls_5_17_times():
     before = STATION.one_after_the_other().peak_acceleration(RATE)
     after = rounded(STATION.overlapping(), 125).peak_acceleration(RATE)
-    assert before / after == pytest.approx(5.17, abs=0.005)
     assert before / after == pytest.approx(5.1653, abs=5e-5)
 
 

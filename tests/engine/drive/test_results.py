@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.polynomial.chebyshev import chebinterpolate
 
-from engine.drive import KINDS, Drive, Load, Part, Slide, Stage, cylinder, resisting
+from engine.drive import KINDS, Drive, Load, Part, Stage
 from engine.drive.cycle import DriveCycle, MotionPieces
 from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.results import DriveResults
@@ -20,7 +20,6 @@ from engine.motion import Motion, Phase
 from engine.selection.task import Task
 from tests.engine.drive.machines import SIZES, drive_cycle_of, electric, sampled
 from tests.engine.integrals import integral
-from tests.engine.profiles import thirds
 from tests.engine.selection.tasks import motors_of
 from tests.tiers import nights, seed
 
@@ -50,51 +49,6 @@ def screw(lead, load, efficiency=1.0, inertia=0.0):
 
 
 # Figures that are known
-
-
-@pytest.mark.parametrize(
-    ("name", "highest", "lowest"),
-    [("ACS", 653.3433, -519.3433), ("MTP", 783.52963, -649.52963), ("CIC", 988.0259, -854.0259)],
-)
-def test_s1_feeding_group(name, highest, lowest):
-    """S1, 'Feeding group': J_tot = 1.164 kg m², C_r = 67 Nm, at 100 pieces/min; both torques sum to 2 C_r."""
-    parts = [Part("rollers", 0.284, 0, 4), Part("fast shaft", 0.007, 0, speed_ratio=2)]
-    mechanism = KINDS["feed rollers"].of(resisting(500, "always"), 0.134, parts=parts)
-    found = DriveResults(drive_cycle(Drivetrain(Drive(mechanism, 0.0)), [0, 80, 360], [0.3, 0], [name, "DWL"], 100))
-    assert mechanism.inertia() == pytest.approx(1.164, rel=1e-12)
-    assert found.torque.highest.value == pytest.approx(highest, abs=6e-5)
-    assert found.torque.lowest.value == pytest.approx(lowest, abs=6e-5)
-    if name != "ACS":
-        assert found.speed.highest.value * RPM == pytest.approx(320.685, abs=5e-4)
-
-
-def s4_screw():
-    load = Slide(mass=6, friction=0.1, slope=radians(10)).load
-    mechanism = KINDS["lead screw"].of(load, 500, 0.45, parts=[Part("screw", cylinder(0.014, 0.5, STEEL))])
-    phases = [Phase(thirds(1 / 6, 2 / 3, 1 / 6), 0.008, 0.2), Phase(Dwell(), 0.0, 0.1)]
-    return mechanism, phases, mechanism.inertia("document") / 4
-
-
-def s4_conveyor():
-    rollers = Part("rollers", cylinder(0.3, 1.0, STEEL), 1, 2)
-    load = Slide(mass=150, slope=radians(20)).load
-    mechanism = KINDS["conveyor"].of(load, 0.3, gears=[Stage("gear", 50)], parts=[rollers], belt=10)
-    phases = [Phase(thirds(1 / 10, 4 / 5, 1 / 10), 0.5, 30), Phase(Dwell(), 0.0, 3)]
-    return mechanism, phases, mechanism.inertia("document")
-
-
-@pytest.mark.parametrize(
-    ("problem", "speed", "highest", "lowest", "rms"),
-    [(s4_screw, 150.7964, 0.1021457, -0.0794856, 0.0437990), (s4_conveyor, 6.172840, 1.536194, 0.0, 1.439627)],
-)
-def test_s4_problems(problem, speed, highest, lowest, rms):
-    """S4, problems 1 and 2, by the document's method, a brake holding in the dwell."""
-    mechanism, phases, inertia = problem()
-    found = DriveResults(DriveCycle(Drivetrain(Drive(mechanism, inertia, "document", "brake")), Motion(phases)))
-    assert found.speed.peak == pytest.approx(speed, rel=1e-6)
-    assert found.torque.highest.value == pytest.approx(highest, rel=1e-6)
-    assert found.torque.lowest.value == pytest.approx(lowest, rel=1e-6)
-    assert found.rms_torque == pytest.approx(rms, rel=1e-6)
 
 
 def test_one_sided_limits_count_at_an_instant_of_rest():
