@@ -53,129 +53,58 @@ class Figure:
 def cutting_machine() -> Iterator[Figure]:
     """S1, Motion curve planning 02."""
     rise = s1.movements(ConstantAcceleration(), 200 / 60)[0]
-    section = "Timing diagram for a cutting machine"
-    yield Figure(
-        section,
-        "speed of the master shaft at 200 pieces/min",
-        "rad/s",
-        "20.944",
-        shaft_speed(200 / 60),
-        cell="cutting-machine omega_compared",
-    )
-    yield Figure(
-        section, "MC01, geometric velocity, peak", "m/rad", "0.43", rise.of.y1_max, cell="cutting-machine axis1.y1.1"
-    )
-    yield Figure(
-        section,
-        "MC01, geometric acceleration, peak",
-        "m/rad²",
-        "0.61",
-        rise.of.y2_max,
-        "cut off, not rounded",
-        cell="cutting-machine axis1.y2.1",
-    )
-    yield Figure(section, "MC01, velocity, peak", "m/s", "9", rise.v_max, cell="cutting-machine axes.vc.1")
-    yield Figure(section, "MC01, acceleration, peak", "m/s²", "270", rise.a_max, cell="cutting-machine axes.ac.1")
     group, feed = s1.feeding_group().mechanism, s1.results(s1.MTP)
-    yield Figure(
-        "Feeding group", "total inertia J_tot", "kg m²", "1.164", group.inertia(), cell="cutting-machine drive1_j1"
-    )
-    yield Figure(
-        "Feeding group",
-        "resisting torque C_r",
-        "Nm",
-        "67",
-        group.load.torque / group.ratio,
-        cell="cutting-machine drive1_cr",
-    )
-    rounded = "computed from the rounded acceleration"
-    yield Figure("Feeding group", "torque at the rollers, peak", "Nm", "783.5297", feed.torque.highest.value, rounded)
-    yield Figure("Feeding group", "torque at the rollers, least", "Nm", "-649.5297", feed.torque.lowest.value, rounded)
-    yield Figure(
-        "Feeding group",
-        "speed of the rollers, peak",
-        "rad/s",
-        "33.582",
-        feed.speed.peak,
-        cell="cutting-machine drive1_ask_speed",
-    )
-    yield Figure(
-        "Feeding group",
-        "speed of the rollers, peak",
-        "rpm",
-        "320.685",
-        feed.speed.peak * 30 / pi,
-        cell="cutting-machine drive1_ask_speed",
-        factor=30 / pi,
-    )
+    rounded, to_rpm = "computed from the rounded acceleration", 30 / pi
+    section = "Timing diagram for a cutting machine"
+    for quantity, unit, printed, ours, reason, cell in (
+        ("speed of the master shaft at 200 pieces/min", "rad/s", "20.944", shaft_speed(200 / 60), "", "omega_compared"),
+        ("MC01, geometric velocity, peak", "m/rad", "0.43", rise.of.y1_max, "", "axis1.y1.1"),
+        ("MC01, geometric acceleration, peak", "m/rad²", "0.61", rise.of.y2_max, "cut off, not rounded", "axis1.y2.1"),
+        ("MC01, velocity, peak", "m/s", "9", rise.v_max, "", "axes.vc.1"),
+        ("MC01, acceleration, peak", "m/s²", "270", rise.a_max, "", "axes.ac.1"),
+    ):
+        yield Figure(section, quantity, unit, printed, ours, reason, f"cutting-machine {cell}")
+    for quantity, unit, printed, ours, reason, cell, factor in (
+        ("total inertia J_tot", "kg m²", "1.164", group.inertia(), "", "j1", 1.0),
+        ("resisting torque C_r", "Nm", "67", group.load.torque / group.ratio, "", "cr", 1.0),
+        ("torque at the rollers, peak", "Nm", "783.5297", feed.torque.highest.value, rounded, "", 1.0),
+        ("torque at the rollers, least", "Nm", "-649.5297", feed.torque.lowest.value, rounded, "", 1.0),
+        ("speed of the rollers, peak", "rad/s", "33.582", feed.speed.peak, "", "ask_speed", 1.0),
+        ("speed of the rollers, peak", "rpm", "320.685", feed.speed.peak * to_rpm, "", "ask_speed", to_rpm),
+    ):
+        place = f"cutting-machine drive1_{cell}" if cell else ""
+        yield Figure("Feeding group", quantity, unit, printed, ours, reason, place, factor)
 
 
 def overlapped_motions() -> Iterator[Figure]:
     """S2, Timing Diagram, Part 3."""
     before, after = s2.STATION.one_after_the_other(), s2.STATION.overlapping()
     whole = s2.rounded(after, 125)
-    slower = before.peak_acceleration(s2.RATE) / whole.peak_acceleration(s2.RATE)
-    yield Figure(
-        "Mill",
-        "displacement of a cycloid after a tenth of the time",
-        "%",
-        "0.65",
-        100 * Cycloidal().s(0.1),
-        cell="indexing-overlap inverse_transfer.wanted.1",
-        factor=100,
-    )
-    yield Figure(
-        "Die",
-        "angle of the stroke without overlap",
-        "°",
-        "55",
-        degrees(before.angle_in),
-        cell="indexing-overlap tool1_schedules.in.1",
-    )
-    yield Figure(
-        "Die",
-        "peak acceleration without overlap",
-        "m/s²",
-        "4.154",
-        before.peak_acceleration(s2.RATE),
-        cell="indexing-overlap tool1_a0",
-    )
-    yield Figure(
-        "Die",
-        "time after which 19 of 50 mm are reached",
-        "%",
-        "44",
-        100 * inverse(Cycloidal(), 0.38),
-        cell="indexing-overlap tool1_inverse_in.xi.1",
-        factor=100,
-    )
-    yield Figure(
-        "Die",
-        "angle of the stroke with overlap",
-        "°",
-        "125",
-        degrees(after.angle_in),
-        cell="indexing-overlap tool1_schedules.in.2",
-    )
-    yield Figure("Die", "time of the stroke at 125°", "s", "0.625", movement_time(whole.angle_in, s2.RATE))
-    yield Figure("Die", "peak acceleration at 125°", "m/s²", "0.804", whole.peak_acceleration(s2.RATE))
-    yield Figure("Die", "reduction of the peak acceleration", "", "5.17", slower)
+    peak, peak_before = whole.peak_acceleration(s2.RATE), before.peak_acceleration(s2.RATE)
+    share, reached = 100 * Cycloidal().s(0.1), 100 * inverse(Cycloidal(), 0.38)
+    time, tenth = movement_time(whole.angle_in, s2.RATE), "displacement of a cycloid after a tenth of the time"
+    for section, quantity, unit, printed, ours, cell, factor in (
+        ("Mill", tenth, "%", "0.65", share, "inverse_transfer.wanted.1", 100),
+        ("Die", "angle of the stroke without overlap", "°", "55", degrees(before.angle_in), "tool1_schedules.in.1", 1),
+        ("Die", "peak acceleration without overlap", "m/s²", "4.154", peak_before, "tool1_a0", 1),
+        ("Die", "time after which 19 of 50 mm are reached", "%", "44", reached, "tool1_inverse_in.xi.1", 100),
+        ("Die", "angle of the stroke with overlap", "°", "125", degrees(after.angle_in), "tool1_schedules.in.2", 1),
+        ("Die", "time of the stroke at 125°", "s", "0.625", time, "", 1),
+        ("Die", "peak acceleration at 125°", "m/s²", "0.804", peak, "", 1),
+        ("Die", "reduction of the peak acceleration", "", "5.17", peak_before / peak, "", 1),
+    ):
+        place = f"indexing-overlap {cell}" if cell else ""
+        yield Figure(section, quantity, unit, printed, ours, cell=place, factor=factor)
 
 
 def composed_motion() -> Iterator[Figure]:
     """S3, Functional Mechanical Design, Exercise 1."""
-    tvp = s3.law("TVP")
-    yield Figure(
-        "Function TVP", "coefficient of velocity c_v", "", "1.5", tvp.coefficients.cv, cell="motion-composer TVP_cv"
-    )
-    yield Figure(
-        "Function TVP",
-        "coefficient of acceleration c_a",
-        "",
-        "4.5",
-        tvp.coefficients.ca,
-        cell="motion-composer TVP_ca_max",
-    )
+    tvp = s3.law("TVP").coefficients
+    for quantity, printed, ours, cell in (
+        ("coefficient of velocity c_v", "1.5", tvp.cv, "TVP_cv"),
+        ("coefficient of acceleration c_a", "4.5", tvp.ca, "TVP_ca_max"),
+    ):
+        yield Figure("Function TVP", quantity, "", printed, ours, cell=f"motion-composer {cell}")
 
 
 def actuators() -> Iterator[Figure]:
