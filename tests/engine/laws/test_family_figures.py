@@ -16,7 +16,7 @@ from engine.laws.modified import (
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.pulse_law import PulseLaw, TwoPulses, polynomial_pulse
 from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
-from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
+from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic
 from tests.engine.extremes import extremes_of
 
 INF = math.inf
@@ -41,39 +41,16 @@ def straight(part):
 
 
 SYMMETRIC = [
-    # law, C_v, C_a, C_a,rms, C_j between jumps, (va), E, C_j is finite
-    (StraightLine(), 1, 0, 0, 0, 0, 0, True),
-    (Cubic(), 1.5, 6, 3.464101615138, 12, 3.464101615138, 1, False),
-    (SimpleHarmonic(), 1.570796326795, 4.934802200545, 3.489432099819, 15.50313834015, 3.875784585037,
-     1.014678031604, False),
-    (TrapezoidalVelocity(), 1.5, 4.5, 3.674234614175, 0, 6.75, 1.125, False),
-    (TrapezoidalVelocity(0.25, 0.75), 1.333333333333, 5.333333333333, 3.771236166328, 0, 7.111111111111,
-     1.185185185185, False),
-    (straight(0.2), 1.527538675879, 5.998630352770, 3.793866951235, 94.22626523932, 5.141368390317,
-     1.199452203639, True),
-    (straight(1 / 3), 1.404086978319, 6.616604004132, 3.820098102907, 124.7200471866, 5.212709977676,
-     1.216095792986, True),
-    (SineStraightSine(), 1.222030940703, 7.678246851546, 3.839123425773, 48.24384780253, 4.691527611473,
-     1.228239056527, False),
-    (ModifiedSine(), 1.759603385954, 5.527957070544, 3.908855930690, 69.46635728872, 5.457752762719,
-     1.273262890574, True),
-    (ConstantAcceleration(), 2, 4, 4, 0, 8, 1.333333333333, False),
-    (straight(0.5), 1.275258172903, 8.012683414843, 4.006341707422, 201.3806988129, 5.733377092131,
-     1.337564489719, True),
-    (SCurve(), 1.5, 6, 4, 72, 7.5, 1.333333333333, True),
-    (SCurve.of_shares(1 / 3, 0.5), 1.5, 6, 4, 72, 7.5, 1.333333333333, True),
-    (SineRamps(1 / 3, 2 / 3), 1.5, 7.068583470577, 4.081048569527, 66.61982970735, 6.886769461077,
-     1.387913118903, True),
-    (Polynomial345(), 1.875, 5.773502691896, 4.140393356054, 60, 6.694268727496, 1.428571428571, True),
-    (SineRamps(), 1.333333333333, 8.377580409573, 4.188790204786, 105.2757802783, 7.255197456937,
-     1.462163614976, True),
-    (ModifiedTrapezoidal(), 2, 4.888123762813, 4.233239355439, 61.42597481237, 8.089980982313, 1.493359620036, True),
-    (SineConstantCosine(), 2, 5.278810157861, 4.310130445260, 49.75161363490, 8.097972240976, 1.548102037930, True),
-    (TwoQuartics(0.5), 2, 6, 4.381780460041, 48, 7.921674282790, 1.6, True),
-    (Cycloidal(), 2, 6.283185307180, 4.442882938158, 39.47841760436, 8.162097139054, 1.644934066848, True),
-    (SCurve.of_shares(0.5, 1.0), 2, 8, 4.618802153517, 32, 8.709296863229, 1.777777777778, True),
-    (Polynomial4567(), 2.1875, 7.513188404399, 5.045249791095, 52.5, 10.75022616403, 2.121212121212, True),
-]  # fmt: skip
+    # law, C_v, C_a, C_a,rms, C_j between jumps, (va), C_j is finite; the catalogue's own stand in claims.py
+    (TrapezoidalVelocity(0.25, 0.75), 1.333333333333, 5.333333333333, 3.771236166328, 0, 7.111111111111, False),
+    (straight(0.2), 1.527538675879, 5.998630352770, 3.793866951235, 94.22626523932, 5.141368390317, True),
+    (straight(1 / 3), 1.404086978319, 6.616604004132, 3.820098102907, 124.7200471866, 5.212709977676, True),
+    (straight(0.5), 1.275258172903, 8.012683414843, 4.006341707422, 201.3806988129, 5.733377092131, True),
+    (SCurve.of_shares(1 / 3, 0.5), 1.5, 6, 4, 72, 7.5, True),
+    (SineRamps(1 / 3, 2 / 3), 1.5, 7.068583470577, 4.081048569527, 66.61982970735, 6.886769461077, True),
+    (TwoQuartics(0.5), 2, 6, 4.381780460041, 48, 7.921674282790, True),
+    (SCurve.of_shares(0.5, 1.0), 2, 8, 4.618802153517, 32, 8.709296863229, True),
+]
 
 ASYMMETRIC = [
     # law, C_v, C_a+, C_a-, C_a,rms, C_j between jumps, (va)+, (va)-
@@ -132,12 +109,11 @@ def jerk_between_jumps(law):
 
 @pytest.mark.parametrize("row", SYMMETRIC, ids=lambda row: f"{row[0].code} {row[1]}")
 def test_figures_of_symmetric_laws(row):
-    law, cv, ca, rms, cj, va, e, finite = row
+    law, cv, ca, rms, cj, va, finite = row
     k = law.coefficients
     for got, wanted in ((k.cv, cv), (k.ca_max, ca), (-k.ca_min, ca), (k.ca_rms, rms), (k.va_max, va), (-k.va_min, va)):
         assert got == digits(wanted)
     assert jerk_between_jumps(law) == digits(cj)
-    assert k.ca_rms**2 / 12 == digits(e)
     assert math.isfinite(k.cj) == finite
     assert k.cj == (pytest.approx(jerk_between_jumps(law), rel=1e-12) if finite else INF)
 
