@@ -137,7 +137,7 @@ def by_rms(points: DrivePoints, motor: Motor) -> Estimate:
     """Return the estimate of the continuous torque (Nm)."""
     own, _, growing = mean_squares(points)
     stall, _, _, half, left, square = continuous_line(points, motor)
-    if math.isinf(stall) or not points.speed.any():
+    if math.isinf(stall):
         return Estimate(stall, math.sqrt(own), 0.0)
     return by_square(stall, math.sqrt(own), half, growing, left, square)
 

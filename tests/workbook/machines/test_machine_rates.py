@@ -100,6 +100,18 @@ def test_a_load_that_the_motor_cannot_hold_has_no_rate():
     assert found("about_binds") == "A1: peak torque"
 
 
+def test_a_motor_too_small_for_an_axis_that_stands_has_no_rate():
+    given = machine(100.0, {"rated_torque": 0.001}, {})
+    (axis,) = given.axes
+    phases = [phase.model_copy(update={"lift": 0.0, "law": "DWL"}) for phase in axis.phases]
+    load = axis.load.model_copy(update={"force": 500.0})
+    found = computed(
+        TEMPLATE, given.model_copy(update={"axes": [axis.model_copy(update={"phases": phases, "load": load})]})
+    )
+    assert (found("drive1_highest"), found("drive1_lowest")) == (AT_NO_RATE, AT_NO_RATE)
+    assert found("drive1_binds") == "RMS torque"
+
+
 def drives_of(given):
     """The drives of a machine at the points of their cycles."""
     book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))

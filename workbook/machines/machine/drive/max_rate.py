@@ -92,14 +92,7 @@ def at_points(none: str, now: str, limit: str) -> tuple[str, ...]:
 
 
 LIMITS: dict[str, tuple[str, ...]] = {
-    "RMS torque": (
-        "@line",
-        "SQRT(@stand)",
-        f"IF(@speed=0,0,{RMS_SHARE})",
-        "0",
-        f"IF(@speed=0,0,{RMS_FROM})",
-        "0",
-    ),
+    "RMS torque": ("@line", "SQRT(@stand)", RMS_SHARE, "0", RMS_FROM, "0"),
     PEAK_TORQUE: ("@motor_peak", *at_points("T0", "T", "[cap]")),
     "motor speed": ("@motor_nmax", "0", "(@speed/[limit])^2", "0", "0", "0"),
     "reducer input speed": ("@reducer_nmax", "0", "IF([limit]=0,0,(@speed/[limit])^2)", "0", "0", "0"),
