@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests import known_red, tiers
+from tests import tiers
 
 ROOT = Path(__file__).parents[1]
 
@@ -44,20 +44,6 @@ def test_a_night_runs_a_case_of_a_list_and_all_that_is_drawn(monkeypatch):
         assert set(rest) < set(tonight)
         nights.append(tonight)
     assert set(listed) == {item for tonight in nights for item in tonight if item in listed}
-
-
-def test_a_listed_test_may_fail_and_no_other(monkeypatch):
-    monkeypatch.setattr(known_red, "LISTED", {"test_a.py::test[night": "nine points", "test_b.py::": "a gap"})
-    listed, other = Item("test_a.py::test[night 7]"), Item("test_a.py::test[7]")
-    known_red.mark_listed([listed, other])
-    assert listed.get_closest_marker("xfail").kwargs == {"reason": "known red: nine points", "strict": False}
-    assert other.marks == []
-
-
-def test_an_entry_is_mended_where_none_of_its_tests_fails(monkeypatch):
-    monkeypatch.setattr(known_red, "LISTED", {"test_a.py::test[": "", "test_b.py::": "", "test_c.py::": ""})
-    failed, passed = ["test_a.py::test[1]"], ["test_a.py::test[2]", "test_b.py::test", "test_x.py::test"]
-    assert known_red.mended(failed, passed) == ["test_b.py::"]
 
 
 @pytest.mark.parametrize(("body", "is_told"), [("pass", True), ("1 / 0", False)])

@@ -37,33 +37,6 @@ def described(**changed):
     return TEMPLATE.model.model_validate(entries(**changed))
 
 
-def test_s2_one_after_the_other():
-    """S2: 55°, 4.154 m/s²; exactly 4.154172."""
-    value = computed(TEMPLATE, described())
-    assert value("tool1_schedules", "in")[0] == pytest.approx(55, abs=1e-12)
-    assert value("tool1_a0") == pytest.approx(4.154, abs=5e-4)
-    assert value("tool1_a0") == pytest.approx(4.154172, abs=5e-7)
-
-
-def test_s2_effective_angle_and_what_remains():
-    """S2: 15°, 135°, 120° and 70° each way; 44 % of the time, exactly 0.4392684."""
-    value = computed(TEMPLATE, described())
-    found = [value(f"tool1_{name}") for name in ("begin", "end", "effective", "free_in", "free_out")]
-    assert found == pytest.approx([15, 135, 120, 70, 70], abs=1e-6)
-    assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.44, abs=5e-3)
-    assert value("tool1_inverse_in", "xi")[0] == pytest.approx(0.4392684, abs=5e-8)
-
-
-def test_s2_new_angle_with_and_without_the_allowance():
-    """S2: 125°, exactly 124.8369°; 120° with the allowance of 5°."""
-    value = computed(TEMPLATE, described())
-    _, longest, as_set = value("tool1_schedules", "in")
-    assert longest == pytest.approx(125, abs=0.5)
-    assert longest == pytest.approx(124.8369, abs=5e-5)
-    assert as_set == pytest.approx(120, abs=0.5)
-    assert longest - as_set == pytest.approx(5, abs=1e-12)
-
-
 def test_s2_at_its_rounded_angle():
     """S2: 0.625 s, 0.804 m/s² and 5.17 times lower at 125°; rounding up costs 0.1 mm of the margin."""
     value = computed(TEMPLATE, described(tool__angle_in=125.0, tool__angle_out=125.0))
