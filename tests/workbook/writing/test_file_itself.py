@@ -84,7 +84,9 @@ def by_row(book):
 
 def audited(book, folder):
     settings = folder / "settings.json"
-    settings.write_text(json.dumps({"recalc": {"enabled": False}, "limits": {"max_formulas": 10**6, "timeout_seconds": 0}}))
+    settings.write_text(
+        json.dumps({"recalc": {"enabled": False}, "limits": {"max_formulas": 10**6, "timeout_seconds": 0}})
+    )
     answer = folder / "findings.json"
     audit([str(book), "--config", str(settings), "--json", str(answer), "--out", str(folder / "report.md")])
     return json.loads(answer.read_text())
