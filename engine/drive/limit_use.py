@@ -37,6 +37,7 @@ from engine.drive.rate_estimates import (
     growth_power,
     largest,
     power_through,
+    use_below,
 )
 
 
@@ -176,18 +177,19 @@ class RateSearch:
         """Return the power of the rate over which what a limit is used by is a straight line between two rates.
 
         As of inertia it is 2. Viscous friction and speed grow with the rate itself: through both rates and standstill,
-        or no use if there is more at standstill, a power is drawn; A n + B n² lies below it between both rates, and
+        or no use if there is no less at standstill, a power is drawn; A n + B n² lies below it between both rates, and
         beyond them below a line over the square.
         """
         if not (self.points.load.train.is_viscous or name == BELOW) or (self.holds and self.share(name) < 1.0):
             return 2.0
         rest, now, then = self.uses_at_rates(name)
-        most = 2.0 if rest < min(now, then) else growth_power(self.points)
+        most = growth_power(self.points) if use_below(rest, now, then) < rest else 2.0
         return max(1.0, min(most, self.power(name)))
 
     def power(self, name: str) -> float:
         """Return the power of the rate that the use of a limit at both rates and at standstill tells."""
-        return power_through(*self.uses_at_rates(name), self.factor)
+        rest, now, then = self.uses_at_rates(name)
+        return power_through(use_below(rest, now, then), now, then, self.factor)
 
     def uses_at_rates(self, name: str) -> tuple[float, float, float]:
         """Return the use of a limit at standstill, the present rate and the tried; 0 where it is not there.

@@ -10,6 +10,7 @@ from engine.drive.limits import BELOW, CYCLES, ReducerLimits
 from engine.drive.motor import Motor
 from engine.laws.base import Array
 
+LEAST_GROWTH = 1e-3  # share of a limit's use by which it must grow from standstill on to tell a power of the rate
 LEAST_USE = 1e-6  # a smaller growth is rounding: the limit is reached beyond 1,000 times the present rate
 NEVER = 1.0 / LEAST_USE  # of shares, and of squares of a rate's factor: as good as infinite
 TINY = 1e-30  # more than 0, so that a quotient has a value
@@ -98,12 +99,16 @@ def growth_power(points: DrivePoints) -> float:
     return 2.0 - min(1.0, points.mean(viscous**2) / (mean_squares(points)[2] + TINY))
 
 
-def power_through(rest: float, now: float, then: float, factor: float) -> float:
+def use_below(rest: float, now: float, then: float) -> float:
+    """Return the use of a limit at standstill, 0 unless it is less than at two rates by :data:`LEAST_GROWTH` of it."""
+    return rest if rest < min(now, then) * (1.0 - LEAST_GROWTH) else 0.0
+
+
+def power_through(base: float, now: float, then: float, factor: float) -> float:
     """Return the power of the rate that three uses of a limit tell; 1 where none does.
 
-    They are at standstill, or 0 if there is more than at a rate, at the present rate, and at ``factor`` times this.
+    They are at standstill as :func:`use_below` counts it, at the present rate, and at ``factor`` times this.
     """
-    base = rest if rest < min(now, then) else 0.0
     if min(now, then) <= base:
         return 1.0
     return math.log((then - base) / (now - base)) / (math.log(factor) + TINY)

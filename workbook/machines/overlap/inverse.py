@@ -11,7 +11,7 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.base import Array
-from engine.laws.inverse import HEIGHT, INTERVALS, REST, inversion_points, law_pieces, point_inversion
+from engine.laws.inverse import HEIGHT, INTERVALS, REST, PointInversion, inversion_points, law_pieces, point_inversion
 from engine.laws.points import slowest
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
@@ -174,6 +174,11 @@ def points(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     sheet.row += 1
 
 
+def scale_of_acceleration(inverse: PointInversion) -> float:
+    """Return what accelerations between points are compared by: a law's, or a millionth of 2/Δξ², as heights round."""
+    return max(1.0, 2e-6 / float((inverse.high.xi - inverse.low.xi).min()) ** 2)
+
+
 def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     """Declare, for each height, its share of time; then the residual there."""
     law, inverse, i = wanted.law, point_inversion(wanted.law, wanted.s), wanted.use
@@ -195,7 +200,7 @@ def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
         cell("ds", inverse.over),
         cell("v0", low.v, i=i),
         cell("v1", high.v, i=i),
-        cell("acc", inverse.acceleration, scale=1.0),  # of a law: less is rounding
+        cell("acc", inverse.acceleration, scale=scale_of_acceleration(inverse)),
         cell("near", inverse.near),
         *pieces.finding(f"[used.no.{i}]", number, "near", inverse.near),
         *pieces.columns({"s": inverse.s, "v": inverse.v}, "sv"),

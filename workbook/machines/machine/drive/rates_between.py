@@ -15,6 +15,7 @@ from engine.drive.rate_estimates import (
     TARGET_CURVE,
     Ends,
     Shares,
+    use_below,
 )
 from engine.drive.rate_estimates import largest as largest_size
 from workbook.book.cell_tables import cell_tables
@@ -202,7 +203,7 @@ def orders(view: DriveView) -> list[Quantity]:
     ]
     uses = [search.uses_at_rates(name) for name in names]
     return [
-        cell("base", [rest if rest < min(now, then) else 0.0 for rest, now, then in uses], row=rows),
+        cell("base", [use_below(*each) for each in uses], row=rows),
         cell("power", [search.power(name) for name in names], row=rows),
         cell("order", [search.order(name) for name in names], order=order),
     ]
