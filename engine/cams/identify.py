@@ -167,13 +167,19 @@ def _laid(
     meeting, known = phases_at_speed(whole, rebuilt)
     if not known and any(resting):
         strokes = zip(resting, edges, strict=True)
-        parts = [[phase] if phase else _thinned(of.part(*edge), rebuilt) for phase, edge in strokes]
+        parts = [[phase] if phase else _by_itself(of.part(*edge), rebuilt) for phase, edge in strokes]
         if all(parts):
             return [phase for phases in parts for phase in phases]
     if meeting:
         return meeting
     quintic = _found(law("PO5"), whole, np.array([*whole.x[[0, -1]], whole.y[0], np.ptp(whole.y)]))
     return [replace(quintic, fits=False, known=False)]
+
+
+def _by_itself(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
+    """Return the phases of a stroke between others from rest to rest: lines and laws, or splines."""
+    phases, known = phases_at_speed(of, rebuilt)
+    return phases if known else _thinned(of, rebuilt)
 
 
 def _thinned(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:

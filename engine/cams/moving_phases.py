@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +19,7 @@ TURNS = 12  # iterations of Gauss and Newton
 SETTLED, SLOW = 3, 0.5  # in so many iterations the residual must fall to this share, else the law is another
 STEP = 1e-4  # share of the interval between points, for derivatives of the deviations by the place of a break
 CORNER = 2e-5  # share of the cycle: a curve between lines that is shorter, in a table with y', is their corner
+TURNED = 0.1  # share of the largest velocity by which that of a curve beside a line is another: there is a corner
 MOST = 8  # quintics in place of a law
 
 
@@ -53,15 +54,34 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
             continue
         sides = _beside(of, rebuilt, runs, begin), _beside(of, rebuilt, runs, end)
         inner = of.part(begin, end)
-        fits = (_fitted(law, inner, sides, near) for law in laws if inner.identifies(law))
+        ends = list(product(*(_meeting(inner, met, side) for met, side in zip(sides, (0, -1), strict=True))))
+        fits = (_fitted(law, inner, both, near) for both in ends for law in laws if inner.identifies(law))
         fitted = next(filter(None, fits), None)
         laid = [fitted] if fitted else _quintics(quintic, inner, rebuilt, sides, near)
-        laid = laid or splined(inner, rebuilt, (sides[0].v, sides[1].v), max(of.thinned, near))
+        slopes = [_slope(inner, met, side) for met, side in zip(sides, (0, -1), strict=True)]
+        laid = laid or splined(inner, rebuilt, (slopes[0], slopes[1]), max(of.thinned, near))
         if not laid:
             return [], False
         known &= fitted is not None
         phases += laid
     return _settled(phases), known
+
+
+def _meeting(of: CamPoints, met: EndLine, side: int) -> list[EndLine]:
+    """Return how a curve may begin (0) or end (-1) beside a line: in its direction, or at a corner, at rest or not."""
+    if met.fixed or not met.v:
+        return [met]
+    at_corner = met._replace(fixed=True)
+    v, a = of.rate_at(side)
+    return [met, at_corner._replace(v=0.0), at_corner._replace(v=v, a=a)]
+
+
+def _slope(of: CamPoints, met: EndLine, side: int) -> float:
+    """Return y' of a spline at its begin (0) or end (-1) beside a line: its own where both meet at a corner."""
+    if met.fixed:
+        return met.v
+    own = of.rate_at(side)[0]
+    return own if abs(own - met.v) > TURNED * of.fastest else met.v
 
 
 def _edge_places(

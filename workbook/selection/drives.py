@@ -43,6 +43,7 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
             )
             for figure, scale in zip(view.shaft.figures, scales, strict=True)
         ),
+        *([cell("@last", view.shaft.rows * POINTS)] if view.is_ragged else []),
         cell("@held_mixed", mixed, mean=MIXED.format(**OWN), scale=view.shaft.product),
         cell("@held_square", square, mean=SQUARE.format(**OWN), scale=view.shaft.torque**2),
         cell("@held_motor", motor, as_entered=AS_ENTERED),
@@ -64,20 +65,28 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
             )
             for column, scale in zip(columns, scales, strict=True)
         ),
+        *([last_points(view)] if view.is_ragged else []),
     )
+
+
+def last_points(view: PairSelection) -> Quantity:
+    """Return the column of the number of points that each drive has, where some have more than others."""
+    numbers = [shaft.rows * POINTS for shaft in view.shafts]
+    return CELLS["drives"]("last", numbers, formula=[f"=COUNT({shaft.columns}_n)" for shaft in view.shafts])
 
 
 def points_table(sheet: Sheet, view: PairSelection) -> None:
     """Declare the points of the named drive."""
     cell = CELLS["points"]
-    shaft, load, of = view.shaft, view.load.points, view.shaft.by_point
-    speed, rows = shown(load.speed, RPM), list(range(1, shaft.rows * POINTS + 1))
+    shaft, load, of = view.shaft, view.load.points, view.by_point
+    speed, rows = shown(load.speed, RPM), list(range(1, view.point_rows + 1))
     sheet.row += 1
     sheet.table(
         "@points",
         "The points of its cycle",
         len(rows),
         cell("k", rows),
+        *([cell("at", [min(k, shaft.rows * POINTS) for k in rows])] if view.is_ragged else []),
         *named_figure(view, "dir", view.load.load.direction),
         *named_figure(view, "al", load.acceleration, "@turns*{}", scale=shaft.turning),
         *named_figure(view, "S", load.driving + load.driven, "{}*(1-@brake*([dir]=0))", scale=shaft.torque),
@@ -98,8 +107,9 @@ def named_figure(
 ) -> list[Quantity]:
     """Return the column of a figure, within ``whole``, of the named drive; of many, a column for each group before."""
     cell = CELLS["points"]
-    names = [f"INDEX({shaft.columns}_{name},[k])" for shaft in view.shafts]
-    column = view.shaft.by_point(values)
+    row = "[at]" if view.is_ragged else "[k]"
+    names = [f"INDEX({shaft.columns}_{name},{row})" for shaft in view.shafts]
+    column = view.by_point(values)
     if len(names) <= GROUP:
         choice = f"CHOOSE(@no,{','.join(names)})" if len(names) > 1 else names[0]
         return [cell(name, column, figure=whole.format(choice), scale=scale)]

@@ -104,11 +104,6 @@ class Shaft:
         self.values = {figure.name: figure.value for figure in self.figures}  # the engine's, by the names of figures
         self.product = self.turning * self.torque  # the scale of means of ω̇ S (W/s)
 
-    def by_point(self, values: Array) -> list[float]:
-        """Return values of the points as a column; spare rows have that of the last."""
-        flat = values.ravel()
-        return filled(flat, self.rows * POINTS, float(flat[-1]))
-
 
 def torque_of(inertia: str, ratio: str, out: str, back: str, own: str) -> str:
     """Return the formula of the torques of a motor at the points of the cycle; ``out`` is 1/(η i), ``back`` η/i."""
@@ -184,6 +179,8 @@ class PairSelection:
         self.given, self.sizes, self.shafts, self.number = given, sizes, shafts, number
         self.shaft = shafts[number]
         self.load = self.shaft.load
+        self.point_rows = max(shaft.rows for shaft in shafts) * POINTS  # of whichever shaft is named
+        self.is_ragged = any(shaft.rows * POINTS < self.point_rows for shaft in shafts)
         self.rooms, self.pairs = (sizes.motors, sizes.reducers), sizes.motors * sizes.reducers
         self.rank = RANKS.index(given.rank) + 1
         own = self.shaft.values
@@ -203,6 +200,11 @@ class PairSelection:
         motor, reducer = np.indices(scores.shape)
         self.keys = scores * self.pairs + motor * sizes.reducers + reducer  # what pairs are sorted by; NaN: not ranked
         self.ranked = self.grid.best(given.rank)  # motor and reducer, best first
+
+    def by_point(self, values: Array) -> list[float]:
+        """Return values of the points as a column; spare rows have that of the last."""
+        flat = values.ravel()
+        return filled(flat, self.point_rows, float(flat[-1]))
 
     def in_use(self, name: str) -> float:
         """Return a figure of the pair that the shaft has."""

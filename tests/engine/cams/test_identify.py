@@ -196,6 +196,30 @@ def test_lines_that_join_without_a_rest_are_told_each_by_itself(name: str, step:
     assert [(one.begin, one.end, one.lift) for one in found] == near
 
 
+SHARP = {
+    "a law back": [("LIN", 20.0, 100.0), ("CIC", -20.0, 160.0), ("DWL", 0.0, 100.0)],
+    "a law there": [("DWL", 0.0, 40.0), ("MTP", 20.0, 120.0), ("LIN", -20.0, 200.0)],
+    "farther": [("LIN", 20.0, 100.0), ("PO5", 30.0, 100.0), ("LIN", -50.0, 160.0)],
+    "farther and back": [("DWL", 0.0, 20.0), ("LIN", 20.0, 80.0), ("MSN", 30.0, 100.0), ("PO5", -50.0, 160.0)],
+}
+
+
+@pytest.mark.parametrize("digits", [5, 12])
+@pytest.mark.parametrize("name", SHARP)
+def test_a_law_that_meets_a_line_at_a_corner_is_told_as_the_law(name: str, digits: int) -> None:
+    """Its own end is at rest there, not as fast as the line."""
+    x, y, at, level, meant = np.linspace(0.0, 360.0, 361), np.zeros(361), 0.0, 0.0, []
+    for code, lift, span in SHARP[name]:
+        if code != "DWL":
+            y = np.where(x > at, level + lift * law(code).s(np.clip((x - at) / span, 0.0, 1.0)), y)
+            meant.append((code, at, at + span, lift))
+        at, level = at + span, level + lift
+    found = found_in(x, np.round(y, digits))
+    assert [one.law.code for one in found] == [code for code, *_ in meant]
+    for one, (_, *figures) in zip(found, meant, strict=True):
+        assert (one.begin, one.end, one.lift) == pytest.approx(figures, abs=1e-6 if digits > 9 else 0.01)
+
+
 TRIANGLE = ((0, 0), (90, 10), (180, 20), (270, 10), (360, 0))
 
 

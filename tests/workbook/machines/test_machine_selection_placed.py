@@ -8,8 +8,9 @@ from tests.mutation.machines import machine as drawn_machine
 from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
-from tests.workbook.machines.test_machine_drives import CRANK, LOSSY, ROCKER, TABLE, linked
+from tests.workbook.machines.test_machine_drives import CRANK, LOSSY, ROCKER, TABLE, linked, press
 from tests.workbook.machines.test_machine_selection import MOTORS, REDUCERS, WIDE
+from workbook.judging.matching import is_formula
 from workbook.selection.entries import Limits
 
 BELOW = 5e-3
@@ -65,11 +66,26 @@ def test_each_cell_agrees_and_a_pair_does_what_a_drive_with_it_does(kind):
     require_pairs_of_the_grid(axis, ((4, 2), (2, 4)))
 
 
-@pytest.mark.parametrize("named", [0, 1, 2])
+def of_each_kind():
+    """Axes whose drives have points at pieces of the motion alone, and one at even steps of its turn as well."""
+    axes = driven(*RISE), placed("viscous"), placed("crank-slider"), press((20, 340, 360.0, "CIC"))
+    return [axis | {"name": name} for name, axis in zip("ABCD", axes, strict=True)]
+
+
+def test_whichever_axis_is_named_the_formulas_are_the_same():
+    """So that an axis that is named in the book has room for all of its points."""
+    named = [TEMPLATE.declare(choosing(*of_each_kind(), axis=name)).cells() for name in "ABCD"]
+    first, *others = [
+        {(c.block.sheet.title, c.row, c.column): c.content for c in cells if is_formula(c.content)} for cells in named
+    ]
+    assert all(other == first for other in others)
+
+
+@pytest.mark.parametrize("named", range(4))
 @pytest.mark.sample(1)
 def test_drives_of_each_kind_among_the_axes(named):
     """The sheet has room for the places of the drive with the most; the others leave theirs empty."""
-    axes = [driven(*RISE) | {"name": "A"}, placed("viscous") | {"name": "B"}, placed("crank-slider") | {"name": "C"}]
+    axes = of_each_kind()
     given = choosing(*axes, axis=axes[named]["name"])
     assert disagreeing(TEMPLATE, given)[0] == []
     alone = computed(TEMPLATE, choosing(axes[named]))
