@@ -54,12 +54,12 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
             continue
         sides = _beside(of, rebuilt, runs, begin), _beside(of, rebuilt, runs, end)
         inner = of.part(begin, end)
-        ends = list(product(*(_meeting(inner, met, side) for met, side in zip(sides, (0, -1), strict=True))))
+        ends = list(product(_meeting(inner, sides[0], 0), _meeting(inner, sides[1], -1)))
         fits = (_fitted(law, inner, both, near) for both in ends for law in laws if inner.identifies(law))
         fitted = next(filter(None, fits), None)
         laid = [fitted] if fitted else _quintics(quintic, inner, rebuilt, sides, near)
-        slopes = [_slope(inner, met, side) for met, side in zip(sides, (0, -1), strict=True)]
-        laid = laid or splined(inner, rebuilt, (slopes[0], slopes[1]), max(of.thinned, near))
+        slopes = _slope(inner, sides[0], 0), _slope(inner, sides[1], -1)
+        laid = laid or splined(inner, rebuilt, slopes, max(of.thinned, near))
         if not laid:
             return [], False
         known &= fitted is not None
