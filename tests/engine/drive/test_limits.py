@@ -13,6 +13,7 @@ from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.limits import BELOW, NO_LIMITS, LimitChecks, ReducerLimits, at_speed
 from engine.drive.motor import LEVEL, TorqueFall
+from engine.drive.rate_estimates import power_through, use_below
 from engine.drive.rate_range import rate_range
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
@@ -140,3 +141,10 @@ def test_limits_that_cannot_be_are_refused():
     for name in ("peak_torque", "mean_torque", "input_speed", "full_rate", "cycle_factor"):
         with pytest.raises(ValueError, match=name):
             ReducerLimits(**{name: 0.0})
+
+
+@pytest.mark.parametrize("factor", [4e-8, 0.98, 1.02, 50.0])
+def test_a_use_that_does_not_grow_from_standstill_tells_the_same_power_whatever_its_last_digits(factor):
+    near = [0.7 + k * math.ulp(0.7) for k in range(-8, 9)]
+    powers = [power_through(use_below(0.7, use, 2.5), use, 2.5, factor) for use in near]
+    assert powers == pytest.approx([powers[0]] * len(near), rel=1e-12)
