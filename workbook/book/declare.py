@@ -18,7 +18,7 @@ cell references when the book is complete, so that a sheet may name blocks of a 
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -51,6 +51,7 @@ class Book:
     limit: Callable[[str, float], Limit | None] = lambda key, most: None
     """the limits of the entry at a key of the description, if it has any"""
     sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, the scale of quantities that name none
+    print_also: Sequence[str] = ()  # what is printed besides: catalogue, laws, pairs, workings
     guards: list[Guard] = field(default_factory=list)
     summed: dict[str, list[list[int]]] = field(default_factory=dict)
     """columns ``table.column`` that sum up some checks: of each row the places of these among all"""

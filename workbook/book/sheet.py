@@ -54,7 +54,7 @@ class Sheet:
     folded_rows: int = 0  # the row from which on there are workings alone, likewise
     page_end: int = 0  # the last row of its first page, if that is a whole
     heights: dict[int, float] = field(default_factory=dict)  # of rows (points) that differ from others
-    unprinted: bool = False  # whether it is for the screen alone: its print area is an empty cell
+    unprinted: bool = False  # whether it is for the screen alone: its print area is a hidden cell
     one_page: bool = False
     portrait: bool = False
     widths: dict[int, float] = field(default_factory=dict)  # of columns that differ from those of other sheets
@@ -92,6 +92,10 @@ class Sheet:
     def not_printed_below(self) -> None:
         """End what is printed above the next thing: long tables are for the screen."""
         self.print_rows = self.row
+
+    def print_on_request(self, content: str) -> None:
+        """Let the sheet be for the screen alone, unless the description asks for the ``content`` on paper."""
+        self.unprinted = content not in self.book.print_also
 
     def heading(self, text: str, note: str = "") -> None:
         """Begin a section."""

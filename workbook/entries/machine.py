@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from datetime import date
-from typing import Annotated, Any, ClassVar, NamedTuple, Self
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, Self
 
 from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
@@ -65,6 +65,7 @@ class Machine(Model):
     revision: Text | None = None
     author: Text | None = None
     date: Dated | None = None
+    print_also: list[Literal["catalogue", "laws", "pairs", "workings"]] = []
     laws: Laws = Laws({})
     sizes: Sizes = Sizes()
     _design: Design = PrivateAttr(default_factory=lambda: Design({}))

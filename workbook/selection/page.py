@@ -46,6 +46,7 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
     sheet.print_columns = 16
     pairs = book.sheet("Pairs", "Every motor of the catalogue with every reducer: which can do it, what others fail.")
     pairs.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}  # to read a page
+    pairs.print_on_request("pairs")
     with pairs.scoped("sel_"):
         grids(pairs, view)
         products(pairs, view)
@@ -124,7 +125,7 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> No
     motor = table_of(MotorRow).columns(products.motors, "selection.motors", sizes.motors)
     reducer = table_of(ReducerRow).columns(products.reducers, "selection.reducers", sizes.reducers)
     sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
-    sheet.unprinted = True
+    sheet.print_on_request("catalogue")
     sheet.heading("Motors and reducers", "No empty row in between. A limit that is not given is none.")
     book.column_names |= {"motor_name": ("motors", "name"), "reducer_name": ("reducers", "name")}
     sheet.table(

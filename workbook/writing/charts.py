@@ -5,6 +5,7 @@ The numbers that a chart shows are stored in it: previews and Protected View dra
 
 import re
 from html import unescape
+from typing import Literal
 
 from openpyxl.chart import ScatterChart
 from openpyxl.chart.axis import ChartLines, NumericAxis
@@ -25,6 +26,7 @@ from openpyxl.utils import quote_sheetname
 
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book
+from workbook.book.rows import is_number
 from workbook.writing.archive import value_xml
 from workbook.writing.style import GRID
 
@@ -33,7 +35,7 @@ LOG_BASE = 10
 SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW = 1.5  # cm for the labels of the abscissa and its title
 NAMES = 3.0  # cm left of the plot, where the lines have their names there
-LEGEND, LONG_LEGEND, LONG = 0.7, 1.6, 6  # cm for a legend, for a legend of more lines than so many
+NAMED, LEGEND = 8, 1.6  # lines that have their names beside them, at most; cm for a legend of more
 NO_LINE = GraphicalProperties(ln=LineProperties(noFill=True))
 GRIDLINES = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
 TITLE, AXIS_TITLE = (ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)) for size in (1300, 1000))
@@ -51,11 +53,21 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
         drawn.series.append(line(series, book, ink))
         if chart.lanes:
             drawn.series[-1].dLbls = lane_labels(series, book, ink)
+        elif is_named(chart):
+            values = book.values(series.y)
+            largest = max(range(len(values)), key=lambda k: abs(values[k]) if is_number(values[k]) else -1.0)
+            drawn.series[-1].dLbls = name_at(largest, "r" if series.points else "t", ink)
     drawn.graphical_properties = NO_LINE  # no frame
     drawn.visible_cells_only = not any(is_folded(series.y, book) for series in chart.series)
-    drawn.legend = Legend(legendPos="b") if len(chart.series) > 1 and chart.legend and not chart.lanes else None
+    many = len(chart.series) > 1 and chart.legend and not chart.lanes
+    drawn.legend = Legend(legendPos="b") if many and not is_named(chart) else None
     axes(drawn, chart, book)
     return drawn
+
+
+def is_named(chart: Chart) -> bool:
+    """Whether each of a chart's lines has its name beside it: they are few, and the title does not name them."""
+    return chart.legend and 1 < len(chart.series) <= NAMED
 
 
 def is_folded(text: str, book: Book) -> bool:
@@ -126,19 +138,23 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
     if chart.lanes:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
-    below = BELOW + ((LONG_LEGEND if len(chart.series) > LONG else LEGEND) if drawn.legend else 0.0)
+    below = BELOW + (LEGEND if drawn.legend else 0.0)
     room, left = 0.88 - below / drawn.height, max(0.13, NAMES / drawn.width) if chart.lanes else 0.13
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=0.12, w=0.95 - left, h=room))
 
 
 def lane_labels(series: Series, book: Book, ink: str) -> DataLabelList:
     """Return the labels of a line: its name, left of its first point; where it crosses the lanes behind its last."""
+    return name_at(*((len(book.values(series.x)) - 1, "r") if series.dashed else (0, "l")), ink)
+
+
+def name_at(point: int, side: Literal["l", "r", "t"], ink: str) -> DataLabelList:
+    """Return the labels of a line: its name, on a side of one of its points, in its colour."""
     text = CharacterProperties(sz=1000, b=True, solidFill=ink)
     look = RichText(p=[Paragraph(pPr=ParagraphProperties(defRPr=text), endParaRPr=text)])
     shown = dict.fromkeys(("showLegendKey", "showVal", "showCatName", "showPercent", "showBubbleSize"), False)
-    at, side = (len(book.values(series.x)) - 1, "r") if series.dashed else (0, "l")
-    first = DataLabel(idx=at, dLblPos=side, txPr=look, showSerName=True, **shown)
-    return DataLabelList(dLbl=[first], showSerName=False, **shown)
+    label = DataLabel(idx=point, dLblPos=side, txPr=look, showSerName=True, **shown)
+    return DataLabelList(dLbl=[label], showSerName=False, **shown)
 
 
 def fill_caches(charts: dict[str, bytes], book: Book) -> dict[str, bytes]:

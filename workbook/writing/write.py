@@ -35,7 +35,7 @@ LAST_COLUMN = 16_384
 LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 13}, {"header": 2, "equation": 5}
 """in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
 ROW_HEIGHT = 15  # of a line in a cell that wraps
-MARGIN = "A1:A1"  # empty on each sheet: programs print no page of it
+NOWHERE = "XFD1:XFD1"  # in a hidden column: of a print area without a cell in sight no page is printed
 AS_TYPED = "@"  # the format of a cell that keeps 4711, or 3-4, as a text
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 LOOKS = ("font", "fill", "border", "alignment", "number_format", "protection")
@@ -219,7 +219,7 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], cells: Ce
     page.protection.sheet = True
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
     rest = page.column_dimensions[get_column_letter(widest + 1)]
-    rest.min, rest.max, rest.width = widest + 1, LAST_COLUMN, COLUMN_WIDTH
+    rest.min, rest.max, rest.width = widest + 1, LAST_COLUMN - 1, COLUMN_WIDTH
     for column in range(min(used + 2, widest + 1), widest + 2):  # an engineer writes there without unprotecting
         page.column_dimensions[get_column_letter(column)].protection = Protection(locked=False)
     set_up_print(sheet, page, used, wide, cells.heights)
@@ -234,10 +234,12 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
     if sheet.unprinted:
-        page.print_area = MARGIN
+        page.print_area = NOWHERE
+        page.column_dimensions[get_column_letter(LAST_COLUMN)].hidden = True
         return
     page.print_title_rows = f"1:{sheet.head}"
-    page.print_area = f"A1:{get_column_letter(columns)}{last}"
+    has_workings = sheet.page_end and not sheet.folded_rows  # as wide as they are, over as many pages as it takes
+    page.print_area = f"A1:{get_column_letter(used if has_workings else columns)}{last}"
     pages = layout.pages(sheet, last, columns, wide, high)
     if sheet.one_page or goes_on or not pages.breaks:
         page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)

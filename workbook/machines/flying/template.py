@@ -35,7 +35,7 @@ def declare(given: FlyingCutter) -> Book:
     cell = CELLS["declare"]
     book_laws = BookLaws(given.laws, given.sizes)
     view = CutterView(given, book_laws.laws)
-    book = Book(given.template, given.title, limit=limits(type(given)))
+    book = Book(given.template, given.title, limit=limits(type(given)), print_also=given.print_also)
     cut, book.sizes = view.cut, view.scales
     fastest, beta = shown(cut.max_angular_speed, RPM), view.task(cut).load_factor
     about = (

@@ -21,7 +21,7 @@ def declare(given: MotionLaws) -> Book:
     cell = CELLS["declare"]
     book_laws = BookLaws(given.laws, given.sizes)
     view = ComparedLaws(given, book_laws.named, book_laws.stack)
-    book = Book(given.template, given.title, limit=limits(type(given)))
+    book = Book(given.template, given.title, limit=limits(type(given)), print_also=given.print_also)
     about = "Motion laws side by side: coefficients, curves over one another, and what each costs."
     summary_sheet(
         book,

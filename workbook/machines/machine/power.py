@@ -8,7 +8,7 @@ import numpy as np
 
 from engine.drive.results import MeanBusPower, peak_bus_power, total_bus_power
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.chart import COLOURS, Chart, Series, colour
 from workbook.book.declare import Book, Quantity, Sheet, calc
 from workbook.book.rows import total
 from workbook.entries.facts import entry_cells
@@ -22,9 +22,10 @@ CELLS = cell_tables(__file__)
 
 KWH, MWH = 3.6e6, 3.6e9  # J
 NOTE = "A drive takes what its motor needs over η; what comes back, times η, goes into its brake resistor."
-TOGETHER = "Drives use what others give back; what is left goes into one resistor. They take no more than each alone."
-APART = "A drive at a rate of its own has no place in the {}: it is alone."
-CHART_COLUMN = 10
+TOGETHER = "On a common DC bus drives use what others give back; a drive at a rate of its own has no place in the {}."
+ON_BUS = "of the mains, where the drive's sheet has that of the motor"
+CHART_COLUMN, COLUMNS = 11, 17
+INK = COLOURS[-1]
 YEAR = '0.0;-0.0;"–"'  # format of the energy of a year: a dash where no hours of running are entered
 kw = partial(shown, unit=KW)
 
@@ -33,7 +34,7 @@ class Mains:
     """Powers of drives over a turn (W): of each alone, and of those that run at the machine's rate on a bus.
 
     A drive ``on_bus`` has 1 there, else 0. Powers at samples of the cycle: ``drawn`` by each, below 0 what comes back,
-    their ``sum`` on the bus, and ``apart`` what they take without it.
+    their ``sum`` on the bus, and ``apart`` what they take without it. ``whole`` are the means of all, with the bus.
     """
 
     def __init__(self, drives: Sequence[DriveView], entered: PowerEntry) -> None:
@@ -61,93 +62,91 @@ class Mains:
         moved = (math.fsum(self.without) - float(self.cuts.span @ self.cuts.sure) / TURN) / 2.0
         self.saved_most = max(0.0, min(*self.without, moved)) if bus.sum() > 1.0 else 0.0
         self.saved = min(self.saved_most, float(self.weights @ (self.apart - np.maximum(self.sum, 0.0))))
-        self.common = MeanBusPower(*(power - self.saved for power in self.without))
+        self.whole = MeanBusPower(*(power - self.saved for power in self.alone))
+        self.beside = float((1.0 - bus) @ self.mains)  # the peaks of drives at a rate of their own
 
 
 def supply(bus: Mains) -> list[Quantity]:
-    """Return the results of all drives for the first sheet; those at a rate of their own are beside the bus."""
-    cell = CELLS["supply"]
-    hours, beside, size = bus.entered.hours, "SUMPRODUCT((1-[power.bus])*[power.{}])", kw(bus.size)
-    alone = float((1.0 - bus.on_bus) @ bus.mains)
-    others = [powers for powers, on_bus in zip(bus.each, bus.on_bus, strict=True) if not on_bus]
+    """Return what the first sheet takes of the sheet Power."""
+    cell, size = CELLS["supply"], kw(bus.size)
+    year = shown(bus.whole.energy_a_year(bus.entered.hours), MWH)
     return [
-        cell("about_peak", kw(bus.peak + alone), beside=beside.format("peak"), scale=size),
-        cell("about_peak_most", kw(bus.cuts.peak_most + alone), beside=beside.format("peak"), scale=size),
-        cell(
-            "about_bus_year",
-            shown(total_bus_power([bus.common, *others]).energy_a_year(hours), MWH),
-            beside=beside.format("mains"),
-            scale=size,
-            format=YEAR,
-        ),
-        cell("about_year", shown(bus.alone.energy_a_year(hours), MWH), scale=size, format=YEAR),
+        cell("about_peak", kw(bus.peak + bus.beside), scale=size),
+        cell("about_bus_year", year, scale=size, format=YEAR),
     ]
 
 
 def power_sheet(book: Book, bus: Mains) -> None:
-    """Declare the sheet."""
-    cell = CELLS["power_sheet"]
+    """Declare the sheet: a page of results with a row a drive, then the bus sample by sample and its bounds."""
     sheet = book.sheet("Power", "Energy of the drives: from the mains, in brake resistors, over a year.")
     size = kw(bus.size)
     sheet.sizes = {"kW": size, "kWh": size, "J": max(drive.scales.work for drive in bus.drives)}
     sheet.heading("Enter", NOTE)
     sheet.rows(*entry_cells(bus.entered, "power"))
-    sheet.heading("Results: each drive alone")
-    whole = bus.alone
-    sheet.rows(
-        cell("power_mains", kw(whole.mains), total=total("power.mains")),
-        cell("power_resistors", kw(whole.resistor), total=total("power.resistor")),
-        cell("power_year", shown(whole.energy_a_year(bus.entered.hours), KWH), format=YEAR),
-        cell("power_least", kw(whole.least)),
-    )
-    sheet.heading("Results: on a common DC bus", TOGETHER)
-    sheet.note(APART.format(bus.over.period))
-    sheet.rows(*common(bus))
-    over, x = bus.over, "[bus.time]" if bus.over.measured else "[bus.theta]"
-    lines = (
-        Series("on a common bus", x, "[bus.sum]"),
-        Series("each drive alone, from the mains", x, "[bus.alone]", dashed=True),
-    )
-    chart = Chart(
-        f"Power over the {over.period}",
-        over.title,
-        "P [kW]",
-        lines,
-        f"Power from the mains over {over.cycle}",
-        over.axis(60),
-    )
-    sheet.chart(chart, column=CHART_COLUMN, row=5, width=9, height=20)
+    sheet.heading("Results", TOGETHER.format(bus.over.period))
+    sheet.rows(*results(bus))
+    if bus.on_bus.any():
+        sheet.chart(power_chart(bus), column=CHART_COLUMN, row=5, width=COLUMNS - CHART_COLUMN + 1, height=20)
     sheet.row += 1
     drives_table(sheet, bus)
     sheet.not_printed_below()
-    sheet.print_columns = 18
+    sheet.one_page, sheet.print_columns = True, COLUMNS
+    sheet.heading("Workings: the common DC bus")
+    sheet.rows(*on_the_bus(bus))
     bus_table(sheet, bus)
     cuts_table(sheet, bus.cuts)
 
 
-def common(bus: Mains) -> list[Quantity]:
-    """Return the results of drives on a common bus, with their bounds, and what it saves in a year."""
-    cell = CELLS["common"]
-    power, whole, entered = bus.common, bus.without, bus.entered
+def power_chart(bus: Mains) -> Chart:
+    """Return the chart of what each drive takes of the bus, in the colour of its axis, and of their sum."""
+    over, x = bus.over, "[bus.time]" if bus.over.measured else "[bus.theta]"
+    numbers = [drive.driven.number for drive, on in zip(bus.drives, bus.on_bus, strict=True) if on]
+    lines = [Series(f"=axis{i}_name", x, f"[bus.d{i}]", color=colour(i)) for i in numbers]
+    if len(lines) > 1:
+        lines.append(Series("all", x, "[bus.sum]", dashed=True, color=INK))
+    about = f"Power of each drive, and of all together, on the common bus over {over.cycle}"
+    return Chart(f"Power over the {over.period}", over.title, "P [kW]", tuple(lines), about, over.axis(60))
+
+
+BESIDE = "SUMPRODUCT((1-[on_bus.on])*[power.{}])"  # of drives at a rate of their own
+OF_ALL = "SUMPRODUCT([on_bus.on]*[power.{}])"
+
+
+def results(bus: Mains) -> list[Quantity]:
+    """Return the results of all drives: those on the common bus with their bounds, the others beside it."""
+    cell = CELLS["results"]
+    entered, alone, whole = bus.entered, bus.alone, bus.whole
     apart = max(float(bus.apart.max()), float((bus.on_bus * bus.mains).max()))
-    of_all = "SUMPRODUCT([power.bus]*[power.{}])"
     sampled = "SUMPRODUCT([bus.w],[bus.alone]-[bus.sum]*([bus.sum]>0))"
     year = shown(MeanBusPower(bus.saved, 0.0).energy_a_year(entered.hours), KWH)
+    beside = BESIDE.format("peak")
     return [
-        cell("bus_alone", kw(apart)),
-        cell("bus_mains_peak", kw(bus.peak)),
-        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=of_all.format("peak")),
+        cell("power_peak", kw(bus.peak + bus.beside), beside=beside, on_bus=ON_BUS),
+        cell("power_peak_most", kw(bus.cuts.peak_most + bus.beside), beside=beside),
+        cell("bus_alone", kw(apart + bus.beside), beside=beside),
         cell("bus_resistor_peak", kw(bus.burnt_peak)),
-        cell("bus_resistor_most", kw(bus.cuts.burnt_most), of_all=of_all.format("burnt")),
-        cell("bus_apart", kw(whole.mains), of_all=of_all.format("mains")),
-        cell("bus_net", kw(whole.net), of_all=of_all.format("resistor")),
+        cell("bus_resistor_most", kw(bus.cuts.burnt_most), of_all=OF_ALL.format("burnt")),
+        cell("power_mean", kw(whole.mains)),
+        cell("power_mains", kw(alone.mains), total=total("power.mains")),
+        cell("power_burnt", kw(whole.resistor)),
+        cell("power_resistors", kw(alone.resistor), total=total("power.resistor")),
         cell("bus_saved", kw(bus.saved), sampled=sampled),
         cell("bus_saved_most", kw(bus.saved_most), sure="SUMPRODUCT([bus_cuts.span],[bus_cuts.sure])/360"),
-        cell("bus_mains", kw(power.mains)),
-        cell("bus_resistor", kw(power.resistor)),
-        cell("bus_year", shown(power.energy_a_year(entered.hours), KWH), format=YEAR),
+        cell("power_bus_year", shown(whole.energy_a_year(entered.hours), KWH), format=YEAR),
+        cell("power_year", shown(alone.energy_a_year(entered.hours), KWH), format=YEAR),
         cell("bus_saved_year", year, format=YEAR),
         cell("bus_saved_price", year * entered.price, scale=max(1.0, kw(bus.size) * entered.price), format=YEAR),
+    ]
+
+
+def on_the_bus(bus: Mains) -> list[Quantity]:
+    """Return what the drives on the common bus take, of which results are made."""
+    cell, without = CELLS["on the bus"], bus.without
+    return [
+        cell("bus_mains_peak", kw(bus.peak)),
+        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=OF_ALL.format("peak")),
+        cell("bus_apart", kw(without.mains), of_all=OF_ALL.format("mains")),
+        cell("bus_net", kw(without.net), of_all=OF_ALL.format("resistor")),
     ]
 
 
@@ -157,13 +156,12 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
     drives, each = bus.drives, bus.each
     driven = [drive.driven for drive in drives]
     scopes, powers = ([f"drive{drive.number}_{name}" for drive in driven] for name in ("", "P"))
-    burnt = "(SUMPRODUCT([power.bus]*[power.burnt])-[bus]*[burnt])"
-    taken = "(SUMPRODUCT([power.bus]*[power.peak])-[bus]*[peak])"
-    sheet.table(
+    burnt = "(SUMPRODUCT([on_bus.on]*[power.burnt])-[on]*[burnt])"
+    taken = "(SUMPRODUCT([on_bus.on]*[power.peak])-[on]*[peak])"
+    block = sheet.table(
         "power",
-        "Drives",
+        "Drives, each alone",
         len(drives),
-        cell("k", [drive.number for drive in driven]),
         cell(
             "axis",
             [drive.entered.name for drive in driven],
@@ -180,25 +178,28 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
         cell("peak", kw(bus.mains).tolist(), formula=[f"={scope}pmax/power_eta" for scope in scopes]),
         cell("resistor", [kw(power.resistor) for power in each]),
         cell("burnt", kw(bus.resistor).tolist(), formula=[f"=0-{scope}pmin*power_eta" for scope in scopes]),
-        cell("bus", bus.on_bus.astype(int).tolist(), formula=[f'=IF({scope}own_rate="",1,0)' for scope in scopes]),
+        cell("year", [shown(power.energy_a_year(bus.entered.hours), KWH) for power in each], format=YEAR),
+    )
+    cell = CELLS["drives on the bus"]
+    sheet.workings(
+        block,
+        "on_bus",
+        "",
+        COLUMNS + 2,
+        cell("on", bus.on_bus.astype(int).tolist(), formula=[f'=IF({scope}own_rate="",1,0)' for scope in scopes]),
         cell("proves", kw(bus.proves).tolist(), burnt=burnt),
         cell("burns", kw(bus.burns).tolist(), taken=taken),
         cell(
             "up",
             bus.cuts.shares[0],
-            formula=[f"=IF(MAX({each})>check_zero*[burnt],[bus]*[peak]/MAX({each}),0)" for each in powers],
+            formula=[f"=IF(MAX({each})>check_zero*[burnt],[on]*[peak]/MAX({each}),0)" for each in powers],
             scale=1.0,
         ),
         cell(
             "down",
             bus.cuts.shares[1],
-            formula=[f"=IF(0-MIN({each})>check_zero*[peak],0-[bus]*[burnt]/MIN({each}),0)" for each in powers],
+            formula=[f"=IF(0-MIN({each})>check_zero*[peak],0-[on]*[burnt]/MIN({each}),0)" for each in powers],
             scale=1.0,
-        ),
-        cell(
-            "year",
-            [shown(power.energy_a_year(bus.entered.hours), KWH) for power in each],
-            format=YEAR,
         ),
     )
 
@@ -214,7 +215,7 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
 
     def drawn(row: int, number: int) -> str:
         power = f"[drive{number}_cycle.power.same]"
-        return f"=[power.bus.{row}]*MAX({power}/power_eta,{power}*power_eta)"
+        return f"=[on_bus.on.{row}]*MAX({power}/power_eta,{power}*power_eta)"
 
     time = CELLS["bus_table"]("theta", machine.angles, label=over.angle)
     if over.measured:

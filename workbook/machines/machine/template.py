@@ -51,7 +51,7 @@ def declare(given: AnyMachine) -> Book:
     # a table of contents: a line or two for each sheet, some of them only where there are drives
     book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))
     machine = MachineView(given, book_laws.laws)
-    book = Book(given.template, given.title, limit=limits(type(given)))
+    book = Book(given.template, given.title, limit=limits(type(given)), print_also=given.print_also)
     rows = [AxisTables(machine, axis, book_laws.stack) for axis in machine.axes]
     drives = {row.axis.number: view for row in rows if (view := drive_of(row))}
     bus = Mains(list(drives.values()), given.power) if drives else None

@@ -37,7 +37,7 @@ def declare(given: IndexingOverlap) -> Book:
     cell = CELLS["declare"]
     book_laws = BookLaws(given.laws, given.sizes)
     view = OverlapView(given, book_laws.laws)
-    book = Book(given.template, given.title, limit=limits(type(given)))
+    book = Book(given.template, given.title, limit=limits(type(given)), print_also=given.print_also)
     book.sizes = {"°": TURN}
     about = "Motions of one machine, one after the other and with overlap: how much the acceleration falls."
     which, of = ("Peak", "tool1") if view.alone else ("Largest peak", "overlap")

@@ -68,9 +68,11 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         windows_table(sheet, f"axes.{driven.number - 1}", view)
         if linkage and linkage.entered:
             linkage.entered(sheet, driven, sizes.positions)
-        sheet.note(CLOSED)
+        is_printed = "workings" in book.print_also
+        if not is_printed:
+            sheet.note(CLOSED)
+            sheet.folded_rows = sheet.row
         sheet.not_printed_below()
-        sheet.folded_rows = sheet.row
         sheet.heading("Workings: motor and reducer")
         sheet.rows(*steps)
         workings(sheet, view, sized(driven))
@@ -96,6 +98,8 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         points_table(sheet, view)
         tops_table(sheet, view)
         samples_table(sheet, view)
+        if is_printed:
+            sheet.not_printed_below()
 
 
 ANGLE_ROWS = 13

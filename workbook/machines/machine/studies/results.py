@@ -17,7 +17,7 @@ from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of, limit_of_gap, limit_of_stop
 from workbook.machines.machine.gap import ClearanceView
-from workbook.machines.machine.power import KWH, MWH
+from workbook.machines.machine.power import KWH
 from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.studies import drive_results, limits
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles
@@ -161,12 +161,10 @@ def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
     figures: Computations = {
         "power_mains": lambda: shown(whole().mains, KW),
         "power_resistors": lambda: shown(whole().resistor, KW),
-        "power_least": lambda: shown(whole().least, KW),
+        "power_year": lambda: shown(whole().energy_a_year(machine.power.hours), KWH),
         "about_highest": lambda: np.min(np.broadcast_arrays(*(drive.highest[0] for drive in drives)), axis=0),
         "about_binds": binding,
     }
-    for name, unit in (("power_year", KWH), ("about_year", MWH)):
-        figures[name] = partial(lambda unit: shown(whole().energy_a_year(machine.power.hours), unit), unit)
     for k, drive in enumerate(drives, 1):
         figures[f"power.mains.{k}"] = partial(lambda drive: shown(drive.mains.mains, KW), drive)
         figures[f"power.resistor.{k}"] = partial(lambda drive: shown(drive.mains.resistor, KW), drive)
