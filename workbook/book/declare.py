@@ -51,7 +51,7 @@ class Book:
     limit: Callable[[str, float], Limit | None] = lambda key, most: None
     """the limits of the entry at a key of the description, if it has any"""
     sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, the scale of quantities that name none
-    print_also: Sequence[str] = ()  # what is printed besides: catalogue, laws, pairs, workings
+    print_also: Sequence[str] = ()  # what is printed besides: catalogue, laws, parts, workings
     guards: list[Guard] = field(default_factory=list)
     summed: dict[str, list[list[int]]] = field(default_factory=dict)
     """columns ``table.column`` that sum up some checks: of each row the places of these among all"""

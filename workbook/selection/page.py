@@ -46,7 +46,6 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
     sheet.print_columns = 16
     pairs = book.sheet("Pairs", "Every motor of the catalogue with every reducer: which can do it, what others fail.")
     pairs.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}  # to read a page
-    pairs.print_on_request("pairs")
     with pairs.scoped("sel_"):
         grids(pairs, view)
         products(pairs, view)

@@ -1,8 +1,11 @@
 """Entries of a drive beside its mechanism and motor: load, rotating parts, process forces over the cycle."""
 
+from collections.abc import Sequence
+
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
+from workbook.book.sentence import PLACES, Sentence, figure, rounded
 from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
 from workbook.entries.facts import entry_cells, table_of
 from workbook.fields.units import DEGREE, KG_CM2, shown
@@ -31,8 +34,44 @@ def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
         cell("one", filled([shown(p.inertia, KG_CM2) for p in turned], rows)),
         cell("speed", filled([p.speed_ratio for p in turned], rows, 1.0)),
         cell("all", filled([shown(p.reflected, KG_CM2) for p in turned], rows)),
+        cell("listed", so_far(parts_in_words(driven), rows), before=BEFORE.format("[all]=0"), places=PLACES),
         rules=[SIZED, ALONE, BORED, GEARED],
     )
+
+
+BEFORE = 'IF([k]=1,"",[listed-1]&IF(OR([listed-1]="",{}),"",", "))'
+NONE = "none"
+
+
+def so_far(texts: Sequence[str], rows: int) -> list[Sentence]:
+    """Return in each row of a table all texts down to it, with commas between them."""
+    listed = [Sentence(", ".join(filter(None, texts[: k + 1]))) for k in range(len(texts))]
+    return filled(listed, rows, listed[-1] if listed else Sentence(""))
+
+
+def parts_in_words(driven: Driven) -> list[str]:
+    """Return count, name and inertia at its shaft of each rotating part."""
+    each = zip(driven.entered.parts, driven.parts, strict=True)
+    return [
+        f"{figure(part.count)} × {part.name or ''} {rounded(shown(turned.reflected, KG_CM2))}"
+        if turned.reflected
+        else ""
+        for part, turned in each
+    ]
+
+
+def forces_in_words(driven: Driven) -> list[str]:
+    """Return each process force as it is entered, with where it begins and ends."""
+    windows = driven.axis.typed.load.windows
+    return [f"{figure(w.force)} from {figure(w.start)} to {figure(w.stop)}" for w in windows]
+
+
+def listed(driven: Driven) -> list[Quantity]:
+    """Return rotating parts and process forces in a line each, for the page of the drive."""
+    cell, texts = CELLS["listed"], [", ".join(filter(None, of(driven))) for of in (parts_in_words, forces_in_words)]
+    parts, forces = (Sentence(text or NONE) for text in texts)
+    unit = "N" if driven.travels else "Nm"
+    return [cell("@parts_listed", parts, none=NONE), cell("@windows_listed", forces, none=NONE, unit=unit)]
 
 
 def on_shaft(shaft: str) -> str:
@@ -85,6 +124,7 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
         cell("moving", filled([w.load.friction for w in found], WINDOWS), unit=unit),
         cell("b", view.edges[::2], late=late, scale=360.0),
         cell("e", view.edges[1::2], late=late, scale=360.0),
+        cell("listed", so_far(forces_in_words(driven), WINDOWS), before=BEFORE.format('[start]=""')),
         *([beyond(over)] if over.measured else []),
     )
 

@@ -24,7 +24,7 @@ from workbook.machines.machine.drive import (
     stages,
 )
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.entered import loads, parts_table, windows_check, windows_table
+from workbook.machines.machine.drive.entered import listed, loads, parts_table, windows_check, windows_table
 from workbook.machines.machine.drive.front_page import NAMED, RIGHT, FrontPage
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
 from workbook.machines.machine.drive.points import (
@@ -62,19 +62,32 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet = book.sheet(title, f"The drive of axis {driven.number}: what its motion asks of the motor.")
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
-        steps = first_page(sheet, view)
+        judged = checks(view)
+        quantities = [
+            *entries(driven),
+            *in_use.figures(driven),
+            *at_rate(view),
+            *outcome(view),
+            *uses(view),
+            *listed(driven),
+        ]
+        front = FrontPage(sheet, [*quantities, *judged])
+        front.place(charts(view))
+        is_full = sheet.row > sheet.page_end + 2
         sheet.heading("Enter: parts and process forces")
         parts_table(sheet, driven, sizes.rotors)
         windows_table(sheet, f"axes.{driven.number - 1}", view)
         if linkage and linkage.entered:
             linkage.entered(sheet, driven, sizes.positions)
+        has_more = is_full or "parts" in book.print_also or (linkage and linkage.entered)
+        sheet.print_rows = sheet.row if has_more else sheet.page_end
+        checks_of_entries(sheet, view, front, judged)
         is_printed = "workings" in book.print_also
         if not is_printed:
             sheet.note(CLOSED)
             sheet.folded_rows = sheet.row
-        sheet.not_printed_below()
         sheet.heading("Workings: motor and reducer")
-        sheet.rows(*steps)
+        sheet.rows(*(q for q in quantities if q.name not in NAMED and q.formula is not None))
         workings(sheet, view, sized(driven))
         if linkage and linkage.worked:
             linkage.worked(sheet, driven, sizes.positions)
@@ -106,20 +119,15 @@ ANGLE_ROWS = 13
 CLOSED = "The workings of this sheet stand below, in rows that are hidden: select the rows around them, and Unhide."
 
 
-def first_page(sheet: Sheet, view: DriveView) -> list[Quantity]:
-    """Place the page of the drive, and below it checks that have no row on it; return the workings."""
-    judged = checks(view)
-    quantities = [*entries(view.driven), *in_use.figures(view.driven), *at_rate(view), *outcome(view), *uses(view)]
-    front = FrontPage(sheet, [*quantities, *judged])
-    front.place(charts(view))
+def checks_of_entries(sheet: Sheet, view: DriveView, front: FrontPage, judged: list[Quantity]) -> None:
+    """Place the checks that have no row on the page, below what is printed, and a picture of a shaft that swings."""
     sheet.book.checks += [(sheet, q.within(sheet.scope)) for q in judged if q.name in NAMED]
     sheet.heading("Checks of what is entered")
-    if view.varies:
-        sheet.chart(angle_chart(view), RIGHT, sheet.row, 8, ANGLE_ROWS)
     top = sheet.row
     sheet.checks(*front.verdicts(), *(q for q in judged if q.name not in NAMED))
-    sheet.row = max(sheet.row, top + ANGLE_ROWS) if view.varies else sheet.row
-    return [q for q in quantities if q.name not in NAMED and q.formula is not None]
+    if view.varies:
+        sheet.chart(angle_chart(view), RIGHT, top, 8, ANGLE_ROWS)
+        sheet.row = max(sheet.row, top + ANGLE_ROWS)
 
 
 def entries(driven: Driven) -> list[Quantity]:

@@ -15,6 +15,8 @@ from workbook.machines.machine.view import MachineView, MovingAxis
 CELLS = cell_tables(__file__)
 MARKS = {"mm": "mm", "°": "deg"}
 
+TOP, DIAGRAM, CURVE_ROWS = 5, 11, 13  # the row and the column that the diagram begins at; rows of the other charts
+LABELS = 29.0  # width of the column of labels
 RATES = 12.5  # width of the columns of velocity, acceleration and jerk, whose units are long
 LEAST, COMPARED, PASSING = 13, 15, 16
 """columns that are printed: of the axes, of axes at two rates, of phases that hand over at speed"""
@@ -33,6 +35,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     columns = COMPARED if compared_rate(machine) else LEAST
     columns = PASSING if machine.hands_over else columns
     draw_diagram(sheet, machine, columns)
+    draw_curves(sheet, machine, columns)
     axes_table(sheet, machine, columns)
     phases_heads(sheet, axes)
     for tables in axes:
@@ -45,7 +48,6 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     if stops:
         sheet.heading("Hard stops")
         sheet.rows(*stops)
-    draw_curves(sheet, machine, columns)
     sheet.not_printed_below()
     sheet.heading("Checks of the axes")
     for tables, verdict in zip(axes, tuple(sheet.later), strict=True):
@@ -57,7 +59,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
         cell("timing_end", 360.0 - 2.0 * machine.near),
         cell("timing_lane", LANE_SHARE),
     )
-    sheet.widths = dict.fromkeys(range(FIRST + 8, FIRST + 12), RATES)
+    sheet.widths = {FIRST: LABELS} | dict.fromkeys(range(FIRST + 8, FIRST + 12), RATES)
     sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
 
 
@@ -114,7 +116,7 @@ def pace(machine: MachineView) -> list[Quantity]:
 
 
 def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
-    """Place the timing diagram: a lane for each axis over the master angle."""
+    """Place the timing diagram beside the entries: a lane for each axis over the master angle."""
     count, over = len(machine.given.switches), machine.over
     n = len(machine.axes) + count
     lines = [curve(a, over.column, "lane") for a in machine.axes]
@@ -122,10 +124,9 @@ def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
     bars = ", bars where a switch is on" if count else ""
     about = f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}"
     chart = Chart("Timing diagram", over.title, "", tuple(lines), about, over.axis(30), (0, n, 1), lanes=True)
-    sheet.row += 1
     height = max(12, 5 + n + n // 2)
-    sheet.chart(chart, FIRST, sheet.row, columns, height)
-    sheet.row += height
+    sheet.chart(chart, DIAGRAM, TOP, FIRST + columns - DIAGRAM, height)
+    sheet.row = max(sheet.row, TOP + height)
 
 
 def curve(axis: MovingAxis, x: str, column: str) -> Series:
@@ -135,15 +136,18 @@ def curve(axis: MovingAxis, x: str, column: str) -> Series:
 
 
 def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
-    """Place charts of position, velocity, acceleration and jerk: a row for travelling axes, another for turning."""
-    sheet.heading("Position, velocity, acceleration and jerk over the cycle")
+    """Place charts of velocity, acceleration and jerk: a row for travelling axes, another for turning."""
+    sheet.row += 1
     over, moving = machine.over, dict.fromkeys(axis.given.unit for axis in machine.axes)
     for unit in moving:
         of = {"mm": ", travelling", "°": ", turning"}[unit] if len(moving) > 1 else ""
         charts: list[Chart] = []
-        for (column, word, *_), symbol, shown_in in zip(CURVES, over.symbols, (unit, *over.rates(unit)), strict=True):
+        for (column, word, *_), symbol, shown_in in zip(CURVES[1:], over.symbols[1:], over.rates(unit), strict=True):
             lines = tuple(curve(axis, over.column, column) for axis in machine.axes if axis.given.unit == unit)
             title = f"{word.capitalize()}{of}"
             about = f"{title} over the {over.name}, a line for each axis"
             charts.append(Chart(title, over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60)))
-        sheet.chart_row(*charts, width=3, height=15)
+        for k, chart in enumerate(charts):
+            first, last = (FIRST + columns * part // len(charts) for part in (k, k + 1))
+            sheet.chart(chart, first, sheet.row, last - first, CURVE_ROWS)
+        sheet.row += CURVE_ROWS
