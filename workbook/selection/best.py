@@ -1,7 +1,8 @@
-"""The list of the best pairs on the sheet Selection, the search for them, and the chart of what they use."""
+"""The list of the best pairs on the sheet Selection, and the search for them."""
+
+import numpy as np
 
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.fields.units import PER_RPM, RPM, shown
@@ -25,19 +26,27 @@ def best_table(sheet: Sheet, view: PairSelection) -> None:
         f"The best {BEST} pairs (S5, steps 6 and 7)",
         BEST,
         cell("motor", filled([motors.names[m] for m, _ in pairs], BEST, "–")),
+        cell("reducer", filled([reducers.names[r] for _, r in pairs], BEST, "–")),
         cell("place", list(range(1, BEST + 1))),
         cell("i", filled([float(reducers.reduction[r]) for _, r in pairs], BEST)),
         cell("rms", of("rms"), scale=torque),
-        cell("margin", of("margin")),
+        cell("share", filled([view.grid.use(*pair)[1] for pair in pairs], BEST), shares=view.whole("share")),
         cell("peak", of("peak"), peaks=view.whole("peak"), scale=torque),
         cell("n", of("speed")),
         cell("inertias", of("inertias")),
         cell("spare", of("spare"), scale=torque),
-        cell("share", filled([view.grid.use(*pair)[1] for pair in pairs], BEST), shares=view.whole("share")),
         cell("holds", filled([int(pair.spare >= 0.0) for pair in listed], BEST, 0)),
-        cell("reducer", filled([reducers.names[r] for _, r in pairs], BEST, "–")),
+        cell("mass", together(view, "size")),
+        cell("cost", together(view, "cost")),
         blank="[place]>@count",
     )
+
+
+def together(view: PairSelection, figure: str) -> list[float]:
+    """Return the sum of a figure of motor and reducer of each of the best pairs, 0 where either has none."""
+    motors, reducers = (getattr(products, figure) for products in (view.motors, view.reducers))
+    sums = [motors[m] + reducers[r] for m, r in view.ranked[:BEST]]
+    return filled([float(each) if np.isfinite(each) else 0.0 for each in sums], BEST)
 
 
 def order_table(sheet: Sheet, view: PairSelection) -> None:
@@ -54,6 +63,10 @@ def order_table(sheet: Sheet, view: PairSelection) -> None:
         cell("at", filled([m * across + r for m, r in pairs], BEST, 0), pairs=view.pairs),
         cell("m", filled([m + 1 for m, _ in pairs], BEST, 0), across=across),
         cell("r", filled([r + 1 for _, r in pairs], BEST, 0), across=across),
+        *(
+            cell("{figure}", together(view, name), figure=figure)
+            for figure, name in (("mass", "size"), ("cost", "cost"))
+        ),
         *figures(view),
     )
 
@@ -83,40 +96,3 @@ def figures(view: PairSelection) -> list[Quantity]:
         cell("asked", filled(asked, BEST), torque=torque, scale=scale),
         cell("spare", filled([pair.spare for pair in view.listed], BEST), scale=scale),
     ]
-
-
-NAMED = 6  # pairs that a chart shows
-
-
-def points_of_pairs(sheet: Sheet, view: PairSelection) -> None:
-    """Declare the points of the chart, of the drive's pair the last: left of its edge where there is no pair."""
-    cell = CELLS["points_of_pairs"]
-    pairs = view.ranked[:NAMED]
-    names = filled([f"{view.motors.names[m]} + {view.reducers.names[r]}" for m, r in pairs], NAMED, "–")
-    used = filled([view.grid.use(*pair) for pair in pairs], NAMED, (-1.0, -1.0))
-    sheet.heading("Workings: as drawn in the chart")
-    sheet.rows(*(cell("@name{k}", name, k=k) for k, name in enumerate(names, 1)))
-    for k, (speed, torque) in enumerate(used, 1):
-        sheet.table(f"@use{k}", f"Pair {k}", 1, cell("speed", [speed], k=k), cell("torque", [torque], k=k))
-    cell, own = CELLS["point of the drive's pair"], view.own
-    speed, torque = own.speed / view.in_use("nmax"), own.rms / view.in_use("rated")
-    sheet.table("@use0", "The drive's pair", 1, cell("speed", [speed]), cell("torque", [torque]))
-
-
-def chart(sheet: Sheet) -> None:
-    """Place the chart, whose series are named by their pairs."""
-    series = [
-        Series(f"=@name{k}", f"[@use{k}.speed]", f"[@use{k}.torque]", points=True, marker="circle")
-        for k in range(1, NAMED + 1)
-    ]
-    own = Series("the drive's pair", "[@use0.speed]", "[@use0.torque]", points=True, marker="diamond", color="374151")
-    drawn = Chart(
-        "What the best pairs use of their motors",
-        "largest speed / motor's largest speed",
-        "RMS torque / continuous torque",
-        (*series, own),
-        "RMS torque over continuous torque against speed over largest speed, of the best pairs and the drive's",
-        (0, None, None),
-        (0, None, None),
-    )
-    sheet.chart(drawn, column=11, row=5, width=6, height=24)

@@ -8,7 +8,7 @@ from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import in_scope
-from workbook.book.declare import Quantity, Sheet
+from workbook.book.declare import Quantity, Sheet, Text
 from workbook.book.rows import filled
 from workbook.fields.units import RPM, shown
 from workbook.selection.grids import LARGE, continuous, first_failure, margin_verdict, of_motor
@@ -125,27 +125,34 @@ def named_figure(
     return [*groups, cell(name, column, figure="+".join(f"[{group.name}]" for group in groups), scale=scale)]
 
 
-ABOUT = "Behind the reducer that the drive has, whose own limits are checked on the sheet of the drive."
+LINKS = 11  # the column of links to where a pair is chosen
 
 
 def every_drive(sheet: Sheet, view: PairSelection) -> None:
-    """Declare the table of all drives: the pair of each, and the motors that can do it behind its reducer."""
+    """Declare a row a drive: its pair, the motors that can do it behind its reducer, and where one chooses."""
     cell = CELLS["each"]
     drives, names = view.every_drive, view.motors.names
     usable = [drive.usable_behind_own for drive in drives]
     motors, reducers = zip(*(drive.names_in_use for drive in drives), strict=True)
     counts = [f'=COUNTIF([@all_word{n}.v],"yes")' for n in range(1, len(drives) + 1)]
-    sheet.heading("All drives", ABOUT)
-    sheet.table(
-        "@each",
-        "All drives, each behind the reducer that it has",
-        len(drives),
-        *cell.of_rows(drives, axis="shaft.name", k="shaft.number"),
+    behind_own = [
         cell("can", [len(each) for each in usable], formula=counts),
         cell("smallest", [names[each[0]] if each else "none" for each in usable]),
+    ]
+    sheet.row += 1
+    block = sheet.table(
+        "@each",
+        "Axes, each with its pair, and the motors that can do it behind its reducer",
+        len(drives),
+        cell("axis", [drive.shaft.name for drive in drives]),
         cell("motor", motors, as_entered=AS_ENTERED),
+        *(behind_own if len(drives) > 1 else ()),
         cell("reducer", reducers, as_entered=AS_ENTERED),
     )
+    for row, drive in enumerate(drives, block.row):
+        called = f"Drive {drive.shaft.name}"
+        title = next((other.title for other in sheet.book.sheets if other.called == called), "")
+        sheet.texts.append(Text(row, LINKS, f"choose: {title}", "link", title))
 
 
 def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:

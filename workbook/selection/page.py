@@ -1,10 +1,11 @@
 """The sheets Selection, Pairs and Catalogue: motors by reducers for the axis that is named, within limits, ranked."""
 
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import FIRST, Book, Sheet
+from workbook.book.chart import in_scope
+from workbook.book.declare import FIRST, Book, Sheet, Text
 from workbook.book.sentence import CheckSentence
 from workbook.entries.facts import entry_cells, table_of
-from workbook.selection.best import best_table, chart, order_table, points_of_pairs
+from workbook.selection.best import best_table, order_table
 from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
 from workbook.selection.drives import every_drive, motors_by_drives, named_drive, points_table
 from workbook.selection.entries import UNCHOSEN, Limits, Products, SelectionSizes
@@ -15,10 +16,7 @@ CELLS = cell_tables(__file__)
 
 TITLE = "Selection"
 SOURCE = 100  # characters of the column of sources, the same in both tables; it is not printed
-ABOUT = (
-    "A motor and a reducer are chosen where their names are entered, on the sheet of the drive: this sheet shows which "
-    "pairs of the catalogue can do it."
-)
+ABOUT = "This sheet proposes: choose by typing the names of motor and reducer on the sheet of the drive."
 
 
 def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Limits | None = None) -> None:
@@ -27,23 +25,26 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
     ``limits`` are entered here where no other sheet has them.
     """
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: usable pairs, best first.")
+    sheet.widths, sheet.print_columns = {FIRST: 28, FIRST + 1: 28, RESULTS: 20}, COLUMNS
     with sheet.scoped("sel_"):
-        entries(sheet, view, axis, limits)
-        outcome(sheet, view, axis)
-        best_table(sheet, view)
-        chart(sheet)
-        if len(view.shafts) > 1:
+        entries(sheet, view, axis)
+        results(sheet, view)
+        if axis:
             every_drive(sheet, view)
+        best_table(sheet, view)
         sheet.not_printed_below()
+        if limits:
+            sheet.heading("Enter: what a usable pair holds")
+            sheet.rows(*entry_cells(limits, "limits"))
+        outcome(sheet, view, axis)
+        asked(sheet, view)
         sheet.heading("Workings: the axes")
         named_drive(sheet, view)
         points_table(sheet, view)
-        points_of_pairs(sheet, view)
         if len(view.shafts) > 1:
             motors_by_drives(sheet, view)
     if axis:
         book.column_names["sel_axes"] = ("sel_drives", "axis")
-    sheet.print_columns = 16
     pairs = book.sheet("Pairs", "Every motor of the catalogue with every reducer: which can do it, what others fail.")
     pairs.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}  # to read a page
     with pairs.scoped("sel_"):
@@ -52,8 +53,11 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
         order_table(pairs, view)
 
 
-def entries(sheet: Sheet, view: PairSelection, axis: str, limits: Limits | None) -> None:
-    """Declare the axis, what pairs are ranked by, what a usable pair holds, and what the axis asks for."""
+RESULTS, COLUMNS = 8, 14  # the columns of results beside the entries, and those that are printed
+
+
+def entries(sheet: Sheet, view: PairSelection, axis: str) -> None:
+    """Declare the axis, what pairs are ranked by, and how much of a motor a usable pair needs."""
     cell = CELLS["entries"]
     s = view.given
     sheet.heading("Enter", ABOUT)
@@ -61,39 +65,35 @@ def entries(sheet: Sheet, view: PairSelection, axis: str, limits: Limits | None)
         *([cell("@axis", axis)] if axis else []),
         cell("@rank", s.rank),
         cell("@greatest", s.greatest_margin),
-        *(entry_cells(limits, "limits") if limits else ()),
-    )
-    load = view.grid.task
-    scale = view.shaft.torque
-    sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")
-    sheet.rows(
-        cell("@wrms", load.acceleration_rms),
-        cell("@trms", load.torque_rms, scale=scale),
-        cell("@wmax", load.max_speed),
-        cell("@tmax", view.grid.output_torque, scale=scale),
-        cell("@little", 1.0 / view.given.greatest_margin),
-        cell("@beta", 2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean), scale=view.shaft.product),
     )
 
 
-def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
-    """Declare what is proposed, and what the pair does that the drive has."""
-    cell = CELLS["outcome"]
+def results(sheet: Sheet, view: PairSelection) -> None:
+    """Declare what is proposed, beside the entries."""
+    cell = CELLS["results"]
     pair = None if view.proposed is None else view.ranked[view.proposed]
     usable = int((view.grid.verdicts == "yes").sum())
     message = WORDS[(pair is not None, bool(view.ranked), usable > 0, True).index(True)]
-    sheet.heading("Results")
-    sheet.rows(
+    rows = (
         cell("@message", message, formula=MESSAGE),
         cell("@motor", view.motors.names[pair[0]] if pair else "none"),
         cell("@reducer", view.reducers.names[pair[1]] if pair else "none"),
         cell("@usable", usable, words=view.whole("word")),
-        cell("@count", len(view.ranked), keys=view.whole("key")),
     )
+    for row, q in enumerate(rows, sheet.section + 2):
+        sheet.texts.append(Text(row, RESULTS, q.label, "label"))
+        sheet.put(q, row, RESULTS + 1)
+
+
+def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
+    """Declare whether a pair fits, and what the pair does that the drive has."""
+    cell = CELLS["outcome"]
+    message = str(sheet.book.blocks[in_scope("@message", sheet.scope)].quantities[0].value)
     chosen = "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis"
+    sheet.heading("Checks")
     sheet.checks(
         *([cell("@ok_axis", True, chosen=chosen, unchosen=UNCHOSEN)] if axis else []),
-        cell("@ok", pair is not None, says=CheckSentence("@message", message)),
+        cell("@ok", view.proposed is not None, says=CheckSentence("@message", message)),
     )
     sheet.heading("The pair that the drive has")
     (motor, reducer), own, torque = view.names_in_use, view.own, max(view.own.peak, 1e-3)
@@ -107,6 +107,22 @@ def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
         cell("@own_speed", own.speed),
         cell("@own_inertias", own.inertias),
         cell("@own_spare", own.spare, scale=torque),
+    )
+
+
+def asked(sheet: Sheet, view: PairSelection) -> None:
+    """Declare what the axis asks for at the shaft behind the reducer."""
+    cell = CELLS["entries"]
+    load, scale = view.grid.task, view.shaft.torque
+    sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")
+    sheet.rows(
+        cell("@wrms", load.acceleration_rms),
+        cell("@trms", load.torque_rms, scale=scale),
+        cell("@wmax", load.max_speed),
+        cell("@tmax", view.grid.output_torque, scale=scale),
+        cell("@little", 1.0 / view.given.greatest_margin),
+        cell("@beta", 2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean), scale=view.shaft.product),
+        CELLS["outcome"]("@count", len(view.ranked), keys=view.whole("key")),
     )
 
 

@@ -20,7 +20,7 @@ from workbook.fields.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Limits, Ranked, SelectionSizes
 
-BEST = 20  # rows of the list of the best pairs
+BEST = 15  # rows of the list of the best pairs
 AS_ENTERED = "as entered"
 FIGURES = cell_tables(__file__)["figures"]  # of a shaft and of the pair that drives it, in the order of the sheet
 MIXED = "@product/{eta}+@product_back*{eta}+{i}*{own}*@way_turning"
