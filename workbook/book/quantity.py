@@ -58,6 +58,7 @@ class Quantity(NamedTuple):
     """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
     upper_limit: float = inf  # of an input: its largest value, where that depends on other entries
     limit: float = 0.0  # of figures beside a limit: above it they are shown as beyond it; none by default
+    good: str = ""  # a word that is shown as the verdict OK is
     grey: str = ""  # the condition, without =, under which the cell does not count, and is shown in grey
     row_label: str = ""  # the label that stands in its row, where that is another than its own
     says: str = ""  # of a check: the formula of where it fails, and by how much

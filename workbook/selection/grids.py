@@ -67,8 +67,10 @@ def grid(
         cell("first", list(range(0, down * across, across))) if name == "key" else cell("k", list(range(1, down + 1))),
     )
     for c, column in enumerate(whole.T.tolist(), 1):
-        unused = f"[@motors.on.same]*[@reducers.on.{c}]=0" if name == "wanted" else ""
-        each = CELLS[f"grid {name}"]("v", column, c=c, formula=f"={formula(c)}", scale=scale)
+        unused = f"[@motors.on.same]*[@reducers.on.{c}]=0" if name in ("wanted", "word") else ""
+        each = CELLS[f"grid {name}"]("v", column, c=c, formula=f"={formula(c)}", scale=scale)._replace(
+            good="yes" if name == "word" else ""
+        )
         sheet.beside(rows, f"@{name}{c}", each, unused)
 
 
@@ -80,7 +82,9 @@ def grid_heads(sheet: Sheet, view: PairSelection, name: str) -> None:
     heads = sheet.table(f"@{name}_heads", "Reducers: name, reduction", 2, *words)
     for c, both in enumerate(zip(names, reductions, strict=True), 1):
         formulas = [f'=INDEX([reducers.name],{c})&""', f"=[@reducers.i.{c}]+0"]
-        sheet.beside(heads, f"@{name}_head{c}", cell("v", both, c=c, formula=formulas, wrap=True))
+        sheet.beside(
+            heads, f"@{name}_head{c}", cell("v", both, c=c, formula=formulas, wrap=True), f"[@reducers.on.{c}]=0"
+        )
 
 
 def of_motor(figure: str) -> str:

@@ -25,7 +25,8 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
     ``limits`` are entered here where no other sheet has them.
     """
     sheet = book.sheet(TITLE, "Motor and reducer from the catalogue for one axis: usable pairs, best first.")
-    sheet.widths, sheet.print_columns = {FIRST: 28, FIRST + 1: 28, RESULTS: 20}, COLUMNS
+    sheet.widths, sheet.print_columns = {FIRST: 28, FIRST + 1: 28}, COLUMNS
+    sheet.one_page = len(view.shafts) <= ON_A_PAGE
     with sheet.scoped("sel_"):
         entries(sheet, view, axis)
         results(sheet, view)
@@ -53,7 +54,8 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
         order_table(pairs, view)
 
 
-RESULTS, COLUMNS = 8, 14  # the columns of results beside the entries, and those that are printed
+RESULTS, COLUMNS = 9, 14  # the column of results beside the entries, and the last that is printed
+ON_A_PAGE = 8  # rows of axes with which the best pairs fit on a page
 
 
 def entries(sheet: Sheet, view: PairSelection, axis: str) -> None:
@@ -82,7 +84,7 @@ def results(sheet: Sheet, view: PairSelection) -> None:
     )
     for row, q in enumerate(rows, sheet.section + 2):
         sheet.texts.append(Text(row, RESULTS, q.label, "label"))
-        sheet.put(q, row, RESULTS + 1)
+        sheet.put(q, row, RESULTS + 2)
 
 
 def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:

@@ -159,6 +159,12 @@ def conditional_formats(block: Block) -> Iterator[FormatRule]:
                 fill = PatternFill(bgColor=ground, fill_type="solid")
                 look = DifferentialStyle(font=Font(color=ink, bold=True), fill=fill)
                 yield FormatRule((q,), Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look))
+        if q.good:
+            _, ink, ground = VERDICTS[0]
+            look = DifferentialStyle(
+                font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid")
+            )
+            yield FormatRule((q,), Rule(type="cellIs", operator="equal", formula=[f'"{q.good}"'], dxf=look))
         if q.limit:
             ends = [f"{q.limit * (1 + ROUNDED):.12g}", f"{MOST:.0f}"]
             look = DifferentialStyle(font=Font(color=BEYOND, bold=True))

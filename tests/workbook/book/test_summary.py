@@ -18,9 +18,9 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert
 from workbook.writing.style import BEYOND
 
-PAGES = {"cutting-machine": 14, "machine": 23, "motion-composer": 16, "flying-cutter": 13, "indexing-overlap": 8}
+PAGES = {"cutting-machine": 9, "machine": 14, "motion-composer": 16, "flying-cutter": 10, "indexing-overlap": 8}
 """sheets of A4 at most"""
-SMALLEST = 6.4  # points
+SMALLEST = 6.98  # points: 7, but for the rounding of a page's scale
 HIGH = 1.22  # of the em: the box of a word in Carlito
 WORD = re.compile(r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">(.*?)</word>')
 

@@ -7,7 +7,7 @@ from engine.laws import Dwell
 from engine.laws.points import fastest
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Quantity, Sheet
+from workbook.book.declare import FIRST, Book, Quantity, Sheet
 from workbook.book.sentence import amount
 from workbook.entries.facts import entry_cells
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown, si
@@ -20,6 +20,10 @@ from workbook.motion.smooth import Joints
 CELLS = cell_tables(__file__)
 TIME, LENGTH = "time t [s]", "product length L_p [mm]"
 
+OTHER_KIND = dict.fromkeys(("fly_saw", "fly_lead", "fly_room"), 'fly_kind="drum"') | dict.fromkeys(
+    ("fly_tools", "fly_radius", "fly_angle", "fly_beyond"), 'fly_kind="saw"'
+)
+"""by entry, where it does not count, and is grey"""
 WAITS = waits("fly_length", "fly_beyond")
 BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 
@@ -36,8 +40,8 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
     verdicts(sheet, machine, joints, stroke)
     charts(sheet)
     sheet.row = max(sheet.row, BELOW_CHARTS)
-    cases(sheet, machine)
     sheet.not_printed_below()
+    cases(sheet, machine)
     sheet.heading("Workings")
     sheet.rows(*geometry(machine), *superimposed(machine))
     sheet.row += 1
@@ -52,13 +56,14 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
             formula=[law.own(law.page.fastest) for law in laws],
         ),
     )
-    sheet.print_columns = 18
+    sheet.print_columns, sheet.widths = 16, {FIRST: 37}
 
 
 def entries(sheet: Sheet, machine: CutterView) -> None:
     """Declare what the engineer enters."""
     sheet.heading("Enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft.")
-    sheet.rows(*entry_cells(machine.given, "cutter", ["lengths"]))
+    rows = entry_cells(machine.given, "cutter", ["lengths"])
+    sheet.rows(*(q._replace(grey=OTHER_KIND.get(q.name, "")) for q in rows))
 
 
 def cycle(sheet: Sheet, machine: CutterView) -> None:
@@ -193,9 +198,9 @@ def superimposed(machine: CutterView) -> list[Quantity]:
 def charts(sheet: Sheet) -> None:
     """Place the tool's motion, and right of it the load of its shaft, beside what is entered and what comes out."""
     for row, chart in zip((5, 24, 43), motion_charts(), strict=True):
-        sheet.chart(chart, column=11, row=row, width=4, height=18)
+        sheet.chart(chart, column=10, row=row, width=4, height=18)
     for row, chart in zip((5, 24, 43), load_charts(), strict=True):
-        sheet.chart(chart, column=15, row=row, width=4, height=18)
+        sheet.chart(chart, column=14, row=row, width=3, height=18)
 
 
 def line_chart(title: str, x: str, y: str, about: str, *lines: tuple[str, str, str]) -> Chart:
