@@ -44,7 +44,7 @@ USE = (
     "every formula cell is compared with an independent engine.",
     "The sheets are protected without a password: Review > Unprotect Sheet (LibreOffice: Tools > Protect Sheet).",
     "Yours are the cells with a fill, the columns beside the tables, and notes.",
-    "Workings are not printed, nor are Catalogue, Laws and the laws' sheets: clear a sheet's print area to print it.",
+    "Workings are not printed, nor are Catalogue, Laws and the laws' sheets, unless the description asks: print_also.",
 )
 COLUMNS = 17
 WIDTHS: dict[int, float] = {FIRST: 14.5, FIRST + 1: 24, 6: 12, 7: 13, 13: 12, 14: 12, 15: 16}
