@@ -125,11 +125,11 @@ def named_figure(
     return [*groups, cell(name, column, figure="+".join(f"[{group.name}]" for group in groups), scale=scale)]
 
 
-LINKS = 11  # the column of links to where a pair is chosen
+LINKS = 11  # the column of links to the sheets of drives
 
 
 def every_drive(sheet: Sheet, view: PairSelection) -> None:
-    """Declare a row a drive: its pair, the motors that can do it behind its reducer, and where one chooses."""
+    """Declare a row a drive: its pair, the motors that can do it behind its reducer, and a link to its choice."""
     cell = CELLS["each"]
     drives, names = view.every_drive, view.motors.names
     usable = [drive.usable_behind_own for drive in drives]

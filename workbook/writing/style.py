@@ -154,17 +154,11 @@ def conditional_formats(block: Block) -> Iterator[FormatRule]:
     Words of verdicts stay, so the colour is not the only sign. Errors have no number format: their ink goes.
     """
     for q in block.quantities:
-        if q.role == "check":
-            for word, ink, ground in VERDICTS:
-                fill = PatternFill(bgColor=ground, fill_type="solid")
-                look = DifferentialStyle(font=Font(color=ink, bold=True), fill=fill)
-                yield FormatRule((q,), Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look))
-        if q.good:
-            _, ink, ground = VERDICTS[0]
-            look = DifferentialStyle(
-                font=Font(color=ink, bold=True), fill=PatternFill(bgColor=ground, fill_type="solid")
-            )
-            yield FormatRule((q,), Rule(type="cellIs", operator="equal", formula=[f'"{q.good}"'], dxf=look))
+        good = ((q.good, *VERDICTS[0][1:]),) if q.good else ()
+        for word, ink, ground in VERDICTS if q.role == "check" else good:
+            fill = PatternFill(bgColor=ground, fill_type="solid")
+            look = DifferentialStyle(font=Font(color=ink, bold=True), fill=fill)
+            yield FormatRule((q,), Rule(type="cellIs", operator="equal", formula=[f'"{word}"'], dxf=look))
         if q.limit:
             ends = [f"{q.limit * (1 + ROUNDED):.12g}", f"{MOST:.0f}"]
             look = DifferentialStyle(font=Font(color=BEYOND, bold=True))

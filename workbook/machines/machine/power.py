@@ -67,7 +67,7 @@ class Mains:
 
 
 def supply(bus: Mains) -> list[Quantity]:
-    """Return what the first sheet takes of the sheet Power."""
+    """Return the results of the sheet Power that the first sheet repeats."""
     cell, size = CELLS["supply"], kw(bus.size)
     year = shown(bus.whole.energy_a_year(bus.entered.hours), MWH)
     return [
@@ -140,7 +140,7 @@ def results(bus: Mains) -> list[Quantity]:
 
 
 def on_the_bus(bus: Mains) -> list[Quantity]:
-    """Return what the drives on the common bus take, of which results are made."""
+    """Return the powers of the drives on the common bus, of which results take their part."""
     cell, without = CELLS["on the bus"], bus.without
     return [
         cell("bus_mains_peak", kw(bus.peak)),

@@ -10,6 +10,7 @@ from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
 from workbook.entries.facts import entry_cells, table_of
 from workbook.fields.units import DEGREE, KG_CM2, shown
 from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive_entries import WINDOWS, AxisPart, ForceWindow, lacking
 from workbook.machines.machine.timing.phases import beyond, no_fault
@@ -17,6 +18,20 @@ from workbook.machines.machine.timing.phases import beyond, no_fault
 CELLS = cell_tables(__file__)
 
 TITLE = "Rotating parts: an inertia, or a cylinder's diameter, length and density; teeth of what is geared"
+
+
+def parts_and_forces(sheet: Sheet, view: DriveView) -> None:
+    """Declare rotating parts, process forces and points of a mechanism: printed on request, or with other entries."""
+    driven, sizes = view.driven, view.tables.machine.given.sizes
+    linkage, is_full = LINKAGES.get(driven.given.kind), sheet.row > sheet.page_end + 2
+    sheet.heading("Enter: parts and process forces")
+    parts_table(sheet, driven, sizes.rotors)
+    windows_table(sheet, f"axes.{driven.number - 1}", view)
+    has_points = bool(linkage and linkage.entered)
+    if linkage and linkage.entered:
+        linkage.entered(sheet, driven, sizes.positions)
+    is_printed = is_full or has_points or "parts" in sheet.book.print_also
+    sheet.print_rows = sheet.row if is_printed else sheet.page_end
 
 
 def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:

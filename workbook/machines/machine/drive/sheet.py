@@ -24,7 +24,7 @@ from workbook.machines.machine.drive import (
     stages,
 )
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.entered import listed, loads, parts_table, windows_check, windows_table
+from workbook.machines.machine.drive.entered import listed, loads, parts_and_forces, windows_check
 from workbook.machines.machine.drive.front_page import NAMED, RIGHT, FrontPage
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
 from workbook.machines.machine.drive.points import (
@@ -63,24 +63,11 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
         judged = checks(view)
-        quantities = [
-            *entries(driven),
-            *in_use.figures(driven),
-            *at_rate(view),
-            *outcome(view),
-            *uses(view),
-            *listed(driven),
-        ]
+        quantities = [*entries(driven), *in_use.figures(driven), *at_rate(view), *outcome(view), *uses(view)]
+        quantities += listed(driven)
         front = FrontPage(sheet, [*quantities, *judged])
         front.place(charts(view))
-        is_full = sheet.row > sheet.page_end + 2
-        sheet.heading("Enter: parts and process forces")
-        parts_table(sheet, driven, sizes.rotors)
-        windows_table(sheet, f"axes.{driven.number - 1}", view)
-        if linkage and linkage.entered:
-            linkage.entered(sheet, driven, sizes.positions)
-        has_more = is_full or "parts" in book.print_also or (linkage and linkage.entered)
-        sheet.print_rows = sheet.row if has_more else sheet.page_end
+        parts_and_forces(sheet, view)
         checks_of_entries(sheet, view, front, judged)
         is_printed = "workings" in book.print_also
         if not is_printed:
