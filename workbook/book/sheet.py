@@ -93,10 +93,6 @@ class Sheet:
         """End what is printed above the next thing: long tables are for the screen."""
         self.print_rows = self.row
 
-    def print_on_request(self, content: str) -> None:
-        """Let the sheet be for the screen alone, unless the description asks for the ``content`` on paper."""
-        self.unprinted = content not in self.book.print_also
-
     def heading(self, text: str, note: str = "") -> None:
         """Begin a section."""
         self.row += 1

@@ -84,7 +84,7 @@ def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces)
             sheet.chart(chart, column=BEHIND - 6, row=row, width=6, height=14)
         sheet.row = max(sheet.row, 50)
         sheet.print_columns = BEHIND - 1
-        sheet.print_on_request("laws")
+        sheet.unprinted = "laws" not in book.print_also
         sheet.heading("Table")
         samples(sheet, rise, entered.lift, sizes.law, stack, page.of_pieces or page.columns)
         page.detail(sheet, named, stack, sizes)

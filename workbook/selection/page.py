@@ -142,7 +142,7 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> No
     motor = table_of(MotorRow).columns(products.motors, "selection.motors", sizes.motors)
     reducer = table_of(ReducerRow).columns(products.reducers, "selection.reducers", sizes.reducers)
     sheet = book.sheet("Catalogue", "Motors and reducers that drives name: add products in the empty rows.")
-    sheet.print_on_request("catalogue")
+    sheet.unprinted = "catalogue" not in book.print_also
     sheet.heading("Motors and reducers", "No empty row in between. A limit that is not given is none.")
     book.column_names |= {"motor_name": ("motors", "name"), "reducer_name": ("reducers", "name")}
     sheet.table(
