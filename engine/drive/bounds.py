@@ -24,7 +24,8 @@ class Bounds(NamedTuple):
 
 CONSTANT = Bounds()  # without viscous friction peaks are exact, if the acceleration is monotone in each piece
 CHANGING = Bounds()
-TABLE = Bounds(rms_torque=5e-3, mean_torque=5e-3, speed=1e-2, peak_power=0.1)  # its ratio bends at each of its points
+TABLE = Bounds(peak_torque=2e-2, rms_torque=1.5e-2, mean_torque=1e-2, speed=1e-2, peak_power=0.1)
+"""of a table of positions, whose ratio bends at each of its points"""
 BY_ANGLE = Bounds(peak_torque=2.5e-2)  # of an axis that turns most of the way in one interval
 
 
