@@ -53,6 +53,11 @@ def recipe(name):
     return BLOCK.findall(text), rows, text
 
 
+def listed(value):
+    """Return an expression as an item of a list."""
+    return value.rstrip() + ",\n"
+
+
 def tried(folder):
     """Return what verifying the machine's book prints, by the changed source."""
     done = subprocess.run(
@@ -65,7 +70,7 @@ def tried(folder):
 def test_a_column_as_its_recipe_has_it(copy, tmp_path):
     (value,), (row,), _ = recipe("column")
     copy(f"{MACHINE}timing/phases.md", r"\| result \| `rms`", row)
-    copy(f"{MACHINE}timing/phases.py", r"\*\(\[\] if over.measured else in_ms\)", value)
+    copy(f"{MACHINE}timing/phases.py", r"\*\(\[\] if over.measured else in_ms\)", listed(value))
     assert tried(tmp_path) == "[] True []\n"
 
 
@@ -84,9 +89,9 @@ def test_a_check_as_its_recipe_has_it(copy, tmp_path):
     (field, column, value), (facts, row), _ = recipe("check")
     copy(f"{MACHINE}entries.py", "position: Number = 0.0", field)
     copy(f"{MACHINE}entries.md", r"\| entry \| `position`", facts)
-    copy(f"{MACHINE}timing/axes.py", r"entry\(\"position\"", column)
+    copy(f"{MACHINE}timing/axes.py", r"entry\(\"position\"", listed(column))
     copy(f"{MACHINE}timing/phases.md", r"\| check \| `\{t\}_position`", row)
-    copy(f"{MACHINE}timing/phases.py", r"\*map\(stop_check", value)
+    copy(f"{MACHINE}timing/phases.py", r"\*map\(stop_check", listed(value))
     path = tmp_path / f"{MACHINE}timing/phases.py"
     path.write_text(path.read_text("utf-8").replace("import amount,", "import amount, exceeding,"), encoding="utf-8")
     copy("machine.toml", r"closes = ", "fastest = 1.5\n")
