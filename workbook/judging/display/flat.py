@@ -6,6 +6,7 @@ Fresh builds and files of any program are read by this reader: what is left of t
 import re
 from collections import Counter
 from collections.abc import Callable, Collection, Mapping
+from functools import lru_cache
 from math import isclose
 from types import MappingProxyType
 from typing import Any, NamedTuple
@@ -116,6 +117,7 @@ def normal_value(element: str, name: str, value: str) -> str:
     return "" if value in OFF else value
 
 
+@lru_cache(maxsize=4_000)
 def usual_value(key: str) -> str:
     """Return the value of an attribute that is not given."""
     return next((value for end, value in USUAL.items() if f" {key}".endswith(f" {end}")), "")
