@@ -100,7 +100,11 @@ def open_book(path: Path) -> BookFile:
     require_file(path, "a workbook")
     if path.suffix.lower() not in SUFFIXES:
         raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
-    inspected = guard(path)
+    return book_of(path, guard(path))
+
+
+def book_of(path: Path, inspected: Inspected) -> BookFile:
+    """Open a workbook that passed the guard, or raise ReadError in a line."""
     workbook = load_workbook(path, inspected)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")

@@ -44,11 +44,14 @@ class Inspected(NamedTuple):
     book: Element  # the workbook's own part
 
 
-def guard(path: Path) -> Inspected:
-    """Check a file before it is parsed; raise ReadError where it is no zip of XML, too large, or has two readings."""
+def guard(path: Path, known: "Scans | None" = None) -> Inspected:
+    """Check a file before it is parsed; raise ReadError where it is no zip of XML, too large, or has two readings.
+
+    ``known`` are parts that were read of an earlier save: those that are the same are not read again.
+    """
     try:
         with path.open("rb") as file:
-            return inspect(file, path.stat().st_size)
+            return inspect(file, path.stat().st_size, known)
     except Refusal as refusal:
         raise ReadError(f"{path}: {refusal}") from None
     except PermissionError as error:
@@ -58,7 +61,7 @@ def guard(path: Path) -> Inspected:
         raise ReadError(f"{path}: damaged: {message}; expected a workbook; {SAVE_AS}") from error
 
 
-def inspect(file: IO[bytes], size: int) -> Inspected:
+def inspect(file: IO[bytes], size: int, known: "Scans | None" = None) -> Inspected:
     """Check an open file; raise Refusal for what cannot be a workbook of this kind."""
     if size > MOST_PACKED:
         raise Refusal(f"{size:,} bytes; a workbook of at most {MOST_PACKED:,} bytes is expected")
@@ -66,7 +69,7 @@ def inspect(file: IO[bytes], size: int) -> Inspected:
     with zipfile.ZipFile(file) as archive:
         infos = archive.infolist()
         refuse_odd_parts(infos, size)
-        scans = scan_parts(archive, infos)
+        scans = scan_parts(archive, infos, known)
     names = [info.filename for info in infos]
     roots = {name: scan.root for name, scan in scans.items()}
     main, titled, shared = find_parts(roots, names)
@@ -99,16 +102,31 @@ def rows_of(scan: Scan | None, title: str) -> Rows:
     return scan.rows
 
 
-def scan_parts(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo]) -> dict[str, Scan]:
+class Scans:
+    """The parts of an earlier save, by name, size and the checksum that the zip has of each; those of the latest."""
+
+    def __init__(self) -> None:
+        self.by_checksum: dict[tuple[str, int, int], Scan] = {}
+
+
+def scan_parts(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo], known: Scans | None = None) -> dict[str, Scan]:
     """Read every part once that is XML, or may be read as such; return what was read by name."""
     count, scans = Totals(), dict[str, Scan]()
+    earlier, latest = known.by_checksum if known else {}, dict[tuple[str, int, int], Scan]()
     for info in infos:
+        key = info.filename, info.file_size, info.CRC
+        if key in earlier:
+            scans[info.filename] = latest[key] = earlier[key]
+            continue
         data = unpack(archive, info)
         start = data[:200].lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n")
         if not (start.startswith(b"<") or info.filename.lower().endswith((".xml", ".rels"))):
             continue  # no XML, nor to be read as such: relations may call any part a sheet, whatever its name
         scans[info.filename] = Scan(info.filename, count)
         scans[info.filename].read(without_cached_points(info.filename, data))
+        latest[key] = scans[info.filename]
+    if known:
+        known.by_checksum = latest
     return scans
 
 

@@ -80,6 +80,9 @@ class Model(Protocol):
     def evaluate(self) -> Cells:
         """Return the value of every formula cell, each from all others."""
 
+    def enter(self, values: Cells) -> None:
+        """Take other contents of cells without formulas, for all that is evaluated from now on."""
+
     def each(self, wanted: Sequence[int], values: Sequence[Any]) -> Sequence[Any]:
         """Return the value of each of the cells ``wanted``, computed by itself with ``values`` in those given."""
 

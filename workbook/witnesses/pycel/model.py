@@ -72,6 +72,8 @@ class PycelModel:
         self._steps: dict[int, FormulaStep | RangeStep] = {}
         self._areas: dict[int, Area] = {}
         self._range_cells = 0
+        self._latest: list[Any] = []  # values of the last evaluation of what the cells hold
+        self._changed: set[int] = set()  # what was entered since
         for address, value in self._entered.items():
             self._numbers.cell(address, value)
         self._cells = {self._numbers.cell(address): address for address in self.formulas}
@@ -91,11 +93,27 @@ class PycelModel:
         """The formula cells, each after those that it needs."""
         return [self._cells[number] for number in self._order if number in self._cells]
 
+    def enter(self, contents: Cells) -> None:
+        """Take other contents of cells without formulas, for all that is evaluated from now on."""
+        for address, content in contents.items():
+            number, value = self._numbers.cell(address), plain_value(content)
+            self._entered[address] = self._numbers.values[number] = value
+            self._changed.add(number)
+            if self._latest and number < len(self._latest):
+                self._latest[number] = value
+            else:
+                self._latest = []
+
     @np.errstate(all="ignore")  # what is not finite is worked out again, by elements
     def evaluate(self, inputs: Mapping[Address, Any] | None = None) -> Cells:
-        """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only."""
+        """Return the value of every formula cell; ``inputs`` stand in for what cells hold, in this evaluation only.
+
+        Without ``inputs``, only what depends on contents that were entered since the last evaluation is worked out.
+        """
+        if self._latest and not inputs:
+            return self._evaluate_changed(self._latest)
         given = {self._numbers.cell(address): plain_value(value) for address, value in (inputs or {}).items()}
-        if len(self._numbers.values) > self._filled and given:  # ranges may have passed over these as empty
+        if len(self._numbers.values) > self._filled and (given or self._changed):  # ranges may have passed over these
             self._filled = len(self._numbers.values)
             for number, area in self._areas.items():
                 self._fill(number, area)
@@ -107,6 +125,23 @@ class PycelModel:
         for number in self._order:
             if number not in given:
                 values[number] = self._result(number, values)
+        if not inputs:
+            self._latest = values
+            self._changed.clear()
+        return self._by_address(values)
+
+    def _evaluate_changed(self, values: list[Any]) -> Cells:
+        """Return the value of every formula cell, worked out anew where it depends on what was entered."""
+        changed, self._changed = self._changed, set()
+        ArrayCells.cells = 0
+        for number in self._order if changed else ():
+            if not changed.isdisjoint(self._steps[number].sources):
+                before, values[number] = values[number], self._result(number, values)
+                if not before or before != values[number] or type(before) is not type(values[number]):  # -0.0 is 0.0
+                    changed.add(number)
+        return self._by_address(values)
+
+    def _by_address(self, values: Sequence[Any]) -> Cells:
         return self._failed | {address: values[number] for number, address in self._cells.items()}
 
     @np.errstate(all="ignore")
@@ -184,6 +219,8 @@ class PycelModel:
         """Return the value of a step in an evaluation of the whole, and note the reason where it has none."""
         step, address, problem = self._steps[number], self._cells.get(number), ""
         result: Any
+        if address and self.raised:
+            self.raised.discard(address)
         if self._cyclic and CYCLE in map(values.__getitem__, step.sources):
             result, problem = CYCLE, "the cell depends on cells that depend on themselves"
         else:

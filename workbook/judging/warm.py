@@ -1,0 +1,163 @@
+"""The values of a book that is edited, judged after each save by what is kept of the save before.
+
+Kept are the parts of the file that are the same, the formulas, taken apart and compiled, and the values of cells that
+depend on no other entry. What is shown, and formulas at other entries, :func:`workbook.judging.verify.verify` judges.
+"""
+
+import io
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from xml.etree.ElementTree import tostring
+
+from openpyxl.cell.cell import MergedCell
+from openpyxl.reader.strings import read_string_table
+from pydantic import BaseModel
+
+from workbook.book.address import Address
+from workbook.book.declare import Book
+from workbook.entries.machine import Machine
+from workbook.errors import MotionbookError
+from workbook.judging.comparison import Comparison, count_cells
+from workbook.judging.matching import Match
+from workbook.judging.repair import repair_book, repair_names
+from workbook.judging.report import Report
+from workbook.judging.structure import check_structure
+from workbook.judging.verify import check_results
+from workbook.reading.cells import TEXTS, cell_content, saved_values
+from workbook.reading.contents import Cells, plain_value
+from workbook.reading.entries import Entries
+from workbook.reading.files import BookFile, book_of, find_places, require_little_work
+from workbook.reading.guard import Inspected, Scans, guard
+from workbook.reading.rows import RawCell, tag
+from workbook.witnesses.agreement import agreed_values
+from workbook.witnesses.registry import WITNESSES
+from workbook.witnesses.witness import CellWitness, Model
+
+NAMING = frozenset({"workbookPr", "sheet", "definedName"})  # elements of the workbook's part on which values rest
+
+
+class OtherBookError(MotionbookError):
+    """A save of which the values alone cannot be judged."""
+
+
+@dataclass
+class Judged:
+    """The entries of a save, what its book should hold, and the report on the values of its cells."""
+
+    machine: Machine
+    declared: Book
+    report: Report
+
+
+class WarmBook:
+    """A book that is edited, as its latest save has it."""
+
+    def __init__(self) -> None:
+        self._scans = Scans()
+        self._file: BookFile | None = None
+        self._model: Model | None = None
+        self._cells: list[Address] = []  # for which the model takes values
+
+    def judge_values(self, path: Path) -> Judged:
+        """Return what comes of the values of a save; raise MotionbookError where only ``verify`` can judge it."""
+        file, self._file = self._file, None  # nothing is kept of a save that raises an error
+        inspected = guard(path, self._scans)
+        cells = changed_cells(file, inspected) if file else None
+        if file is None or cells is None:
+            file, entered, self._model = book_of(path, inspected), Cells(), None
+        else:
+            file, entered = enter_cells(file, inspected, cells)
+        entries = Entries(file, agreed_values, refuse_repairs if self._model is None else refuse_other_names)
+        if file.torn or file.inserted:
+            raise OtherBookError(f"{path}: rows were put into its tables")
+        machine = entries.machine()
+        match = Match(file, entries.template.declare(machine))
+        report = Report(path, entries.template.name)
+        self._compare(match, report, entered)
+        exact = entries.template.judge(machine)
+        report.checks = [check.judged(exact) for check in report.checks]
+        self._file = file
+        return Judged(machine, match.declared, report)
+
+    def _compare(self, match: Match, report: Report, entered: Cells) -> None:
+        """Enter the findings on the values of a file, of which the contents ``entered`` are new."""
+        check_structure(match, report)
+        require_little_work(match.file, match.file.path)
+        witnesses = [make() for make in WITNESSES.values()]
+        single = next(witness for witness in witnesses if isinstance(witness, CellWitness))
+        cells = [pair.address for pair in match.pairs]
+        if self._model is None or cells != self._cells:
+            self._model, self._cells = single.model(match.file, cells), cells
+        else:
+            self._model.enter(entered)
+        comparison = Comparison(match, match.file, single, self._model, report)
+        for witness in (single, *(witness for witness in witnesses if witness.kept)):
+            comparison.ask(witness)
+        report.checks = check_results(match, comparison.values)
+        count_cells(match, report)
+
+
+def refuse_repairs(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Any]:
+    """Raise OtherBookError where entries have to be put in order before they can be judged."""
+    if repair_book(file, layout, model):
+        raise OtherBookError(f"{file.path}: names are to be put in order")
+    return []
+
+
+def refuse_other_names(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Any]:
+    """Raise OtherBookError where names have to be put in order; of unchanged formulas no cell was cut."""
+    if any(repair_names(file, layout, model)):
+        raise OtherBookError(f"{file.path}: names are to be put in order")
+    return []
+
+
+def changed_cells(file: BookFile, inspected: Inspected) -> dict[Address, RawCell] | None:
+    """Return the cells without formulas that may hold something else in another save; None where more is new."""
+    was = file.inspected
+    if was is None or naming(was) != naming(inspected) or was.sheets.keys() != inspected.sheets.keys():
+        return None
+    other_texts = was.strings is not inspected.strings
+    changed = {}
+    for title, rows in inspected.sheets.items():
+        old = was.sheets[title]
+        if len(old.written) != len(rows.written):
+            return None
+        for cell, now in zip(old.written, rows.written, strict=True) if rows is not old or other_texts else ():
+            if cell == now and not (other_texts and now.kind == "s"):
+                continue
+            if cell[:2] != now[:2] or (cell.how, cell.formula) != (now.how, now.formula):
+                return None
+            if now.how is None:
+                changed[Address(title, *now[:2])] = now
+    return changed
+
+
+def naming(inspected: Inspected) -> list[Any]:
+    """Return the names of a file and the titles of its sheets, as its part for the workbook has them."""
+    return [(e.tag, e.attrib, e.text) for e in inspected.book.iter() if tag(e) in NAMING]
+
+
+def enter_cells(file: BookFile, inspected: Inspected, cells: dict[Address, RawCell]) -> tuple[BookFile, Cells]:
+    """Return a file as another save of it has these cells, and what of their contents is new."""
+    texts = shared_texts(inspected) if any(cell.kind == "s" for cell in cells.values()) else []
+    contents, entered = file.contents, Cells()
+    for address, now in cells.items():
+        cell: Any = file.cell(address)
+        content = cell_content(now, texts)
+        if isinstance(cell, MergedCell) or (content == cell.value and type(content) is type(cell.value)):
+            continue
+        cell._value, cell.data_type = content, TEXTS.get(now.kind, now.kind)
+        contents.constants.pop(address, None)
+        entered[address] = plain_value(content, file.workbook.epoch)
+        if content is not None:
+            contents.constants[address] = entered[address]
+    places, saved = find_places(file.workbook), saved_values(inspected)
+    later = BookFile(file.path, file.workbook, places, inspected.notes, saved, inspected=inspected)
+    later.__dict__["contents"] = contents  # the formulas are the same
+    return later, entered
+
+
+def shared_texts(inspected: Inspected) -> list[str]:
+    """Return the texts that cells share, by their numbers."""
+    return [str(text) for text in read_string_table(io.BytesIO(tostring(inspected.strings)))]
