@@ -2,14 +2,30 @@
 
 import asyncio
 from pathlib import Path
-from typing import Literal
+from typing import Annotated, Literal
 
 import typer
 from typer import Argument, Option
 
-from workbook.cli.books import Book, CamFile, Force, Fresh, Jobs, Json, Of, Scheduler, Source, app, flag, option, to
+from workbook.cli.books import (
+    PLACES,
+    Book,
+    CamFile,
+    Force,
+    Fresh,
+    Jobs,
+    Json,
+    Of,
+    Scheduler,
+    Source,
+    app,
+    flag,
+    named_place,
+    option,
+    to,
+)
 from workbook.controllers.registry import TARGETS
-from workbook.reports.terminal import OUT, say, say_json
+from workbook.reports.terminal import ERR, OUT, say, say_json
 
 BEYOND = (
     "Largest error of y, v, a or j as a share of its peak; beyond it nothing is written. May be given several times."
@@ -166,6 +182,30 @@ def serve(
         asyncio.run(server.serve(folder, port, browse, lambda address: say(OUT, f"Open {address} (Ctrl+C ends)")))
     except KeyboardInterrupt:
         say(OUT, "Ended")
+
+
+@app.command()
+def watch(
+    books: Annotated[list[Path], Argument(metavar="BOOK|FOLDER...", parser=named_place, help=PLACES)],
+    once: bool = flag("--once", "End with the verdict on the first save, by the exit code of verify; no page."),
+    as_json: bool = flag("--json", "Print a line of JSON for each verdict."),
+    port: int = Option(0, min=0, max=65535, help="The port of the page; 0 takes a free one."),
+    browse: bool = Option(True, help="Open the browser."),
+) -> None:
+    """Verify workbooks each time they are saved, beside Excel or LibreOffice, until Ctrl+C.
+
+    The verdict on the values comes first; what is shown, and formulas at other entries, are compared after it. It is
+    told here and on a page that updates itself, with the entries and results that the save changed.
+    """
+    from workbook.serve.watch import Watch
+
+    async def run() -> int:
+        return await Watch(books, once, as_json).run(port, browse, is_served=not once)
+
+    try:
+        raise typer.Exit(asyncio.run(run()))
+    except KeyboardInterrupt:
+        say(ERR, "Ended")
 
 
 @app.command()

@@ -2,32 +2,27 @@
 
 import asyncio
 import re
-import secrets
 import tempfile
-import webbrowser
 from collections.abc import Callable
 from datetime import datetime
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
-from tornado.httpserver import HTTPServer
-from tornado.netutil import bind_sockets
-from tornado.web import Application, HTTPError
+from tornado.web import HTTPError
 
 from workbook.build import read_inputs
 from workbook.controllers.registry import TARGETS
 from workbook.errors import InputError, WriteError
 from workbook.serve import fields, live, pages, study
-from workbook.serve.handler import LARGEST, REPORT, Action, Folder, Page, state
+from workbook.serve.handler import REPORT, Action, Folder, Page, state
+from workbook.serve.server import SVG, serving, static
 from workbook.serve.work import NOT_WRITTEN, Work, WorkError
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
 
-STATIC = {"favicon.ico": "icon.svg"}
-STATIC |= {name: name for name in ("busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")}
-SVG = "image/svg+xml"
+STATIC = ("favicon.ico", "busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")
 ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 
@@ -112,13 +107,6 @@ async def picture(page: Page, name: str) -> str:
         raise HTTPError(404)
     page.set_header("Content-Type", SVG)
     return await page.work.in_worker(live.picture, name)
-
-
-async def static(page: Page, name: str) -> bytes:
-    """Send a script of a page, or the icon."""
-    file = Path(__file__).with_name(STATIC[name])
-    page.set_header("Content-Type", SVG if file.suffix == ".svg" else "text/javascript; charset=utf-8")
-    return file.read_bytes()
 
 
 async def save(page: Page) -> str | None:
@@ -234,30 +222,10 @@ POST: dict[str, Action] = {
 
 async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]) -> None:
     """Serve a folder on this computer until it is interrupted."""
-    folder, token, work = Folder(path), secrets.token_urlsafe(24), Work()
-    sockets = bind_sockets(port, "127.0.0.1")
-    port = sockets[0].getsockname()[1]
-    hosts = [f"127.0.0.1:{port}", f"localhost:{port}"]
-    shared = {"folder": folder, "work": work, "verdicts": dict[str, str]()}
-    handlers: list[Any] = [
-        (path, Page, shared | {"method": method, "action": action})
-        for method, actions in (("GET", GET), ("POST", POST))
-        for path, action in actions.items()
-    ]
-    application = Application(
-        handlers,
-        token=token,
-        hosts=hosts,
-        default_handler_class=Page,
-        default_handler_args=shared | {"method": "GET", "action": None},
-    )
-    server = HTTPServer(application, max_buffer_size=LARGEST + 2**20)
-    server.add_sockets(sockets)
-    tell(address := f"http://127.0.0.1:{port}/?token={token}")
-    if browse:
-        webbrowser.open(address)
+    work = Work()
+    shared = {"folder": Folder(path), "work": work, "verdicts": dict[str, str]()}
     try:
-        await asyncio.Event().wait()
+        async with serving(GET, POST, shared, port, browse, tell):
+            await asyncio.Event().wait()
     finally:
-        server.stop()
         work.stop()

@@ -66,7 +66,8 @@ class Job:
 class Work:
     """Commands, so many at once, others wait for their turn; a single study; and a process for what is edited."""
 
-    def __init__(self, most: int | None = None) -> None:
+    def __init__(self, most: int | None = None, patience: float = PATIENCE) -> None:
+        self._patience = patience
         self._turns = asyncio.Semaphore(most or max(1, (os.cpu_count() or 2) - 1))
         self._running: set[asyncio.subprocess.Process] = set()
         self.waiting = 0
@@ -79,10 +80,10 @@ class Work:
             self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=prepare_worker)
         try:
             future = asyncio.get_running_loop().run_in_executor(self._editing, function, *arguments)
-            return await asyncio.wait_for(future, PATIENCE)
+            return await asyncio.wait_for(future, self._patience)
         except (TimeoutError, BrokenProcessPool):
             self._end_editing()
-            raise WorkError(f"Not worked out within {PATIENCE:.0f} s") from None
+            raise WorkError(f"Not worked out within {self._patience:.0f} s") from None
 
     def _end_editing(self) -> None:
         """End the process for what is edited; the next edit begins another."""

@@ -1,0 +1,178 @@
+"""The saves of books that are watched: each read once it is whole, and judged in a process that stays."""
+
+import asyncio
+import hashlib
+import io
+import tempfile
+import time
+import zipfile
+from collections import OrderedDict
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from workbook.differences.design import Change, Design, changes
+from workbook.errors import MotionbookError
+from workbook.judging.batch import Outcome, SentBook, Target, file_state, judge, no_report, verify_sent
+from workbook.judging.warm import WarmBook
+from workbook.pool import collector_paused
+from workbook.reports.page import VERDICTS, own_verdict
+from workbook.serve.work import Work, WorkError
+
+TRIES, PAUSE = 20, 0.25  # readings of a file until it is whole, and the seconds between them
+MOST_KEPT = 2  # books of which formulas and values are kept: some 200 MB each
+DAILY = ("pycel",)
+
+
+@dataclass(frozen=True)
+class Changes:
+    """The entries and results that differ from the save before."""
+
+    entries: list[Change] = field(default_factory=list)
+    results: list[Change] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The verdict on a save; not ``whole`` where values alone are judged yet, at the entries of the save."""
+
+    when: datetime
+    outcome: Outcome
+    changes: Changes
+    whole: bool
+
+    @property
+    def is_ok(self) -> bool:
+        """Whether every cell agrees and the machine passes its own checks."""
+        return self.outcome.verdict == "agrees"
+
+    @property
+    def sentence(self) -> str:
+        """The verdict in a sentence."""
+        report = self.outcome.report
+        if report is None:
+            return self.outcome.reason
+        words = VERDICTS[self.outcome.verdict].page
+        cells = f"{report.compared:,} of {report.declared:,} formula cells compute what the engine computes"
+        cells = cells if report.agrees else report.findings_words
+        rest = "" if self.whole else "; what is shown, and other entries, are being compared"
+        return f"{words}: {cells}; the machine's own checks: {own_verdict(report)}{rest}"
+
+
+class Kept:
+    """A watched book, as the process that judges it keeps it."""
+
+    def __init__(self) -> None:
+        self.book = WarmBook()
+        self.design: Design | None = None
+
+
+_books: OrderedDict[Path, Kept] = OrderedDict()
+
+
+def judge_values(path: Path, data: bytes) -> tuple[Outcome, Changes] | None:
+    """Return what comes of the values of a save, and what it changed; None where only ``verify`` can judge it."""
+    kept, begin = _books.setdefault(path, Kept()), time.perf_counter()
+    _books.move_to_end(path)
+    while len(_books) > MOST_KEPT:
+        _books.popitem(last=False)
+    with tempfile.TemporaryDirectory() as folder, suppress(MotionbookError):
+        copy = Path(folder, path.name)
+        copy.write_bytes(data)
+        with collector_paused():
+            judged = kept.book.judge_values(copy)
+        before, kept.design = kept.design, Design(path, judged.machine, judged.declared)
+        report = replace(judged.report, path=path)
+        return judge(path, report, hashlib.sha256(data).hexdigest(), begin), changed(before, kept.design)
+    kept.design = None
+    return None
+
+
+def changed(before: Design | None, design: Design) -> Changes:
+    """Return what differs between two saves of a book."""
+    if before is None or before.machine.template != design.machine.template:
+        return Changes()
+    results = changes(before.results(), design.results())
+    return Changes(changes(before.entries(), design.entries()), [change for change in results if change.is_shown])
+
+
+def verify_whole(path: Path, data: bytes) -> Outcome:
+    """Verify a save as ``motionbook verify`` does."""
+    return verify_sent(SentBook(Target(path, named=True), str(path), data), DAILY)
+
+
+async def read_whole(path: Path) -> bytes | None:
+    """Return the bytes of a save once it is whole, or as it is at last; None of a file that is not there.
+
+    A program that writes a file, or holds it closed to others, is waited for.
+    """
+    data = None
+    for _ in range(TRIES):
+        data, before = None, file_state(path)
+        with suppress(OSError):
+            data = path.read_bytes()
+            if before == file_state(path) and is_zip(data):
+                return data
+        await asyncio.sleep(PAUSE)
+    return data
+
+
+def is_zip(data: bytes) -> bool:
+    """Whether a file is a zip to its end; its directory, which is written last, stands there."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            return bool(archive.infolist())
+    except (zipfile.BadZipFile, ValueError, NotImplementedError, OSError):
+        return False
+
+
+class Saves:
+    """Books that are watched: the latest verdict on each, told as it comes."""
+
+    def __init__(self, work: Work, tell: Callable[[Path, Verdict], Any]) -> None:
+        self.verdicts: dict[Path, Verdict] = {}
+        self._work, self._tell = work, tell
+        self._digests: dict[Path, str] = {}
+        self._waiting: dict[Path, None] = {}
+        self._noted = asyncio.Event()
+
+    def note(self, path: Path) -> None:
+        """Note that a book may have been saved."""
+        self._waiting[path] = None
+        self._noted.set()
+
+    async def judge_each(self) -> None:
+        """Judge saves as they are noted, for ever."""
+        while True:
+            await self._noted.wait()
+            while self._waiting:
+                path = next(iter(self._waiting))
+                del self._waiting[path]
+                await self._judge(path)
+            self._noted.clear()
+
+    async def _judge(self, path: Path) -> None:
+        """Judge a save, unless it is that which was judged: values first; the rest unless the next save came."""
+        data = await read_whole(path)
+        digest = hashlib.sha256(data).hexdigest() if data is not None else ""
+        if data is None or self._digests.get(path) == digest:
+            return
+        changed = Changes()
+        try:
+            if judged := await self._work.in_worker(judge_values, path, data):
+                outcome, changed = judged
+                self._say(path, Verdict(datetime.now().astimezone(), outcome, changed, whole=False))
+            if path in self._waiting:
+                return
+            outcome = await self._work.in_worker(verify_whole, path, data)
+        except WorkError as error:
+            outcome = no_report(path, str(error))
+        self._digests[path] = digest
+        self._say(path, Verdict(datetime.now().astimezone(), outcome, changed, whole=True))
+
+    def _say(self, path: Path, verdict: Verdict) -> None:
+        self.verdicts[path] = verdict
+        self._tell(path, verdict)

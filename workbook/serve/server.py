@@ -1,0 +1,60 @@
+"""A server for this computer alone: addresses with what is done at each, and the files that its pages load."""
+
+import secrets
+import webbrowser
+from collections.abc import AsyncIterator, Callable, Mapping
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+from tornado.httpserver import HTTPServer
+from tornado.netutil import bind_sockets
+from tornado.web import Application
+
+from workbook.serve.handler import LARGEST, Action, Page
+
+SVG = "image/svg+xml"
+ICON = {"favicon.ico": "icon.svg"}
+
+
+async def static(page: Page, name: str) -> bytes:
+    """Send a script of a page, or an icon."""
+    file = Path(__file__).with_name(ICON.get(name, name))
+    page.set_header("Content-Type", SVG if file.suffix == ".svg" else "text/javascript; charset=utf-8")
+    return file.read_bytes()
+
+
+@asynccontextmanager
+async def serving(
+    get: Mapping[str, Action],
+    post: Mapping[str, Action],
+    shared: Mapping[str, Any],
+    port: int,
+    browse: bool,
+    tell: Callable[[str], None],
+) -> AsyncIterator[None]:
+    """Serve actions by their addresses, ``shared`` by all; ``tell`` the address to begin with."""
+    token = secrets.token_urlsafe(24)
+    sockets = bind_sockets(port, "127.0.0.1")
+    port = sockets[0].getsockname()[1]
+    handlers: list[Any] = [
+        (path, Page, {**shared, "method": method, "action": action})
+        for method, actions in (("GET", get), ("POST", post))
+        for path, action in actions.items()
+    ]
+    application = Application(
+        handlers,
+        token=token,
+        hosts=[f"127.0.0.1:{port}", f"localhost:{port}"],
+        default_handler_class=Page,
+        default_handler_args={**shared, "method": "GET", "action": None},
+    )
+    server = HTTPServer(application, max_buffer_size=LARGEST + 2**20)
+    server.add_sockets(sockets)
+    tell(address := f"http://127.0.0.1:{port}/?token={token}")
+    if browse:
+        webbrowser.open(address)
+    try:
+        yield
+    finally:
+        server.stop()
