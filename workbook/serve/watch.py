@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from workbook.serve.saves import Saves, Verdict
 from workbook.serve.server import serving, static
 from workbook.serve.work import Work
 
+STATIC = r"/(busy\.js|watch\.js|ok\.svg|fail\.svg|favicon\.ico)"
 MOST = 12  # findings, entries and results that are listed
 LONGEST = 600.0  # seconds of a verdict
 
@@ -32,7 +34,8 @@ class Watch:
         self.paths, self.once, self.as_json = [path.absolute() for path in paths], once, as_json
         self.code: int | None = None
         self._ended = asyncio.Event()
-        self._work = Work(patience=LONGEST)
+        self._temporary = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # no work leaves a file behind
+        self._work = Work(patience=LONGEST, temporary=self._temporary.name)
         self.saves = Saves(self._work, self._tell)
 
     async def run(self, port: int, browse: bool, is_served: bool) -> int:
@@ -52,6 +55,7 @@ class Watch:
                     task.cancel()
         finally:
             self._work.stop()
+            self._temporary.cleanup()
         return self.code or 0
 
     async def _notice(self) -> None:
@@ -69,7 +73,7 @@ class Watch:
         return path in self.paths or any(folder in path.parents for folder in self.paths if folder.is_dir())
 
     async def _serve(self, port: int, browse: bool) -> None:
-        actions: dict[str, Action] = {"/": self._page, "/now": self._fragment, "/(watch.js|ok.svg|fail.svg)": static}
+        actions: dict[str, Action] = {"/": self._page, "/now": self._fragment, STATIC: static}
         shared = {"folder": Folder(self.paths[0].parent), "work": self._work, "verdicts": {}}
         async with serving(actions, {}, shared, port, browse, self._say_address):
             await asyncio.Event().wait()

@@ -5,6 +5,7 @@ import gc
 import os
 import signal
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
@@ -66,8 +67,8 @@ class Job:
 class Work:
     """Commands, so many at once, others wait for their turn; a single study; and a process for what is edited."""
 
-    def __init__(self, most: int | None = None, patience: float = PATIENCE) -> None:
-        self._patience = patience
+    def __init__(self, most: int | None = None, patience: float = PATIENCE, temporary: str | None = None) -> None:
+        self._patience, self._temporary = patience, temporary
         self._turns = asyncio.Semaphore(most or max(1, (os.cpu_count() or 2) - 1))
         self._running: set[asyncio.subprocess.Process] = set()
         self.waiting = 0
@@ -77,7 +78,7 @@ class Work:
     async def in_worker(self, function: Callable[..., T], *arguments: Any) -> T:
         """Return the result of a function in the process beside the server; raise WorkError where it takes too long."""
         if self._editing is None:
-            self._editing = ProcessPoolExecutor(1, get_context("spawn"), initializer=prepare_worker)
+            self._editing = ProcessPoolExecutor(1, get_context("spawn"), prepare_worker, (self._temporary,))
         try:
             future = asyncio.get_running_loop().run_in_executor(self._editing, function, *arguments)
             return await asyncio.wait_for(future, self._patience)
@@ -90,6 +91,7 @@ class Work:
         if self._editing is not None:
             for process in list(self._editing._processes.values()):
                 process.kill()
+                process.join()
             self._editing.shutdown(wait=False, cancel_futures=True)
             self._editing = None
 
@@ -154,8 +156,10 @@ def limit_memory() -> None:
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def prepare_worker() -> None:
-    """Prepare the process for what is edited."""
+def prepare_worker(temporary: str | None) -> None:
+    """Prepare the process for what is edited, and the folder of its temporary files; Ctrl+C is the server's."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    tempfile.tempdir = temporary
     if POSIX:
         limit_memory()
     gc.freeze()

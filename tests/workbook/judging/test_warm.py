@@ -1,0 +1,110 @@
+"""A book that is saved again and again: the verdict on its values is that of ``verify``, by what was kept."""
+
+import random
+
+import pytest
+from openpyxl import load_workbook
+
+from tests.workbook import press
+from workbook.build import build
+from workbook.errors import MotionbookError
+from workbook.judging.verify import verify
+from workbook.judging.warm import WarmBook
+from workbook.witnesses.pycel.model import PycelModel
+
+VALUES = {"value", "error", "follows", "saved", "formula", "replaced", "missing", "changed"}
+
+
+@pytest.fixture(scope="module")
+def book(tmp_path_factory):
+    path = tmp_path_factory.mktemp("warm") / "press.xlsx"
+    with press.registered() as machine:
+        build(machine, path)
+        yield path
+
+
+def cell_named(workbook, name):
+    ((sheet, cell),) = workbook.defined_names[name].destinations
+    return workbook[sheet][cell.replace("$", "").partition(":")[0]]
+
+
+def told(report):
+    """Return what is found of values at the entries, but for what variations of these say."""
+    found = (f for f in (*report.findings, *report.following) if f.kind in VALUES and "variation" not in f.witness)
+    return {(f.sheet, f.cell, f.kind, str(f.computed), str(f.expected)) for f in found}
+
+
+def other_rate(workbook, draw):
+    cell_named(workbook, "timing_rate").value = draw.choice([33.0, 47.5, 120.0])
+
+
+def other_holding(workbook, draw):
+    cell_named(workbook, "drive1_holding").value = draw.choice(["motor", "brake"])
+
+
+def other_motor(workbook, draw):
+    cell_named(workbook, "motors").value = draw.choice(["M7", "M8 ", "a motor"])
+
+
+def other_lift(workbook, draw):
+    cell_named(workbook, "axis1").offset(0, 4).value = draw.choice([5.0, 0.0, 71.25])
+
+
+def other_formula(workbook, draw):
+    cell_named(workbook, "timing_tip").value = draw.choice(["=omega*timing_radius/1001", "=omega*timing_radius/1000"])
+
+
+def number_for_a_formula(workbook, draw):
+    cell_named(workbook, "timing_period").value = draw.choice([1.0, "=60/timing_rate"])
+
+
+def formula_of_ones_own(workbook, draw):
+    workbook["Timing"]["Z90"].value = draw.choice(["=timing_rate*2", None])
+
+
+EDITS = (other_rate, other_holding, other_motor, other_lift, other_formula, number_for_a_formula, formula_of_ones_own)
+
+
+def test_each_of_many_saves_has_the_verdict_on_values_that_verify_has(book, tmp_path):
+    draw, path, warm, judged = random.Random(8), tmp_path / "press.xlsx", WarmBook(), 0
+    workbook = load_workbook(book)
+    for edit in draw.choices(EDITS, k=40):
+        edit(workbook, draw)
+        workbook.save(path)
+        try:
+            report = warm.judge_values(path).report
+        except MotionbookError:
+            continue  # verify alone judges it
+        whole = verify(path)
+        judged += 1
+        assert told(report) == told(whole), edit.__name__
+        assert [check.line for check in report.checks] == [check.line for check in whole.checks]
+    assert judged >= 25
+
+
+def test_a_save_of_another_entry_works_out_only_what_depends_on_it(book, tmp_path, monkeypatch):
+    path, warm, workbook = tmp_path / "press.xlsx", WarmBook(), load_workbook(book)
+    workbook.save(path)
+    warm.judge_values(path)
+    cell_named(workbook, "drive1_friction").value = 0.25
+    workbook.save(path)
+    worked_out = []
+    of_a_step = PycelModel._result
+    monkeypatch.setattr(PycelModel, "_result", lambda *step: worked_out.append(step[1]) or of_a_step(*step))
+    judged = warm.judge_values(path)
+    assert not judged.report.findings
+    assert 0 < len(worked_out) < judged.report.declared / 2
+
+
+def test_an_entry_that_is_no_number_is_refused_and_the_next_save_judged(book, tmp_path):
+    path, warm, workbook = tmp_path / "press.xlsx", WarmBook(), load_workbook(book)
+    workbook.save(path)
+    warm.judge_values(path)
+    for value in ("fast", None, 51.0):
+        cell_named(workbook, "timing_rate").value = value
+        workbook.save(path)
+        if value == 51.0:
+            assert not warm.judge_values(path).report.findings
+        else:
+            with pytest.raises(MotionbookError):
+                warm.judge_values(path)
