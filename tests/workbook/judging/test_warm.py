@@ -68,7 +68,7 @@ EDITS = (other_rate, other_holding, other_motor, other_lift, other_formula, numb
 def test_each_of_many_saves_has_the_verdict_on_values_that_verify_has(book, tmp_path):
     draw, path, warm, judged = random.Random(8), tmp_path / "press.xlsx", WarmBook(), 0
     workbook = load_workbook(book)
-    for edit in draw.choices(EDITS, k=40):
+    for edit in draw.choices(EDITS, k=12):
         edit(workbook, draw)
         workbook.save(path)
         try:
@@ -79,7 +79,7 @@ def test_each_of_many_saves_has_the_verdict_on_values_that_verify_has(book, tmp_
         judged += 1
         assert told(report) == told(whole), edit.__name__
         assert [check.line for check in report.checks] == [check.line for check in whole.checks]
-    assert judged >= 25
+    assert judged >= 6
 
 
 def test_a_save_of_another_entry_works_out_only_what_depends_on_it(book, tmp_path, monkeypatch):
@@ -96,15 +96,11 @@ def test_a_save_of_another_entry_works_out_only_what_depends_on_it(book, tmp_pat
     assert 0 < len(worked_out) < judged.report.declared / 2
 
 
-def test_an_entry_that_is_no_number_is_refused_and_the_next_save_judged(book, tmp_path):
+def test_a_design_that_is_unfinished_for_a_save_is_judged_as_verify_judges_it(book, tmp_path):
     path, warm, workbook = tmp_path / "press.xlsx", WarmBook(), load_workbook(book)
-    workbook.save(path)
-    warm.judge_values(path)
-    for value in ("fast", None, 51.0):
+    for value in (50.0, "fast", None, 51.0):
         cell_named(workbook, "timing_rate").value = value
         workbook.save(path)
-        if value == 51.0:
-            assert not warm.judge_values(path).report.findings
-        else:
-            with pytest.raises(MotionbookError):
-                warm.judge_values(path)
+        report, whole = warm.judge_values(path).report, verify(path)
+        assert (told(report), report.unfinished) == (told(whole), whole.unfinished)
+    assert report.agrees

@@ -62,7 +62,7 @@ def test_each_save_at_a_random_moment_has_its_verdict(book):
         watched = Saves(Here(), lambda path, verdict: told.append(verdict))
         judging = asyncio.create_task(watched.judge_each())
         workbook = load_workbook(book)
-        for number in range(24):
+        for number in range(10):
             friction, is_wrong = round(draw.uniform(0.1, 4.0), 3), draw.random() < 0.3
             cell_named(workbook, "drive1_friction").value = friction
             cell_named(workbook, "timing_period").value = "=61/timing_rate" if is_wrong else "=60/timing_rate"
@@ -75,7 +75,7 @@ def test_each_save_at_a_random_moment_has_its_verdict(book):
                 watched.note(book)
             while not (told and told[-1].whole and told[-1].outcome.sha256 == digest):
                 await asyncio.sleep(0.005)
-            assert told[-1].outcome.verdict == ("disagrees" if is_wrong else "fails"), number
+            assert told[-1].outcome.verdict == ("disagrees" if is_wrong else "agrees"), number
             if number and not is_wrong:
                 labels = {change.label: change.new for change in told[-1].changes.entries}
                 assert labels in ({}, {"Friction": friction})
@@ -83,8 +83,8 @@ def test_each_save_at_a_random_moment_has_its_verdict(book):
 
     asyncio.run(asyncio.wait_for(save_often(), 240))
     assert all(verdict.outcome.report for verdict in told)
-    assert len({verdict.outcome.sha256 for verdict in told if verdict.whole}) == 24
-    assert sum(verdict.whole for verdict in told) == 24
+    assert len({verdict.outcome.sha256 for verdict in told if verdict.whole}) == 10
+    assert sum(verdict.whole for verdict in told) == 10
 
 
 def test_what_a_save_changed_is_told_entries_and_results(book):
