@@ -1,4 +1,4 @@
-"""What verifying costs: cells a second, against LibreOffice on the same file, and from 1 to 64 workbooks."""
+"""What verifying from 1 to 64 workbooks costs, by one process and by two."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 from rich.console import Console
@@ -18,30 +17,14 @@ from workbook.build import build
 from workbook.cluster import pool
 from workbook.entries.machine import Machine
 from workbook.errors import AGREES, FAILS
-from workbook.judging.batch import Target, verify_many, verify_one
+from workbook.judging.batch import Target, verify_many
 from workbook.judging.verify import verify
-from workbook.pool import cores
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES, Template
-from workbook.witnesses.engines import LibreOffice, convert
 
-ROUNDS = 3
 COUNTS = (1, 4, 16, 64)
 JOBS = (1, 2)
-AXES = (1, 5, 12, 24)
 SMALL = {"cycle": 4, "law": 4}
-GOAL = 0.7  # verifying over LibreOffice's opening, recalculating and saving
-
-
-def best(*tasks: Callable[[], object]) -> list[float]:
-    """Least time of each task in seconds; the tasks take turns, so that a busy machine is busy for all of them."""
-    seconds = [float("inf")] * len(tasks)
-    for _ in range(ROUNDS):
-        for i, task in enumerate(tasks):
-            begin = time.perf_counter()
-            task()
-            seconds[i] = min(seconds[i], time.perf_counter() - begin)
-    return seconds
 
 
 def command(book: Path) -> None:
@@ -61,20 +44,6 @@ def of_axes(count: int) -> Machine:
     selection = data["selection"] | {"axis": axes[0]["name"]}
     others = {"switches": [], "clearances": [], "selection": selection}
     return type(given).model_validate(data | {"axes": axes} | others)
-
-
-def against_libreoffice(name: str, machine: Machine, folder: Path) -> list[str]:
-    """One row: cells, cells a second within a process; seconds of the command and of LibreOffice, and their ratio."""
-    book = folder / f"{name}.xlsx"
-    build(machine, book)
-    cells = verify(book).compared
-    target, made = Target(book, named=True), folder / "made"
-    within, ours, theirs = best(
-        lambda: verify_one(target, ["pycel"]), lambda: command(book), lambda: convert(book, "xlsx", made)
-    )
-    verdict = f"≤ {GOAL:g} " + ("met" if ours <= GOAL * theirs else "missed")
-    rate = f"{cells / within:,.0f}"
-    return [name, f"{cells:,}", rate, f"{ours:.2f}", f"{theirs:.2f}", f"{ours / theirs:.2f}", verdict]
 
 
 def growth(template: Template, folder: Path) -> tuple[int, dict[int, list[float]]]:
@@ -103,20 +72,8 @@ def timed(targets: list[Target], jobs: int) -> float:
 
 
 def main() -> None:
-    """Print both tables."""
+    """Print the table."""
     console = Console()
-    with tempfile.TemporaryDirectory() as folder:
-        load = f", load {os.getloadavg()[0]:.1f} before the start" if hasattr(os, "getloadavg") else ""
-        console.print(f"{cores()} cores{load}, LibreOffice {LibreOffice().version()}")
-        table = Table(
-            *("Workbook", "Cells", "Cells/s", "verify, s", "LibreOffice, s", "Ratio", "Goal"),
-            title=f"verify / LibreOffice's open, recalculate and save; best of {ROUNDS}",
-        )
-        for template in TEMPLATES.values():
-            table.add_row(*against_libreoffice(template.name, read_machine(template.description), Path(folder)))
-        for count in AXES:
-            table.add_row(*against_libreoffice(f"{count} axes with drives", of_axes(count), Path(folder)))
-        console.print(table)
     with tempfile.TemporaryDirectory() as folder:
         cells, times = growth(TEMPLATES["flying-cutter"], Path(folder))
         table = Table(
