@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import shutil
-import subprocess
-import sys
 import tempfile
 import time
 from pathlib import Path
@@ -16,7 +13,6 @@ from rich.table import Table
 from workbook.build import build
 from workbook.cluster import pool
 from workbook.entries.machine import Machine
-from workbook.errors import AGREES, FAILS
 from workbook.judging.batch import Target, verify_many
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
@@ -25,14 +21,6 @@ from workbook.templates import TEMPLATES, Template
 COUNTS = (1, 4, 16, 64)
 JOBS = (1, 2)
 SMALL = {"cycle": 4, "law": 4}
-
-
-def command(book: Path) -> None:
-    """Run the command as from a terminal: like LibreOffice, with the start of its program, and it compiled before."""
-    kept = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
-    run = [sys.executable, "-m", "workbook", "verify", str(book)]
-    code = subprocess.run(run, check=False, capture_output=True, env=kept).returncode
-    assert code in (AGREES, FAILS), code  # noqa: S101 - a design may fail, its cells agree
 
 
 def of_axes(count: int) -> Machine:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import os
 import resource
 import statistics
+import subprocess
 import sys
 import tempfile
 import time
@@ -22,9 +23,10 @@ from openpyxl import load_workbook
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks.scale import command, of_axes
+from benchmarks.scale import of_axes
 from workbook.build import build
 from workbook.entries.machine import Machine
+from workbook.errors import AGREES, FAILS
 from workbook.judging.warm import WarmBook
 from workbook.pool import collector_paused, cores
 from workbook.reading.descriptions import read_machine
@@ -47,6 +49,14 @@ def cpu(task: Callable[[], object]) -> float:
     begin = used()
     task()
     return used() - begin
+
+
+def command(book: Path) -> None:
+    """Run the command as from a terminal: like LibreOffice, with the start of its program, and it compiled before."""
+    kept = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    run = [sys.executable, "-m", "workbook", "verify", str(book)]
+    code = subprocess.run(run, check=False, capture_output=True, env=kept).returncode
+    assert code in (AGREES, FAILS), code  # noqa: S101 - a design may fail, its cells agree
 
 
 def of_warm_saves(book: Path, machine: Machine) -> list[float]:

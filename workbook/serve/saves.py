@@ -15,7 +15,6 @@ from pathlib import Path
 from typing import Any
 
 from workbook.differences.design import Change, Design, changes
-from workbook.errors import MotionbookError
 from workbook.judging.batch import Outcome, SentBook, Target, file_state, judge, no_report, verify_sent
 from workbook.judging.warm import WarmBook
 from workbook.pool import collector_paused
@@ -79,7 +78,7 @@ def judge_values(path: Path, data: bytes) -> tuple[Outcome, Changes] | None:
     _books.move_to_end(path)
     while len(_books) > MOST_KEPT:
         _books.popitem(last=False)
-    with tempfile.TemporaryDirectory() as folder, suppress(MotionbookError):
+    with tempfile.TemporaryDirectory() as folder, suppress(Exception):  # verify says what is wrong
         copy = Path(folder, path.name)
         copy.write_bytes(data)
         with collector_paused():
@@ -135,7 +134,7 @@ class Saves:
     def __init__(self, work: Work, tell: Callable[[Path, Verdict], Any]) -> None:
         self.verdicts: dict[Path, Verdict] = {}
         self._work, self._tell = work, tell
-        self._digests: dict[Path, str] = {}
+        self._digests: dict[Path, str] = {}  # of the saves that have these verdicts
         self._waiting: dict[Path, None] = {}
         self._noted = asyncio.Event()
 
@@ -157,22 +156,24 @@ class Saves:
     async def _judge(self, path: Path) -> None:
         """Judge a save, unless it is that which was judged: values first; the rest unless the next save came."""
         data = await read_whole(path)
-        digest = hashlib.sha256(data).hexdigest() if data is not None else ""
-        if data is None or self._digests.get(path) == digest:
+        if data is None:
             return
-        changed = Changes()
+        digest = hashlib.sha256(data).hexdigest()
+        last = self.verdicts.get(path) if self._digests.get(path) == digest else None
+        if last and last.whole:
+            return
         try:
-            if judged := await self._work.in_worker(judge_values, path, data):
-                outcome, changed = judged
-                self._say(path, Verdict(datetime.now().astimezone(), outcome, changed, whole=False))
+            if last is None and (judged := await self._work.in_worker(judge_values, path, data)):
+                last = Verdict(datetime.now().astimezone(), *judged, whole=False)
+                self._say(path, digest, last)
             if path in self._waiting:
                 return
             outcome = await self._work.in_worker(verify_whole, path, data)
         except WorkError as error:
             outcome = no_report(path, str(error))
-        self._digests[path] = digest
-        self._say(path, Verdict(datetime.now().astimezone(), outcome, changed, whole=True))
+        changed = last.changes if last else Changes()
+        self._say(path, digest, Verdict(datetime.now().astimezone(), outcome, changed, whole=True))
 
-    def _say(self, path: Path, verdict: Verdict) -> None:
-        self.verdicts[path] = verdict
+    def _say(self, path: Path, digest: str, verdict: Verdict) -> None:
+        self.verdicts[path], self._digests[path] = verdict, digest
         self._tell(path, verdict)

@@ -9,10 +9,11 @@ from typing import Any
 
 from watchfiles import awatch
 
-from workbook.errors import MotionbookError
+from workbook.errors import ReadError
 from workbook.judging.batch import exit_code, find_workbooks
 from workbook.reading.files import SUFFIXES
 from workbook.reports import differences
+from workbook.reports.console import plain
 from workbook.reports.html import rendered
 from workbook.reports.page import line
 from workbook.reports.terminal import OUT, say, say_data
@@ -31,7 +32,7 @@ class Watch:
     """Books, or folders of them, that are watched; ends with the first verdict on a save where it is for ``once``."""
 
     def __init__(self, paths: Sequence[Path], once: bool, as_json: bool) -> None:
-        self.paths, self.once, self.as_json = [path.absolute() for path in paths], once, as_json
+        self.paths, self.once, self.as_json = [path.resolve() for path in paths], once, as_json
         self.code: int | None = None
         self._ended = asyncio.Event()
         self._temporary = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # no work leaves a file behind
@@ -40,16 +41,16 @@ class Watch:
 
     async def run(self, port: int, browse: bool, is_served: bool) -> int:
         """Watch until the first verdict, or until it is interrupted; return the exit code of ``verify``."""
-        targets, failed = find_workbooks(self.paths)
-        if failed and not targets:
-            raise MotionbookError(failed[0].reason)
+        if absent := [path for path in self.paths if not path.exists()]:
+            raise ReadError(f"{absent[0]}: there is no such file or folder")
+        targets, _ = find_workbooks(self.paths)
         try:
             async with asyncio.TaskGroup() as tasks:
                 running = [tasks.create_task(self._notice()), tasks.create_task(self.saves.judge_each())]
                 if is_served:
                     running.append(tasks.create_task(self._serve(port, browse)))
                 for target in () if self.once else targets:
-                    self.saves.note(target.path.absolute())
+                    self.saves.note(target.path)
                 await self._ended.wait()
                 for task in running:
                     task.cancel()
@@ -61,7 +62,8 @@ class Watch:
     async def _notice(self) -> None:
         """Note each save of a book: whatever happens to a file of its name."""
         folders = {path if path.is_dir() else path.parent for path in self.paths}
-        async for happened in awatch(*folders, step=50, debounce=400):
+        is_deep = any(path.is_dir() for path in self.paths)
+        async for happened in awatch(*folders, step=50, debounce=400, recursive=is_deep):
             for path in {Path(name) for _, name in happened}:
                 if self._is_watched(path):
                     self.saves.note(path)
@@ -135,8 +137,8 @@ def as_data(path: Path, verdict: Verdict) -> dict[str, Any]:
         "seconds": round(outcome.seconds, 3),
         "sha256": outcome.sha256,
         "sentence": verdict.sentence,
-        "entries": [change._asdict() for change in changed.entries],
-        "results": [change._asdict() for change in changed.results],
+        "entries": [{name: plain(value) for name, value in change._asdict().items()} for change in changed.entries],
+        "results": [{name: plain(value) for name, value in change._asdict().items()} for change in changed.results],
         "findings": [line(finding) for finding in report.findings] if report else [],
         "failing": [check.line for check in report.failing] if report else [],
     }
