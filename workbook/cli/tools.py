@@ -188,7 +188,7 @@ def serve(
 def watch(
     books: Annotated[list[Path], Argument(metavar="BOOK|FOLDER...", parser=named_place, help=PLACES)],
     once: bool = flag("--once", "End with the verdict on the first save, by the exit code of verify; no page."),
-    as_json: bool = flag("--json", "Print a line of JSON for each verdict."),
+    as_json: bool = flag("--json", "Print a line of JSON for each verdict; no page."),
     port: int = Option(0, min=0, max=65535, help="The port of the page; 0 takes a free one."),
     browse: bool = Option(True, help="Open the browser."),
 ) -> None:
@@ -197,13 +197,10 @@ def watch(
     The verdict on the values comes first; what is shown, and formulas at other entries, are compared after it. It is
     told here and on a page that updates itself, with the entries and results that the save changed.
     """
-    from workbook.serve.watch import Watch
-
-    async def run() -> int:
-        return await Watch(books, once, as_json).run(port, browse, is_served=not once)
+    from workbook.serve.watch import watch as watching
 
     try:
-        raise typer.Exit(asyncio.run(run()))
+        raise typer.Exit(asyncio.run(watching(books, once, as_json, port, browse)))
     except KeyboardInterrupt:
         say(ERR, "Ended")
 

@@ -39,7 +39,7 @@ class Watch:
         self._work = Work(patience=LONGEST, temporary=self._temporary.name)
         self.saves = Saves(self._work, self._tell)
 
-    async def run(self, port: int, browse: bool, is_served: bool) -> int:
+    async def run(self, port: int, browse: bool) -> int:
         """Watch until the first verdict, or until it is interrupted; return the exit code of ``verify``."""
         if absent := [path for path in self.paths if not path.exists()]:
             raise ReadError(f"{absent[0]}: there is no such file or folder")
@@ -47,7 +47,7 @@ class Watch:
         try:
             async with asyncio.TaskGroup() as tasks:
                 running = [tasks.create_task(self._notice()), tasks.create_task(self.saves.judge_each())]
-                if is_served:
+                if not (self.once or self.as_json):
                     running.append(tasks.create_task(self._serve(port, browse)))
                 for target in () if self.once else targets:
                     self.saves.note(target.path)
@@ -77,12 +77,12 @@ class Watch:
     async def _serve(self, port: int, browse: bool) -> None:
         actions: dict[str, Action] = {"/": self._page, "/now": self._fragment, STATIC: static}
         shared = {"folder": Folder(self.paths[0].parent), "work": self._work, "verdicts": {}}
-        async with serving(actions, {}, shared, port, browse, self._say_address):
-            await asyncio.Event().wait()
 
-    def _say_address(self, address: str) -> None:
-        if not self.as_json:
+        def tell(address: str) -> None:
             say(OUT, f"Open {address} (Ctrl+C ends)")
+
+        async with serving(actions, {}, shared, port, browse, tell):
+            await asyncio.Event().wait()
 
     async def _page(self, page: Page) -> str:
         """Return the page."""
@@ -123,6 +123,11 @@ class Watch:
             say(OUT, f"    {place}: {label}: {old} → {new} {unit} {apart}".rstrip())
         for text in [*map(line, report.causes[:MOST]), *(check.line for check in report.failing)] if report else ():
             say(OUT, f"    {text}", "red")
+
+
+async def watch(paths: Sequence[Path], once: bool, as_json: bool, port: int, browse: bool) -> int:
+    """Watch books until the first verdict, or until it is interrupted; return the exit code of ``verify``."""
+    return await Watch(paths, once, as_json).run(port, browse)
 
 
 def as_data(path: Path, verdict: Verdict) -> dict[str, Any]:
