@@ -7,7 +7,7 @@ from openpyxl import load_workbook
 
 from tests.workbook import press
 from workbook.build import build
-from workbook.errors import MotionbookError
+from workbook.errors import InputError, MotionbookError
 from workbook.judging.verify import verify
 from workbook.judging.warm import WarmBook
 from workbook.witnesses.pycel.model import PycelModel
@@ -101,6 +101,10 @@ def test_a_design_that_is_unfinished_for_a_save_is_judged_as_verify_judges_it(bo
     for value in (50.0, "fast", None, 51.0):
         cell_named(workbook, "timing_rate").value = value
         workbook.save(path)
+        if value == "fast":
+            with pytest.raises(InputError, match="expected a number"):
+                warm.judge_values(path)
+            continue
         report, whole = warm.judge_values(path).report, verify(path)
         assert (told(report), report.unfinished) == (told(whole), whole.unfinished)
     assert report.agrees
