@@ -69,7 +69,7 @@ def test_it_tells_the_verdict_here_and_on_its_page_until_ctrl_c(book):
         connection.request("GET", "/now", headers={"Cookie": f"{COOKIE}={token}", "Host": host})
         page = connection.getresponse().read().decode()
         assert 'data-state="OK"' in page
-        assert "machine&#39;s book.xlsx" in page
+        assert "machine&#x27;s book.xlsx" in page
         assert "Entries that this save changed" in page
         connection.request("GET", "/now", headers={"Host": host})
         assert connection.getresponse().status == 403
