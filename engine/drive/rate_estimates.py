@@ -100,7 +100,17 @@ def growth_power(points: DrivePoints) -> float:
 
 
 def use_below(rest: float, now: float, then: float) -> float:
-    """Return the use of a limit at standstill, 0 unless it is less than at two rates by :data:`LEAST_GROWTH` of it."""
+    """Return the use of a limit at standstill, 0 unless it is less than at two rates by :data:`LEAST_GROWTH` of it.
+
+    Parameters
+    ----------
+    rest, now, then : float
+        Use of the limit, as a share of it: at standstill, at the present rate, at another rate.
+
+    Returns
+    -------
+    float
+    """
     return rest if rest < min(now, then) * (1.0 - LEAST_GROWTH) else 0.0
 
 
