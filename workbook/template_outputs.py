@@ -4,6 +4,7 @@ Designs that differ only in entries that scale results (a motor, a reducer) are 
 template names these entries, and gives the results by the names in its book.
 """
 
+import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -19,11 +20,12 @@ from engine.drive.motor import LimitCheck
 from engine.motion.profile import CamProfile
 from engine.timing import Switch
 from workbook.book.quantity import FAIL, OK
-from workbook.book.sentence import rounded
+from workbook.book.sentence import figure, rounded
 from workbook.fields.paths import Place
 from workbook.fields.units import KW, RPM, shown
 
 M = TypeVar("M")
+NEAR = 1e-9  # of a step: so near below a multiple counts as that
 Values = NDArray[Any]  # a result of designs: for all, or for each
 
 
@@ -92,6 +94,7 @@ class Scaling(NamedTuple, Generic[M]):
     results: Callable[[M, Mapping[str, Column]], Results]
 
 
+AimName = Literal["rate", "torque", "power", "energy", "acceleration", "vibration"]
 ChangeKind = Literal["law", "edge", "product", "other"]
 
 
@@ -108,18 +111,75 @@ class Change(NamedTuple):
         return tuple(place for place in self.entries if place[0] != "laws")
 
 
+class Room(NamedTuple):
+    """Edges that move together: where they are in words and by entry, by how much they may move, in steps."""
+
+    axis: str
+    words: Mapping[str, float]
+    edges: Mapping[Place, float]
+    low: float  # 0 or less; in the unit of the cycle, as all these
+    high: float
+    step: float
+    after: str  # what stands behind a place in words
+
+    def rounded(self, by: float) -> float:
+        """Return the nearest multiple of the step within the room."""
+        lowest, highest = math.ceil(self.low / self.step - NEAR), math.floor(self.high / self.step + NEAR)
+        return min(max(round(by / self.step), lowest), highest) * self.step
+
+    def change(self, by: float) -> Change:
+        """Return the change that moves the edges."""
+        words = (f"{words} {figure(at)} → {figure(round(at + by, 9))}" for words, at in self.words.items())
+        moved = {path: round(place + by, 9) for path, place in self.edges.items()}
+        return Change(f"{self.axis}: {f'{self.after}, '.join(words)}{self.after}", moved, "edge")
+
+
+class Aim(NamedTuple):
+    """What is to be better: a name, in words, its unit; of a vibration the natural frequency (Hz) and the damping."""
+
+    name: AimName = "rate"
+    words: str = "highest rate"
+    unit: str = "cycles/min"
+    frequency: float = 0.0
+    damping: float = 0.0
+
+    @property
+    def is_rate(self) -> bool:
+        """Whether the highest rate is to be higher; all else is to be less, at the rate of the machine."""
+        return self.name == "rate"
+
+
+AIMS = {
+    aim.name: aim
+    for aim in (
+        Aim(),
+        Aim("torque", "RMS torque", "Nm"),
+        Aim("power", "peak power", "kW"),
+        Aim("energy", "energy driven in a cycle", "J"),
+        Aim("acceleration", "greatest acceleration", "m/s² or rad/s²"),
+        Aim("vibration", "greatest vibration left by a move", "mm or °"),
+    )
+}
+
+
 class Improving(NamedTuple, Generic[M]):
     """The functions by which :mod:`workbook.studies.improve` makes a kind of machine faster.
 
     ``limits`` returns functions that give the limits of its drives, by the names of their axes; ``changes`` yields the
     single changes of an axis, ``where`` says where a limit of an axis is used most, ``breaks`` names the checks beside
-    limits of drives that do not hold.
+    limits of drives that do not hold. ``figure`` gives what an axis is to have less of. ``rooms`` are the edges that
+    may move from a base, of a present machine by the axis that limits; ``margins`` the shares by which holds what must
+    meanwhile; ``process_rate`` is the rate (1/s) that times of the process allow.
     """
 
     limits: Callable[[M], Mapping[str, Callable[[], LimitChecks]]]
-    changes: Callable[[M, str, float], Iterator[Change]]  # at the highest rate (1/s)
+    changes: Callable[[M, str, float, Aim], Iterator[Change]]  # at the highest rate (1/s)
     where: Callable[[M, str, Moment], str]
     breaks: Callable[[M], set[str]]
+    figure: Callable[[M, str, Aim], float]
+    rooms: Callable[[M, M, str], list[Room]]
+    margins: Callable[[M], Values]
+    process_rate: Callable[[M], float]
 
 
 class JudgedLimit(NamedTuple):

@@ -174,7 +174,13 @@ class PhaseLoad:
 
 
 def shape_phase(
-    checks: LimitChecks, motion: Motion, number: int, degree: int = 5, rest: int = 2, pieces: int = 8
+    checks: LimitChecks,
+    motion: Motion,
+    number: int,
+    degree: int = 5,
+    rest: int = 2,
+    pieces: int = 8,
+    least_torque: bool = False,
 ) -> ShapedLaw:
     """Return the law of a phase from rest to rest with which the drive uses its limits least at the rate of its cycle.
 
@@ -192,6 +198,8 @@ def shape_phase(
         Of the phase, from 0.
     degree, rest, pieces : int
         As :func:`shape` takes them.
+    least_torque : bool
+        Whether only the RMS torque over the phase is to be least.
 
     Returns
     -------
@@ -220,22 +228,46 @@ def shape_phase(
         return np.concatenate([[lasting], peaks, -peaks, at.speed / fastest, -at.speed / fastest])
 
     start = family.least_squares(inner.torque_at, tables)
-    chosen = least_use(uses, start)
+    chosen = start if least_torque else least_use(uses, start)
     return family.law(chosen, rms(chosen))
 
 
-def least_use(uses: Callable[[Array], Array], start: Array) -> Array:
-    """Return the coefficients near some at which the largest of several uses is least; these if there is none less."""
+def least_use(
+    uses: Callable[[Array], Array],
+    start: Array,
+    margins: Callable[[Array], Array] | None = None,
+    slope: float = 1.5e-8,
+) -> Array:
+    """Return variables near some at which the largest of several uses is least; these if there is none less.
+
+    Parameters
+    ----------
+    uses : callable
+        From variables (n,) to an array of uses.
+    start : array
+        Of the variables (n,).
+    margins : callable, optional
+        From variables between 0 and 1 to an array of what is not to be below 0. What is returned may miss that.
+    slope : float
+        By how much a variable changes where a slope is worked out.
+
+    Returns
+    -------
+    array of the shape of ``start``
+    """
     from scipy.optimize import minimize  # slow to import
 
     most = float(uses(start).max())
+    held = [{"type": "ineq", "fun": lambda both: both[-1] - uses(both[:-1])}]
+    held += [{"type": "ineq", "fun": lambda both: margins(both[:-1])}] if margins else []
     solved = minimize(
         lambda both: both[-1],
         np.append(start, most),
         jac=lambda both: np.append(np.zeros(start.size), 1.0),
-        constraints={"type": "ineq", "fun": lambda both: both[-1] - uses(both[:-1])},
+        bounds=[*[(0.0, 1.0)] * start.size, (None, None)] if margins else None,
+        constraints=held,
         method="SLSQP",
-        options={"maxiter": 60, "ftol": 1e-7},
+        options={"maxiter": 60, "ftol": 1e-7, "eps": slope},
     )
     chosen = np.asarray(solved.x[:-1])
-    return chosen if float(uses(chosen).max()) < most else start
+    return chosen if margins or float(uses(chosen).max()) < most else start

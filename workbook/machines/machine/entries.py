@@ -8,6 +8,7 @@ from pydantic import Field, PrivateAttr, WrapValidator, model_validator
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.machine import Exporting
 from workbook.entries.phase import TURN, Passing, TurnPhase, require_straight
+from workbook.fields.paths import join, spread
 from workbook.fields.texts import Text, place_of, require_distinct
 from workbook.fields.types import (
     ANGLE_TOLERANCE,
@@ -133,6 +134,7 @@ class AnyMachine(Exporting):
     clearances: Annotated[list[beside.ClearanceEntry], MakesCells()] = Field(
         default=[], max_length=beside.MOST_CLEARANCES
     )
+    timing: beside.Timing = beside.Timing()
     power: drive_entries.PowerEntry = drive_entries.PowerEntry()
     gravity: NotNegative = 9.81
     creep_forces: Literal["off", "on"] = "off"
@@ -211,14 +213,11 @@ class AnyMachine(Exporting):
             raise DesignFaultsError(faults)
 
     def layout_entries(self) -> dict[str, Any]:
-        """Return the axes of clearances by their numbers, and whether drives know motors whose peak torque falls."""
-        names = [axis.name for axis in self.axes]
-        ends = {
-            f"clearances.{i}.{end}": place_of(getattr(clearance, end), names) + 1
-            for i, clearance in enumerate(self.clearances)
-            for end in beside.ENDS
-        }
-        return ends | {"selection.falling": self.selection.knows_falling}
+        """Return axes that entries name by their numbers, and whether drives know motors whose peak torque falls."""
+        names, data = [axis.name for axis in self.axes], self.model_dump(include={"clearances", "timing"})
+        named = [entry for pattern in beside.NAMED for entry in spread(data, pattern) if place_of(entry[1], names) >= 0]
+        numbers = {join(path): place_of(name, names) + 1 for path, name in named}
+        return numbers | {"selection.falling": self.selection.knows_falling}
 
     def built_as(self, names: Mapping[str, str]) -> None:
         """Keep what the axes with drives were called when the book was built."""

@@ -1,8 +1,8 @@
-"""Entries of a machine beside its axes: switches, clearances between axes, and the hard stops of an axis."""
+"""Entries of a machine beside its axes: switches, clearances, hard stops, and what of its timing may move."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, GetJsonSchemaHandler, field_validator
 from pydantic.json_schema import JsonSchemaValue
@@ -11,7 +11,7 @@ from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
 from workbook.fields.paths import replaced, spread
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
-from workbook.fields.types import DesignError, EntryError, MakesCells, Model, NotNegative, Number
+from workbook.fields.types import DesignError, EntryError, MakesCells, Model, NotNegative, Number, Positive
 
 Name = Annotated[str, Field(min_length=1, max_length=24, pattern=NO_FORMULA), LOOKED_UP]
 TIMES, MOST_SWITCHES, MOST_CLEARANCES = 6, 24, 12  # of being on, that a switch has room for
@@ -22,6 +22,9 @@ HALF = RowRule("paired", f"AND({PAIRED})", "", "a time on without its begin, or 
 """a row of switches of which a time lacks an end"""
 LISTED = {("axes", "*", "stops"): STOPS, ("switches", "*", "on", "*"): KEYS, ("clearances", "*", "pairs", "*"): PAIR}
 """entries that may be given as a list, with the keys of its numbers"""
+NAMED = [("clearances", "*", end) for end in ENDS]
+NAMED += [("timing", table, "*", "axis") for table in ("edges", "orders", "lasting")] + [("timing", "orders", "*", "other")]
+"""entries that name an axis, and of a book's layout tell its number"""
 UNUSED = dict.fromkeys(KEYS)
 
 
@@ -127,6 +130,45 @@ class ClearanceEntry(Model):
         return pairs
 
 
+class EdgeOfPhase(Model):
+    """An edge of a phase: where it starts or stops."""
+
+    axis: Name
+    phase: Annotated[int, Field(ge=1)]
+    edge: Literal["start", "stop"]
+
+
+class MovableEdge(EdgeOfPhase):
+    """An edge of a phase that may move, and the edge of the next phase that it meets with it."""
+
+    earliest: NotNegative
+    latest: NotNegative
+
+
+class Order(EdgeOfPhase):
+    """What another axis is beyond when a phase starts or stops."""
+
+    other: Name
+    above: Number | None = None
+    below: Number | None = None
+
+
+class Lasting(Model):
+    """A phase that lasts at least a time; without one its time in the cycle stays, its edges move together."""
+
+    axis: Name
+    phase: Annotated[int, Field(ge=1)]
+    least: Positive | None = None
+
+
+class Timing(Model):
+    """What may move in the cycle, and what must hold: for `motionbook improve`, no cell hangs on it."""
+
+    edges: Annotated[list[MovableEdge], MakesCells()] = []  # noqa: RUF012 - frozen
+    orders: Annotated[list[Order], MakesCells()] = []  # noqa: RUF012 - frozen
+    lasting: Annotated[list[Lasting], MakesCells()] = []  # noqa: RUF012 - frozen
+
+
 def require_axes(clearances: Sequence[ClearanceEntry], names: Sequence[str]) -> None:
     """Raise EntryError for a clearance of an axis that is not there, or of a single axis."""
     for i, clearance in enumerate(clearances):
@@ -139,7 +181,7 @@ def require_axes(clearances: Sequence[ClearanceEntry], names: Sequence[str]) -> 
 
 
 def expand_short_forms(data: Any) -> Any:
-    """Return a description whose switches have the keys of their times, and whose clearances the names of axes.
+    """Return a description whose switches have the keys of their times, clearances and timing the names of axes.
 
     Times may be given as [from, to], hard stops as [low, high], and axes by their numbers, from 1, as a book's layout
     does.
@@ -152,8 +194,8 @@ def expand_short_forms(data: Any) -> Any:
         for path, pair in spread(data, pattern):
             if isinstance(pair, list) and len(pair) == len(keys):
                 expanded = replaced(expanded, path, dict(zip(keys, pair, strict=True)))
-    for end in ENDS:
-        for path, number in spread(data, ("clearances", "*", end)):
+    for pattern in NAMED:
+        for path, number in spread(data, pattern):
             if type(number) is int and number in names:
                 expanded = replaced(expanded, path, names[number])
     return expanded

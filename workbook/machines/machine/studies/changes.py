@@ -13,12 +13,13 @@ from engine.drive.highest_rate import Moment
 from engine.drive.limits import LimitChecks, at_speed
 from engine.drive.shaped import shape_phase
 from engine.laws.base import Kinematics
+from engine.laws.vibration import residual
+from engine.motion import Phase
+from workbook.book.checks import ZERO
 from workbook.book.quantity import OK
 from workbook.book.sentence import figure
-from workbook.entries.phase import TURN
 from workbook.fields.paths import Place
-from workbook.fields.types import ANGLE_TOLERANCE
-from workbook.fields.units import DEGREE, PER_MINUTE, shown
+from workbook.fields.units import DEGREE, KW, PER_MINUTE, shown
 from workbook.law_sheets.library import NamedLaw, laws, named_laws
 from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.machines.machine.drive.driven import Driven
@@ -26,15 +27,16 @@ from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.studies.results import results
-from workbook.machines.machine.view import MachineView
-from workbook.template_outputs import LIMITS, Change, Improving
+from workbook.machines.machine.studies.timing import EDGE, margins, order_margins, process_rate, rooms
+from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.template_outputs import LIMITS, Aim, Change, Improving
 
 FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
-EDGE = 10.0  # degrees of a turn by which an edge may move
 LIGHTER = 0.9  # of the inertias of load and parts
 RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}  # by what must not jump: the highest derivative that is 0 at ends
 RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
 SHAPED = "Shaped"  # begins the name of a law that is shaped for its drive
+SHAPED_FOR = ("rate", "torque", "power", "energy")  # aims for which laws are shaped, all but the rate by least torque
 PIECES = 8  # of a law that is shaped for its drive, at most
 NEAR = 1e-9  # of the rise: ends of laws that differ by less are the same
 
@@ -61,29 +63,37 @@ def where(machine: AnyMachine, name: str, moment: Moment) -> str:
     return f"{phase}, at {at}" if moment.share == 1.0 else f"{phase}, {100.0 * moment.share:.0f} % of it"
 
 
-def changes(machine: AnyMachine, name: str, rate: float) -> Iterator[Change]:
+def changes(machine: AnyMachine, name: str, rate: float, aim: Aim) -> Iterator[Change]:
     """Yield the single changes of an axis: laws shaped for a rate (1/s) among them."""
-    i = [axis.name for axis in machine.axes].index(name)
-    yield from law_changes(machine, i, rate)
+    i = number_of(machine, name)
+    yield from law_changes(machine, i, rate, aim)
     yield from edge_changes(machine, i)
-    yield from product_changes(machine, i)
-    yield from lighter(machine.axes[i], i)
-    yield from reserve_changes(machine, i)
+    if machine.axes[i].motor:
+        yield from product_changes(machine, i)
+        yield from lighter(machine.axes[i], i)
+    if aim.is_rate:
+        yield from reserve_changes(machine, i)
 
 
-def law_changes(machine: AnyMachine, i: int, rate: float) -> Iterator[Change]:
+def number_of(machine: AnyMachine, name: str) -> int:
+    """Return the number of the axis of a name, from 0."""
+    return [axis.name for axis in machine.axes].index(name)
+
+
+def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[Change]:
     """Yield another law for each phase of an axis that moves from rest to rest, of all families; shaped ones too."""
     axis = machine.axes[i]
     known = {each.name: each for each in from_rest_to_rest(machine)}
-    driven = drives(machine)[axis.name]()
-    checks = at_speed(driven.limit_checks, rate * math.tau)
+    driven = drives(machine)[axis.name]() if axis.motor and aim.name in SHAPED_FOR else None
     for k, phase in enumerate(axis.phases):
         passes = phase.passes or axis.phases[(k + 1) % len(axis.phases)].passes
         if not phase.lift or passes or phase.law not in known:
             continue
         path, begin = ("axes", str(i), "phases", str(k), "law"), f"{axis.name} phase {k + 1}: {known[phase.law].words}"
         with suppress(ValueError, ArithmeticError):  # too few pieces, or what the engine refuses
-            yield shaped(driven, checks, k, begin, free_name(machine, i, k), min(PIECES, machine.sizes.pieces))
+            if driven:
+                pieces, least = min(PIECES, machine.sizes.pieces), not aim.is_rate
+                yield shaped(driven, rate, k, begin, free_name(machine, i, k), pieces, least)
         for law in known.values():
             new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
             if law.name != phase.law and not law.name.startswith(SHAPED):  # for the drive of another phase
@@ -113,10 +123,10 @@ def free_name(machine: AnyMachine, i: int, k: int) -> str:
     return next(name for n in count(1) if (name := f"{begin} {n}") not in machine.laws.names)
 
 
-def shaped(driven: Driven, checks: LimitChecks, k: int, begin: str, name: str, most: int) -> Change:
-    """Return the change of a phase to a law that is shaped for its drive, frozen into ``most`` pieces."""
-    axis, rest = driven.axis, RESTS[driven.axis.given.smoothness]
-    law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=most).law
+def shaped(driven: Driven, rate: float, k: int, begin: str, name: str, most: int, least_torque: bool) -> Change:
+    """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into ``most`` pieces."""
+    axis, rest, checks = driven.axis, RESTS[driven.axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau)
+    law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=most, least_torque=least_torque).law
     pieces = [
         {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
     ]
@@ -127,37 +137,12 @@ def shaped(driven: Driven, checks: LimitChecks, k: int, begin: str, name: str, m
 
 
 def edge_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
-    """Yield each edge of an axis moved by 10° of a turn, or as far as the order of all edges lets it."""
-    axis, over = machine.axes[i], machine.over
-    step, near = over.shown(EDGE), over.shown(ANGLE_TOLERANCE)
-    cycle = over.shown(TURN)
-    others = [place % cycle for k, other in enumerate(machine.axes) if k != i for place in places_of(other)]
-    edges: dict[float, dict[Place, str]] = {}
-    for k, phase in enumerate(axis.phases):
-        for end in ("start", "stop"):
-            place = getattr(phase, end)
-            edges.setdefault(place, {})["axes", str(i), "phases", str(k), end] = f"{end} of phase {k + 1}"
-    inner = sorted(place for place in edges if near < place < cycle - near)
-    for place in inner:
-        for way in (-1.0, 1.0):
-            apart = [way * (other - place) for other in (0.0, cycle, *edges) if way * (other - place) > near]
-            room = min(0.5 * min(apart, default=cycle), step)
-            passed = [(way * (other - place - axis.shift)) % cycle for other in others]
-            passed = [0.0 if distance > cycle - near else distance for distance in passed]
-            moved = round(place + way * min([room, *passed]), 9)
-            if abs(moved - place) > near:
-                words = (
-                    f"{axis.name}: {' and '.join(edges[place].values())} {figure(place)} → {figure(moved)}{over.after}"
-                )
-                yield Change(words, dict.fromkeys(edges[place], moved), "edge")
-
-
-def places_of(axis: Axis) -> Iterator[float]:
-    """Yield the places of the edges of an axis' phases and process forces, in the unit of the cycle."""
-    for phase in axis.phases:
-        yield from (phase.start + axis.shift, phase.stop + axis.shift)
-    for window in axis.load.windows:
-        yield from (window.start, window.stop)
+    """Yield each edge that may move moved by 10° of a turn, or as far as its room lets it."""
+    step = machine.over.shown(EDGE)
+    for room in rooms(machine, machine, i):
+        for by in (-step, step):
+            if moved := min(max(by, room.low), room.high):
+                yield room.change(moved)
 
 
 def product_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
@@ -211,7 +196,36 @@ def breaks(machine: AnyMachine) -> set[str]:
     """Return the names of the checks, but for limits of drives at the rate, that do not hold."""
     asked = results(machine, {})
     names = (name for name in asked.checks if not name.endswith(BY_RATE) and name not in (RATE_CHECK, *asked.slow))
-    return {name for name in names if not np.all(asked.named[name]() == OK)}
+    broken = {name for name in names if not np.all(asked.named[name]() == OK)}
+    return broken | {name for margin, name in order_margins(machine) if margin < -ZERO}
 
 
-IMPROVING = Improving(limit_checks, changes, where, breaks)
+def figure_of(machine: AnyMachine, name: str, aim: Aim) -> float:
+    """Return what an axis is to have less of, at the rate of the machine, in the unit of the aim."""
+    axis = MachineView(machine, laws(machine.laws)).axes[number_of(machine, name)].sized
+    if aim.name == "acceleration":
+        return float(axis.max_acceleration)
+    if aim.name == "vibration":
+        return max((vibration(axis, phase, aim) for phase in axis.moves.values()), default=0.0)
+    results = drives(machine)[name]().results
+    if aim.name == "power":
+        return float(shown(results.power.peak, KW))
+    return float(results.energy.driving if aim.name == "energy" else results.rms_torque)
+
+
+def vibration(axis: MovingAxis, phase: Phase, aim: Aim) -> float:
+    """Return the amplitude that a move from rest to rest leaves in an oscillator behind it, in the axis' unit."""
+    periods = phase.duration / axis.speed * aim.frequency
+    return float(shown(abs(phase.lift), axis.unit) * residual(phase.law, periods, aim.damping))
+
+
+IMPROVING = Improving(
+    limit_checks,
+    changes,
+    where,
+    breaks,
+    figure_of,
+    rooms=lambda base, machine, name: rooms(base, machine, number_of(machine, name)),
+    margins=margins,
+    process_rate=process_rate,
+)

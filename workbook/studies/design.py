@@ -1,0 +1,152 @@
+"""A machine that is to be better: what changed in it, and what it has less of; the rate, or another aim."""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from engine.drive.highest_rate import RateLimit, highest_rate
+from engine.drive.limits import LimitChecks
+from engine.drive.rate_range import at_points
+from workbook.entries.machine import Machine
+from workbook.errors import InputError
+from workbook.fields.paths import Place, get, table
+from workbook.fields.units import PER_MINUTE, shown, si
+from workbook.studies.plan import changed_machine
+from workbook.template_outputs import AIMS, Aim, Change, Improving
+from workbook.templates import TEMPLATES
+
+GAIN = 1e-4  # share of the cost: less is no gain
+
+
+@dataclass(frozen=True)
+class Design:
+    """A machine with entries of its base changed, and what it is to have less of: the ``costs``, by axis.
+
+    They are the time of a cycle (s) at the highest rate, by points, or figures of the aim at the rate of the machine;
+    ``held`` are the highest rates (1/s) that drives must hold beside another aim.
+    """
+
+    base: Machine
+    data: Mapping[str, Any]  # the base as a description
+    machine: Machine
+    changes: Mapping[Place, Any]
+    costs: Mapping[str, float]
+    aim: Aim
+    held: Mapping[str, float]
+
+    @property
+    def improving(self) -> Improving[Any]:
+        """The functions by which its kind of machine is improved; raise InputError where there are none."""
+        improving = TEMPLATES[self.base.template].improving
+        if improving is None:
+            raise InputError([f"a machine of the kind {self.base.template} has no highest rate; expected machine"])
+        return improving
+
+    @property
+    def limiting(self) -> str:
+        """The axis that limits the rate, or has most of what is to be less."""
+        return max(self.costs, key=lambda name: self.costs[name])
+
+    @property
+    def cost(self) -> float:
+        """The cost of the machine: the largest of its axes, and the time of a cycle that the process takes."""
+        process = 1.0 / self.improving.process_rate(self.machine) if self.aim.is_rate else 0.0
+        return max(self.costs[self.limiting], process)
+
+    @property
+    def rate(self) -> float:
+        """The rate (1/s) that the machine has: the highest, by points, or the entered one where the aim is another."""
+        return 1.0 / self.cost if self.aim.is_rate else si(self.machine.per_minute, PER_MINUTE)
+
+    @property
+    def exact_cost(self) -> float:
+        """The cost of the machine by the exact engine."""
+        if not self.aim.is_rate:
+            return self.cost
+        rates = [self.exact(axis).rate for axis in self.costs]
+        return 1.0 / min([*rates, self.improving.process_rate(self.machine)])
+
+    def shown(self, cost: float) -> float:
+        """Return a cost as it is shown: as a rate (cycles/min), or in the unit of the aim."""
+        return float(shown(1.0 / cost, PER_MINUTE)) if self.aim.is_rate else cost
+
+    def limits(self, axis: str) -> LimitChecks:
+        """Return the limits of the drive of an axis."""
+        return self.improving.limits(self.machine)[axis]()
+
+    def changed(self, change: Change) -> "Design | str":
+        """Return the design with a change, or why there is none such: axes that it leaves alone keep their costs."""
+        changes = {**self.changes, **change.entries}
+        laws = {value for path, value in changes.items() if path[-1] == "law"}
+        changes = {path: value for path, value in changes.items() if path[0] != "laws" or path[1] in laws}
+        machine = changed_machine(self.base, dict(self.data), changes)
+        if isinstance(machine, str):
+            return machine
+        design = replace(self, machine=machine, changes=changes)
+        touched = dict.fromkeys(get(machine, (*path[:2], "name")) for path in change.entries if path[0] == "axes")
+        try:
+            costs = {axis: design.cost_of(axis) for axis in touched if axis in self.costs or axis in self.held}
+        except (ValueError, ArithmeticError) as error:  # what the engine refuses
+            return str(error)
+        return replace(design, costs={axis: costs.get(axis, cost) for axis, cost in self.costs.items()})
+
+    def cost_of(self, axis: str) -> float:
+        """Return the cost of an axis; raise ValueError where its drive does not hold the rate that it must."""
+        rate = at_points(self.limits(axis)).range.high if self.aim.is_rate or axis in self.held else math.inf
+        if self.aim.is_rate:
+            return 1.0 / rate if rate else math.inf
+        if rate < self.held.get(axis, 0.0):
+            raise ValueError(f"{axis}: its drive does not hold the rate")
+        return self.improving.figure(self.machine, axis, self.aim)
+
+    def tries(self, axis: str) -> Iterator[Change]:
+        """Yield the single changes of an axis."""
+        return self.improving.changes(self.machine, axis, self.rate, self.aim)
+
+    def breaks(self) -> set[str]:
+        """Return the checks, beside limits of drives, that do not hold."""
+        return self.improving.breaks(self.machine)
+
+    def exact(self, axis: str) -> RateLimit:
+        """Return the exact highest rate of an axis, and its limit."""
+        return highest_rate(self.limits(axis))
+
+
+def first_design(machine: Machine, is_roomy: bool, aim: Aim = AIMS["rate"], axis: str = "") -> Design:
+    """Return the design to begin with; raise InputError where no drive limits its rate.
+
+    Unless ``is_roomy``, the description says nothing of the room for pieces of a motion, and there is what it needs. An
+    ``aim`` beside the rate is that of an ``axis``, by default that which has most of it.
+    """
+    for fault in machine.design.faults:
+        raise InputError([f"{fault.key}: {fault.message}; improve expects a finished design"])
+    sizes = {} if is_roomy else {"sizes": machine.sizes.model_dump(exclude={"motion_pieces"})}
+    design = Design(machine, table(machine) | sizes, machine, {}, {}, aim, {})
+    improving = design.improving
+    for sentence in (name for name in design.breaks() if name.startswith("timing.")):
+        raise InputError([sentence])
+    rates = {name: at_points(make()).range.high for name, make in improving.limits(machine).items()}
+    if not aim.is_rate:
+        return aimed(design, axis, rates)
+    if axis:
+        raise InputError([f"an axis is named, {axis}; expected none: all limit the highest rate"])
+    if not any(rate < math.inf for rate in rates.values()):
+        raise InputError(["no drive of this machine limits its rate; expected a motor, with its limits"])
+    for name in (name for name, rate in rates.items() if rate == 0.0):
+        raise InputError([f"{name}: its drive holds its limits at no rate; expected a motor and a ratio that do"])
+    return replace(design, costs={name: 1.0 / rate for name, rate in rates.items()})
+
+
+def aimed(design: Design, axis: str, rates: Mapping[str, float]) -> Design:
+    """Return a design with the costs of its aim; ``rates`` are the highest (1/s) of the axes with drives."""
+    kinematic = design.aim.name in ("acceleration", "vibration")
+    names = [each.name for each in design.machine.axes if kinematic or each.name in rates]
+    if not names:
+        raise InputError([f"no axis has a drive; expected one, of which the {design.aim.words} is to be less"])
+    if axis and axis not in names:
+        raise InputError([f"no axis with a {design.aim.words} is named {axis!r}; expected one of {', '.join(names)}"])
+    costs = {name: design.improving.figure(design.machine, name, design.aim) for name in ([axis] if axis else names)}
+    most = max(costs, key=lambda name: costs[name])
+    held = {name: min(rate, design.rate) for name, rate in rates.items()}
+    return replace(design, costs={most: costs[most]}, held=held)
