@@ -135,7 +135,10 @@ class Room(NamedTuple):
 
 
 class Aim(NamedTuple):
-    """What is to be better: a name, in words, its unit; of a vibration the natural frequency (Hz) and the damping."""
+    """What is to be better: a name, in words, its unit; of a vibration the natural frequency (Hz) and the damping.
+
+    Without a unit it is that of the axis.
+    """
 
     name: AimName = "rate"
     words: str = "highest rate"
@@ -156,10 +159,17 @@ AIMS = {
         Aim("torque", "RMS torque", "Nm"),
         Aim("power", "peak power", "kW"),
         Aim("energy", "energy driven in a cycle", "J"),
-        Aim("acceleration", "greatest acceleration", "m/s² or rad/s²"),
-        Aim("vibration", "greatest vibration left by a move", "mm or °"),
+        Aim("acceleration", "greatest acceleration", ""),
+        Aim("vibration", "greatest vibration left by a move", ""),
     )
 }
+
+
+class Figure(NamedTuple):
+    """What an axis is to have less of, and its unit."""
+
+    value: float
+    unit: str
 
 
 class Improving(NamedTuple, Generic[M]):
@@ -176,7 +186,7 @@ class Improving(NamedTuple, Generic[M]):
     changes: Callable[[M, str, float, Aim], Iterator[Change]]  # at the highest rate (1/s)
     where: Callable[[M, str, Moment], str]
     breaks: Callable[[M], set[str]]
-    figure: Callable[[M, str, Aim], float]
+    figure: Callable[[M, str, Aim], Figure]
     rooms: Callable[[M, M, str], list[Room]]
     margins: Callable[[M], Values]
     process_rate: Callable[[M], float]

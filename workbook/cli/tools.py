@@ -147,26 +147,35 @@ def study(
 
 @app.command()
 def improve(
-    machine: Path = Argument(..., metavar="MACHINE.toml", help="A machine with drives."),
+    machine: Path = Argument(..., metavar="MACHINE.toml", help="A machine of axes."),
     output: Path | None = to("BETTER.toml", "Write the best description, at the rate that it reaches."),
-    change: Literal["laws", "timing", "motors"] = option(
-        "laws|timing|motors", "What -o changes: laws; edges too; motors and ratios too.", default="laws"
+    change: Literal["laws", "timing", "both", "motors"] = option(
+        "laws|timing|both|motors", "What -o changes: laws; edges; both; motors and ratios too.", default="laws"
     ),
+    aim: Literal["rate", "torque", "power", "energy", "acceleration", "vibration"] = option(
+        "AIM", "What is better: rate|torque|power|energy|acceleration|vibration.", "--for", default="rate"
+    ),
+    axis: str = option("NAME", "The axis that has less of it; else the one that has most.", "--axis", default=""),
+    frequency: float = option("HZ", "Natural frequency of the load of --for vibration.", min=0.0, default=0.0),
+    damping: float = option("ZETA", "Its damping ratio.", min=0.0, max=0.99, default=0.0),
     jobs: int | None = option("N", "Processes at once; else this process alone.", "--jobs", min=1),
     force: Force = False,
 ) -> None:
     """Say what limits the highest rate of a machine, and what each single change would gain.
 
-    Tried are other laws for each phase, laws shaped for their drive, edges moved within their order, the next motors,
-    other ratios, less inertia and smaller reserves of the axis that limits. Then the best laws together, with edges,
-    with motors and ratios. Every gain is worked out by the exact engine; a change that breaks a check is left out.
-    Ctrl+C leaves the best so far.
+    Tried are other laws for each phase, laws shaped for their drive, edges moved within their order or what the
+    description's timing says, the next motors, other ratios, less inertia and smaller reserves of the axis that limits.
+    Then the best laws, the best timing, both together, and motors and ratios too. Every gain is worked out by the exact
+    engine; a change that breaks a check is left out. With --for an axis has less of something at the same rate. Ctrl+C
+    leaves the best so far.
 
     Exit code 0: done. 2: it cannot be done. 3: a check of what was written fails.
     """
     from workbook.commands import improve as improving
 
-    raise typer.Exit(improving.improve(machine, output, change, jobs, force))
+    if (aim == "vibration") != (frequency > 0.0):
+        raise typer.BadParameter("expected --frequency with --for vibration, and only with it")
+    raise typer.Exit(improving.improve(machine, output, change, (aim, frequency, damping), axis, jobs, force))
 
 
 @app.command()

@@ -1,4 +1,4 @@
-"""Say what would make a machine faster; write the description with the best laws."""
+"""Say what would make a machine better; write the description of the best design."""
 
 from pathlib import Path
 
@@ -11,7 +11,10 @@ from workbook.pool import Pool
 from workbook.reading.descriptions import parse_toml
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.reports.terminal import shown as escaped
-from workbook.studies.improve import STAGES, Design, Done, better, edited, first_design, obstacles, single_gains
+from workbook.studies.design import Design, first_design
+from workbook.studies.improve import STAGES, better, edited, gain_in_words, obstacles, single_gains
+from workbook.studies.timing import Done
+from workbook.template_outputs import AIMS, AimName
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import refuse_existing, refuse_itself, write_text
@@ -19,18 +22,31 @@ from workbook.writing.output_files import refuse_existing, refuse_itself, write_
 DESCRIPTION = "a machine description, a .toml file"
 
 
-def improve(path: Path, output: Path | None, stage: str, jobs: int | None, force: bool) -> int:
-    """Print what limits a machine and what changes gain; write the best design of a stage; return the exit code."""
+def improve(
+    path: Path,
+    output: Path | None,
+    stage: str,
+    asked: tuple[AimName, float, float],
+    axis: str,
+    jobs: int | None,
+    force: bool,
+) -> int:
+    """Print what limits a machine and what changes gain; write the best design of a stage; return the exit code.
+
+    ``asked`` are the name of the aim, and natural frequency (Hz) and damping of a load that vibrates.
+    """
+    name, frequency, damping = asked
+    aim = AIMS[name]._replace(frequency=frequency, damping=damping)
     refuse_itself(output, path)
     if output is not None:
         refuse_existing(output, force)
-    with ERR.status("Looking for what limits the rate …") as status:
+    with ERR.status("Looking for what limits …") as status:
 
         def done(count: int, total: int, words: str) -> None:
             status.update(escaped(f"Trying {count} of {total}: {words}"))
 
         sizes = parse_toml(read_text(path, DESCRIPTION), path).get("sizes", {})
-        design = first_design(read_description(path), "motion_pieces" in sizes)
+        design = first_design(read_description(path), "motion_pieces" in sizes, aim, axis)
         show_limits(design)
         with pool(jobs or 1, None) as workers:
             best = show_gains(design, stage, workers, done)
@@ -43,30 +59,33 @@ def improve(path: Path, output: Path | None, stage: str, jobs: int | None, force
 
 
 def show_limits(design: Design) -> None:
-    """Print the limits of a design in their order."""
+    """Print the limits of a design in their order, or what is to be less."""
+    if not design.aim.is_rate:
+        words = f"{design.aim.words} of {design.limiting}: {figure_of(design, design.cost)}"
+        say(OUT, f"{words} at {per_minute(design.rate)}", "bold")
+        return
     for n, obstacle in enumerate(obstacles(design)):
         words = f"{obstacle.axis}, {obstacle.limit.limit} ({obstacle.where})"
         say(OUT, f"{'then' if n else 'Highest rate:'} {per_minute(obstacle.limit.rate)}: {words}", "" if n else "bold")
 
 
 def show_gains(design: Design, stage: str, workers: Pool, done: Done) -> Design:
-    """Print the gains of single changes, and the best design of each stage; return that of a stage, or of what is done.
+    """Print the gains of single changes, and the best design of each stage; return that of a stage.
 
-    Stages after it are worked out for their rates alone.
+    Where that of a stage is not known yet, it is the best so far.
     """
-    best, chosen, written = design, design, False
+    best, before = {"": design}, design.exact_cost
     try:
         for gain in single_gains(design, workers, done):
-            say(OUT, f"  {gain.line}")
-        for name, (words, kinds) in STAGES.items():
-            for faster in better(best, kinds, workers, done):
-                best, chosen = faster, chosen if written else faster
-            written = written or name == stage
-            rate = min(best.exact(axis).rate for axis in best.rates)
-            more = 100.0 * (best.rate / design.rate - 1.0)
-            say(OUT, f"Best {words}: {per_minute(rate)} ({more:+.1f} %)", "bold")
+            say(OUT, f"  {gain.words}, {gain_in_words(design, gain.before, gain.after)}")
+        for name, (words, kinds, begin) in STAGES.items():
+            best[name] = best[begin]
+            for other in better(best[begin], kinds, workers, done):
+                best[name] = other
+            say(OUT, f"Best {words}: {gain_in_words(design, before, best[name].exact_cost)}", "bold")
     except KeyboardInterrupt:
         say(ERR, "Interrupted: the best so far stands.", "yellow")
+    chosen = best.get(stage) or min(best.values(), key=lambda each: each.cost)
     for place, value in chosen.changes.items():
         if place[0] != "laws":
             say(OUT, f"  {spell(place)} = {value}")
@@ -84,6 +103,11 @@ def write_best(path: Path, best: Design, output: Path, force: bool) -> int:
     for line in failing:
         say(ERR, f"FAIL {line}", "yellow")
     return FAILS if failing else AGREES
+
+
+def figure_of(design: Design, cost: float) -> str:
+    """Return a cost in words."""
+    return f"{design.shown(cost):.5g} {design.aim.unit}"
 
 
 def per_minute(rate: float) -> str:

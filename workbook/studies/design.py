@@ -98,7 +98,7 @@ class Design:
             return 1.0 / rate if rate else math.inf
         if rate < self.held.get(axis, 0.0):
             raise ValueError(f"{axis}: its drive does not hold the rate")
-        return self.improving.figure(self.machine, axis, self.aim)
+        return self.improving.figure(self.machine, axis, self.aim).value
 
     def tries(self, axis: str) -> Iterator[Change]:
         """Yield the single changes of an axis."""
@@ -146,7 +146,8 @@ def aimed(design: Design, axis: str, rates: Mapping[str, float]) -> Design:
         raise InputError([f"no axis has a drive; expected one, of which the {design.aim.words} is to be less"])
     if axis and axis not in names:
         raise InputError([f"no axis with a {design.aim.words} is named {axis!r}; expected one of {', '.join(names)}"])
-    costs = {name: design.improving.figure(design.machine, name, design.aim) for name in ([axis] if axis else names)}
-    most = max(costs, key=lambda name: costs[name])
+    figures = {name: design.improving.figure(design.machine, name, design.aim) for name in ([axis] if axis else names)}
+    most = max(figures, key=lambda name: figures[name].value)
     held = {name: min(rate, design.rate) for name, rate in rates.items()}
-    return replace(design, costs={most: costs[most]}, held=held)
+    aim = design.aim._replace(unit=figures[most].unit)
+    return replace(design, costs={most: figures[most].value}, held=held, aim=aim)

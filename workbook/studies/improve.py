@@ -1,7 +1,7 @@
 """Make a machine better: its limits in their order, single changes by what they gain, the best together."""
 
 import math
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -16,6 +16,7 @@ from workbook.template_outputs import Change
 from workbook.text_files import read_text
 
 ORDER = 5  # limits that are listed in their order
+DIGITS = 4  # of figures in words
 STARTS = 4  # from which the best timing is looked for, beside the present one
 ROUNDS = 12  # over all phases of the axis that limits, at most
 RATE = ("master", "rate")
@@ -50,7 +51,8 @@ def obstacles(design: Design) -> list[Obstacle]:
 def gain_in_words(design: Design, before: float, after: float) -> str:
     """Return two costs as the aim shows them, and by how much that is more or less."""
     was, now = design.shown(before), design.shown(after)
-    return f"{was:.5g} → {now:.5g} {design.aim.unit} ({100.0 * (now / was - 1.0):+.1f} %)"
+    more = f" ({100.0 * (now / was - 1.0):+.1f} %)" if was else ""
+    return f"{was:.{DIGITS}g} → {now:.{DIGITS}g} {design.aim.unit}{more}"
 
 
 class Gain(NamedTuple):
@@ -114,7 +116,7 @@ def better(design: Design, kinds: Collection[str], pool: Pool, done: Done) -> It
 
 
 def rate_to_write(design: Design) -> float | None:
-    """Return the highest rate (cycles/min) that sheets and the exact engine hold, cut off; None where none is sought."""
+    """Return the highest rate (cycles/min) that sheets and the exact engine hold, cut off; None of another aim."""
     if get(design.machine, RATE) is None or not design.aim.is_rate:
         return None
     return math.floor(design.shown(max(design.cost, design.exact_cost)) * 100.0) / 100.0

@@ -23,7 +23,9 @@ HALF = RowRule("paired", f"AND({PAIRED})", "", "a time on without its begin, or 
 LISTED = {("axes", "*", "stops"): STOPS, ("switches", "*", "on", "*"): KEYS, ("clearances", "*", "pairs", "*"): PAIR}
 """entries that may be given as a list, with the keys of its numbers"""
 NAMED = [("clearances", "*", end) for end in ENDS]
-NAMED += [("timing", table, "*", "axis") for table in ("edges", "orders", "lasting")] + [("timing", "orders", "*", "other")]
+NAMED += [("timing", table, "*", "axis") for table in ("edges", "orders", "lasting")] + [
+    ("timing", "orders", "*", "other")
+]
 """entries that name an axis, and of a book's layout tell its number"""
 UNUSED = dict.fromkeys(KEYS)
 

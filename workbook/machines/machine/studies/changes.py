@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from engine.drive.highest_rate import Moment
-from engine.drive.limits import LimitChecks, at_speed
+from engine.drive.limits import at_speed
 from engine.drive.shaped import shape_phase
 from engine.laws.base import Kinematics
 from engine.laws.vibration import residual
@@ -29,7 +29,7 @@ from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.studies.timing import EDGE, margins, order_margins, process_rate, rooms
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.template_outputs import LIMITS, Aim, Change, Improving
+from workbook.template_outputs import LIMITS, Aim, Change, Figure, Improving
 
 FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
 LIGHTER = 0.9  # of the inertias of load and parts
@@ -125,7 +125,11 @@ def free_name(machine: AnyMachine, i: int, k: int) -> str:
 
 def shaped(driven: Driven, rate: float, k: int, begin: str, name: str, most: int, least_torque: bool) -> Change:
     """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into ``most`` pieces."""
-    axis, rest, checks = driven.axis, RESTS[driven.axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau)
+    axis, rest, checks = (
+        driven.axis,
+        RESTS[driven.axis.given.smoothness],
+        at_speed(driven.limit_checks, rate * math.tau),
+    )
     law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=most, least_torque=least_torque).law
     pieces = [
         {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
@@ -200,17 +204,18 @@ def breaks(machine: AnyMachine) -> set[str]:
     return broken | {name for margin, name in order_margins(machine) if margin < -ZERO}
 
 
-def figure_of(machine: AnyMachine, name: str, aim: Aim) -> float:
-    """Return what an axis is to have less of, at the rate of the machine, in the unit of the aim."""
+def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
+    """Return what an axis is to have less of, at the rate of the machine."""
     axis = MachineView(machine, laws(machine.laws)).axes[number_of(machine, name)].sized
     if aim.name == "acceleration":
-        return float(axis.max_acceleration)
+        return Figure(axis.max_acceleration, axis.over.rates(axis.given.unit)[1])
     if aim.name == "vibration":
-        return max((vibration(axis, phase, aim) for phase in axis.moves.values()), default=0.0)
+        left = max((vibration(axis, phase, aim) for phase in axis.moves.values()), default=0.0)
+        return Figure(left, axis.given.unit)
     results = drives(machine)[name]().results
     if aim.name == "power":
-        return float(shown(results.power.peak, KW))
-    return float(results.energy.driving if aim.name == "energy" else results.rms_torque)
+        return Figure(shown(results.power.peak, KW), aim.unit)
+    return Figure(results.energy.driving if aim.name == "energy" else results.rms_torque, aim.unit)
 
 
 def vibration(axis: MovingAxis, phase: Phase, aim: Aim) -> float:

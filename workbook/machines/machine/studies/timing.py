@@ -15,7 +15,7 @@ from workbook.fields.texts import place_of
 from workbook.fields.types import ANGLE_TOLERANCE
 from workbook.fields.units import DEGREE, shown, si
 from workbook.law_sheets.library import laws
-from workbook.machines.machine.entries import AnyMachine, AxisPhase, Axis
+from workbook.machines.machine.entries import AnyMachine, Axis, AxisPhase
 from workbook.machines.machine.entries_beside import EdgeOfPhase, Lasting
 from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.gap import ClearanceView
@@ -25,7 +25,7 @@ from workbook.template_outputs import Room
 EDGE = 10.0  # degrees of a turn by which an edge may move where nothing is said of it
 STEP = 0.01  # degrees of a turn, by multiples of which edges move
 SHORTEST = 1.0  # degrees of a turn that a phase lasts at least, as far as edges move
-LEFT = 0.4  # of the way to the next edge of an axis: two that came half-way would leave a phase no time
+HALF = 0.5  # of the way to the next edge of an axis, so that none passes another
 GAPS = 181  # places of the cycle at which gaps are looked at
 Bounds = dict[float, tuple[float, float]]  # by the place of edges, the first and the last to which they may move
 
@@ -106,7 +106,7 @@ def free(base: AnyMachine, machine: AnyMachine, i: int) -> Bounds:
             apart = [way * (other - place) for other in (0.0, cycle, *edges) if way * (other - place) > near]
             passed = [(way * (other - place - base.axes[i].shift)) % cycle for other in others]
             passed = [0.0 if distance > cycle - near else distance for distance in passed]
-            ways.append(place + way * min([LEFT * min(apart, default=cycle), step, *passed]))
+            ways.append(place + way * min([HALF * min(apart, default=cycle), step, *passed]))
         bounds[place] = ways[0], ways[1]
     return bounds
 
