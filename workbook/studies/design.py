@@ -29,7 +29,7 @@ class Design:
 
     base: Machine
     data: Mapping[str, Any]  # the base as a description
-    machine: Machine
+    machine: Any  # as the base, with the changes
     changes: Mapping[Place, Any]
     costs: Mapping[str, float]
     aim: Aim

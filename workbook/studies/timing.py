@@ -46,7 +46,8 @@ class TimingSearch:
     def moves(self, design: Design) -> Array:
         """Return by how much the edges of a design are moved."""
         firsts = (next(iter(room.edges.items())) for room in self.rooms)
-        return np.array([get(design.machine, path) - place for path, place in firsts])
+        moved: list[float] = [get(design.machine, path) - place for path, place in firsts]
+        return np.asarray(moved, dtype=np.float64)
 
     def starts(self, more: int) -> list[Array]:
         """Return the present moves, and others spread over the rooms."""
@@ -89,7 +90,8 @@ class TimingSearch:
                 self.margins[key] = design.improving.margins(design.machine)
             return self.margins[key]
 
-        return self.low + least_use(uses, np.clip((start - self.low) / span, 0.0, 1.0), slack, SLOPE) * span
+        shares: Array = least_use(uses, np.clip((start - self.low) / span, 0.0, 1.0), slack, SLOPE)
+        return np.asarray(self.low + shares * span, dtype=np.float64)
 
     def is_better(self, design: Design | str, than: Design) -> bool:
         """Return whether a design costs less than another, breaks nothing, and holds all margins."""

@@ -9,7 +9,7 @@ from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
-from workbook.fields.paths import replaced, spread
+from workbook.fields.paths import Place, replaced, spread
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
 from workbook.fields.types import DesignError, EntryError, MakesCells, Model, NotNegative, Number, Positive
 
@@ -22,7 +22,7 @@ HALF = RowRule("paired", f"AND({PAIRED})", "", "a time on without its begin, or 
 """a row of switches of which a time lacks an end"""
 LISTED = {("axes", "*", "stops"): STOPS, ("switches", "*", "on", "*"): KEYS, ("clearances", "*", "pairs", "*"): PAIR}
 """entries that may be given as a list, with the keys of its numbers"""
-NAMED = [("clearances", "*", end) for end in ENDS]
+NAMED: list[Place] = [("clearances", "*", end) for end in ENDS]
 NAMED += [("timing", table, "*", "axis") for table in ("edges", "orders", "lasting")] + [
     ("timing", "orders", "*", "other")
 ]
