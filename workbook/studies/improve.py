@@ -17,7 +17,7 @@ from workbook.text_files import read_text
 
 ORDER = 5  # limits that are listed in their order
 DIGITS = 4  # of figures in words
-STARTS = 4  # from which the best timing is looked for, beside the present one
+STARTS = 2  # from which the best timing is looked for, beside the present one
 ROUNDS = 12  # over all phases of the axis that limits, at most
 RATE = ("master", "rate")
 STAGES: dict[str, tuple[str, Collection[str], str]] = {
