@@ -13,7 +13,7 @@ from workbook.template_outputs import Change, Room
 Done = Callable[[int, int, str], None]  # takes how many changes of how many are tried, and words
 SLOPE = 1e-4  # of a room: by so much edges move to find a slope
 WORST = 10.0  # the cost over that of the begin where there is no such machine; its margins are -1
-HALVINGS = 8  # of the way to a timing that does not hold
+HALVINGS = 14  # of the way to a timing that does not hold
 GRIDS = (100, 30, 10, 3, 1)  # steps by which single edges move at last
 
 
