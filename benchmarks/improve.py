@@ -9,7 +9,8 @@ from numpy.polynomial import Polynomial
 from engine.drive.shaped import shape
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
-from workbook.studies.improve import STAGES, better, first_design, obstacles, single_gains
+from workbook.studies.design import first_design
+from workbook.studies.improve import STAGES, better, obstacles, single_gains
 from workbook.templates import TEMPLATES
 
 INERTIA = Polynomial([3.62477004e-3, -8.11242143e-5, 1.54632995e-2, -1.01883497e-2, 1.68396654e-3])  # kg m²
@@ -39,7 +40,7 @@ def main() -> None:
     design = first_design(read_machine(CUTTING), True)
     measure("what limits the cutting machine", lambda: obstacles(design))
     measure("its single changes", lambda: [*single_gains(design, THIS_PROCESS, lambda *_: None)])
-    for words, kinds in STAGES.values():
+    for words, kinds, _ in STAGES.values():
         measure(f"its best {words}", lambda kinds=kinds: [*better(design, kinds, THIS_PROCESS, lambda *_: None)])
 
 

@@ -135,7 +135,7 @@ class Room(NamedTuple):
 
 
 class Aim(NamedTuple):
-    """What is to be better: a name, in words, its unit; of a vibration the natural frequency (Hz) and the damping.
+    """An aim: a name, in words, its unit; of a vibration the natural frequency (Hz) and the damping.
 
     Without a unit it is that of the axis.
     """
@@ -166,7 +166,7 @@ AIMS = {
 
 
 class Figure(NamedTuple):
-    """What an axis is to have less of, and its unit."""
+    """A figure of an axis that is to be less, and its unit."""
 
     value: float
     unit: str

@@ -1,4 +1,4 @@
-"""Entries of a machine beside its axes: switches, clearances, hard stops, and what of its timing may move."""
+"""Entries of a machine beside its axes: switches, clearances, hard stops, the room of its timing."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
@@ -148,7 +148,7 @@ class MovableEdge(EdgeOfPhase):
 
 
 class Order(EdgeOfPhase):
-    """What another axis is beyond when a phase starts or stops."""
+    """A position that another axis has passed when a phase starts or stops."""
 
     other: Name
     above: Number | None = None
@@ -164,7 +164,7 @@ class Lasting(Model):
 
 
 class Timing(Model):
-    """What may move in the cycle, and what must hold: for `motionbook improve`, no cell hangs on it."""
+    """Edges that `motionbook improve` may move in the cycle, and what must hold; no cell hangs on it."""
 
     edges: Annotated[list[MovableEdge], MakesCells()] = []  # noqa: RUF012 - frozen
     orders: Annotated[list[Order], MakesCells()] = []  # noqa: RUF012 - frozen

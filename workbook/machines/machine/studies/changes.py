@@ -205,7 +205,7 @@ def breaks(machine: AnyMachine) -> set[str]:
 
 
 def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
-    """Return what an axis is to have less of, at the rate of the machine."""
+    """Return the figure of an axis that is to be less, at the rate of the machine."""
     axis = MachineView(machine, laws(machine.laws)).axes[number_of(machine, name)].sized
     if aim.name == "acceleration":
         return Figure(axis.max_acceleration, axis.over.rates(axis.given.unit)[1])

@@ -1,4 +1,4 @@
-"""What of a machine's timing may move, and what must hold meanwhile: orders, times of phases, gaps."""
+"""The room for edges in a machine's timing, and the margins of orders, times of phases and gaps meanwhile."""
 
 import math
 from collections.abc import Iterator
@@ -83,8 +83,8 @@ def rooms_of(base: AnyMachine, i: int, bounds: Bounds) -> Iterator[Room]:
     for k, lasting in enumerate(base.timing.lasting):
         j, phase = phase_of(base, lasting, f"lasting[{k + 1}]")
         if j == i and lasting.least is None:
-            kept = {place for group in together if group & {phase.start, phase.stop} for place in group}
-            together = [*(group for group in together if not group & kept), kept]
+            joined = {place for group in together if group & {phase.start, phase.stop} for place in group}
+            together = [*(group for group in together if not group & joined), joined]
     for group in together:
         limits = [(bounds[place][0] - place, bounds[place][1] - place) for place in group if place in bounds]
         low, high = max((low for low, _ in limits), default=0.0), min((high for _, high in limits), default=0.0)
@@ -129,10 +129,10 @@ def order_margins(machine: AnyMachine) -> list[tuple[float, str]]:
         angle = (machine.over.degrees(getattr(phase, order.edge) + machine.axes[i].shift)) % TURN
         at = float(shown(other.at(si(np.array([angle]), DEGREE)).y[0], other.unit))
         bounds = [(1.0, order.above, "above"), (-1.0, order.below, "below")]
-        kept = [(way * (at - bound), f"{word} {figure(bound)}") for way, bound, word in bounds if bound is not None]
-        if not kept:
+        each = [(way * (at - bound), f"{word} {figure(bound)}") for way, bound, word in bounds if bound is not None]
+        if not each:
             raise InputError([f"timing.{where}: expected a position that the other axis is above or below"])
-        margin, words = min(kept)
+        margin, words = min(each)
         size = float(shown(np.ptp(other.motion.reach), other.unit)) or 1.0
         edge = f"{order.edge} of {order.axis} phase {order.phase}"
         sentence = f"timing.{where}: {order.other} is at {at:.6g} {other.given.unit} at the {edge}; expected {words}"
@@ -158,14 +158,14 @@ def margins(machine: AnyMachine) -> Array:
 
     Orders; phases that last a degree, each behind the last; gaps at places of the cycle, and the least of each.
     """
-    over, kept = machine.over, [margin for margin, _ in order_margins(machine)]
+    over, shares = machine.over, [margin for margin, _ in order_margins(machine)]
     for axis in machine.axes:
-        kept += [(over.degrees(phase.stop - phase.start) - SHORTEST) / TURN for phase in axis.phases]
+        shares += [(over.degrees(phase.stop - phase.start) - SHORTEST) / TURN for phase in axis.phases]
         places = [0.0, *(place for phase in axis.phases for place in (phase.start, phase.stop)), over.shown(TURN)]
-        kept += (np.diff(places)[::2] / over.shown(TURN)).tolist()
+        shares += (np.diff(places)[::2] / over.shown(TURN)).tolist()
     rows = axes_of(machine) if machine.clearances else []
     for number, clearance in enumerate(machine.clearances, 1):
         gap = ClearanceView(clearance, number, rows)
         at_places = gap.gaps(np.linspace(0.0, TURN, GAPS)).tolist()
-        kept += [(value - clearance.least) / gap.size for value in (gap.exact, gap.least, *at_places)]
-    return np.array(kept) + ZERO
+        shares += [(value - clearance.least) / gap.size for value in (gap.exact, gap.least, *at_places)]
+    return np.array(shares) + ZERO
