@@ -1,7 +1,7 @@
 """The room for edges in a machine's timing, and the margins of orders, times of phases and gaps meanwhile."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -79,19 +79,24 @@ def edges_of(axis: Axis, i: int) -> dict[float, dict[Place, str]]:
 def rooms_of(base: AnyMachine, i: int, bounds: Bounds) -> Iterator[Room]:
     """Yield the edges of an axis that move together, within the bounds of those places that have some."""
     edges = edges_of(base.axes[i], i)
-    together = [{place} for place in edges]
-    for k, lasting in enumerate(base.timing.lasting):
-        j, phase = phase_of(base, lasting, f"lasting[{k + 1}]")
-        if j == i and lasting.least is None:
-            joined = {place for group in together if group & {phase.start, phase.stop} for place in group}
-            together = [*(group for group in together if not group & joined), joined]
-    for group in together:
+    for group in places_together(base, i, edges):
         limits = [(bounds[place][0] - place, bounds[place][1] - place) for place in group if place in bounds]
         low, high = max((low for low, _ in limits), default=0.0), min((high for _, high in limits), default=0.0)
         if high > low:
-            words = {" and ".join(edges[place].values()): place for place in sorted(group)}
-            moved = {path: place for place in sorted(group) for path in edges[place]}
+            words = {" and ".join(edges[place].values()): place for place in group}
+            moved = {path: place for place in group for path in edges[place]}
             yield Room(base.axes[i].name, words, moved, low, high, base.over.shown(STEP), base.over.after)
+
+
+def places_together(base: AnyMachine, i: int, places: Iterable[float]) -> list[list[float]]:
+    """Return the places of an axis' edges by groups that move together: those of a phase that keeps its time."""
+    groups = [{place} for place in places]
+    for k, lasting in enumerate(base.timing.lasting):
+        j, phase = phase_of(base, lasting, f"lasting[{k + 1}]")
+        if j == i and lasting.least is None:
+            joined = {place for group in groups if group & {phase.start, phase.stop} for place in group}
+            groups = [*(group for group in groups if not group & joined), joined]
+    return [sorted(group) for group in groups]
 
 
 def free(base: AnyMachine, machine: AnyMachine, i: int) -> Bounds:
