@@ -11,7 +11,8 @@ from workbook.book.summary import close_summary, title_blocks
 from workbook.book_layout import NAME as LAYOUT
 from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine
-from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Improving, Scaling
+from workbook.improving import Improving
+from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
 from workbook.text_files import FOLDER as FOLDER  # known by this module to many
 from workbook.unfinished_book import with_entries
 

@@ -7,6 +7,7 @@ from workbook.cluster import pool
 from workbook.errors import AGREES, FAILS
 from workbook.fields.paths import spell
 from workbook.fields.units import PER_MINUTE, shown
+from workbook.improving import AIMS, AimName
 from workbook.pool import Pool
 from workbook.reading.descriptions import parse_toml
 from workbook.reports.terminal import ERR, OUT, say
@@ -14,7 +15,6 @@ from workbook.reports.terminal import shown as escaped
 from workbook.studies.design import Design, first_design
 from workbook.studies.improve import STAGES, better, edited, gain_in_words, obstacles, single_gains
 from workbook.studies.timing import Done
-from workbook.template_outputs import AIMS, AimName
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import refuse_existing, refuse_itself, write_text

@@ -12,8 +12,8 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.fields.paths import Place, get, table
 from workbook.fields.units import PER_MINUTE, shown, si
+from workbook.improving import AIMS, Aim, Change, Improving
 from workbook.studies.plan import changed_machine
-from workbook.template_outputs import AIMS, Aim, Change, Improving
 from workbook.templates import TEMPLATES
 
 GAIN = 1e-4  # share of the cost: less is no gain

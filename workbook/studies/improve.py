@@ -9,10 +9,10 @@ from engine.drive.highest_rate import RateLimit, limits_in_order, moment_of
 from engine.drive.limits import at_speed
 from workbook.errors import InputError
 from workbook.fields.paths import Place, get
+from workbook.improving import Change
 from workbook.pool import Pool, WorkerDied
 from workbook.studies.design import GAIN, Design
 from workbook.studies.timing import Done, best_timing
-from workbook.template_outputs import Change
 from workbook.text_files import read_text
 
 ORDER = 5  # limits that are listed in their order

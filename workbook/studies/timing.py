@@ -7,8 +7,8 @@ import numpy as np
 from engine.drive.shaped import least_use
 from engine.laws.base import Array
 from workbook.fields.paths import get
+from workbook.improving import Change, Room
 from workbook.studies.design import GAIN, Design
-from workbook.template_outputs import Change, Room
 
 Done = Callable[[int, int, str], None]  # takes how many changes of how many are tried, and words
 SLOPE = 1e-4  # of a room: by so much edges move to find a slope

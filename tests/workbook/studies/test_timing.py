@@ -12,13 +12,13 @@ from tests.workbook.studies.studied import base
 from workbook.book_layout import layout_text
 from workbook.errors import InputError
 from workbook.fields.paths import table
+from workbook.improving import AIMS
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
 from workbook.studies.design import first_design
 from workbook.studies.improve import better
 from workbook.studies.plan import changed_machine
 from workbook.studies.timing import TimingSearch, best_timing
-from workbook.template_outputs import AIMS
 from workbook.templates import TEMPLATES
 
 PRESS = """

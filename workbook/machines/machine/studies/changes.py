@@ -20,6 +20,7 @@ from workbook.book.quantity import OK
 from workbook.book.sentence import figure
 from workbook.fields.paths import Place
 from workbook.fields.units import DEGREE, KW, PER_MINUTE, shown
+from workbook.improving import Aim, Change, Figure, Improving
 from workbook.law_sheets.library import NamedLaw, laws, named_laws
 from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.machines.machine.drive.driven import Driven
@@ -29,7 +30,7 @@ from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.studies.timing import EDGE, margins, order_margins, process_rate, rooms
 from workbook.machines.machine.view import MachineView, MovingAxis
-from workbook.template_outputs import LIMITS, Aim, Change, Figure, Improving
+from workbook.template_outputs import LIMITS
 
 FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
 LIGHTER = 0.9  # of the inertias of load and parts

@@ -14,13 +14,13 @@ from workbook.fields.paths import Place
 from workbook.fields.texts import place_of
 from workbook.fields.types import ANGLE_TOLERANCE
 from workbook.fields.units import DEGREE, shown, si
+from workbook.improving import Room
 from workbook.law_sheets.library import laws
 from workbook.machines.machine.entries import AnyMachine, Axis, AxisPhase
 from workbook.machines.machine.entries_beside import EdgeOfPhase, Lasting
 from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.view import MachineView
-from workbook.template_outputs import Room
 
 EDGE = 10.0  # degrees of a turn by which an edge may move where nothing is said of it
 STEP = 0.01  # degrees of a turn, by multiples of which edges move
