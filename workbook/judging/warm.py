@@ -1,7 +1,7 @@
-"""The values of a book that is edited, judged after each save by what is kept of the save before.
+"""The values of a book that is edited, judged after each save with what stays the same from save to save.
 
-Kept are the parts of the file that are the same, the formulas, taken apart and compiled, and the values of cells that
-depend on no other entry. What is shown, and formulas at other entries, :func:`workbook.judging.verify.verify` judges.
+That are parts of the file, formulas, taken apart and compiled, and the values of cells that depend on no other entry.
+What is shown, and formulas at other entries, :func:`workbook.judging.verify.verify` judges.
 """
 
 import io
@@ -61,7 +61,7 @@ class WarmBook:
 
     def judge_values(self, path: Path) -> Judged:
         """Return what comes of the values of a save; raise MotionbookError where only ``verify`` can judge it."""
-        file, self._file = self._file, None  # nothing is kept of a save that raises an error
+        file, self._file = self._file, None  # a save that raises an error leaves nothing to the next
         inspected = guard(path, self._scans)
         cells = changed_cells(file, inspected) if file else None
         if file is None or cells is None:
@@ -117,20 +117,21 @@ def changed_cells(file: BookFile, inspected: Inspected) -> dict[Address, RawCell
     was = file.inspected
     if was is None or naming(was) != naming(inspected) or was.sheets.keys() != inspected.sheets.keys():
         return None
-    other_texts = was.strings is not inspected.strings
+    has_other_texts = was.strings is not inspected.strings
     changed = {}
     for title, rows in inspected.sheets.items():
         old = was.sheets[title]
-        if len(old.written) != len(rows.written):
+        if [shape(cell) for cell in old.written] != [shape(cell) for cell in rows.written]:
             return None
-        for cell, now in zip(old.written, rows.written, strict=True) if rows is not old or other_texts else ():
-            if cell == now and not (other_texts and now.kind == "s"):
-                continue
-            if cell[:2] != now[:2] or (cell.how, cell.formula) != (now.how, now.formula):
-                return None
-            if now.how is None:
+        for cell, now in zip(old.written, rows.written, strict=True):
+            if now.how is None and (cell != now or (has_other_texts and now.kind == "s")):
                 changed[Address(title, *now[:2])] = now
     return changed
+
+
+def shape(cell: RawCell) -> tuple[Any, ...]:
+    """Return a cell without its looks and its value."""
+    return cell.row, cell.column, cell.how, cell.formula
 
 
 def naming(inspected: Inspected) -> list[Any]:

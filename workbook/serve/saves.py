@@ -22,7 +22,7 @@ from workbook.reports.page import VERDICTS, own_verdict
 from workbook.serve.work import Work, WorkError
 
 TRIES, PAUSE = 20, 0.25  # readings of a file until it is whole, and the seconds between them
-MOST_KEPT = 2  # books of which formulas and values are kept: some 200 MB each
+MOST_HELD = 2  # books of which formulas and values are in memory: some 200 MB each
 DAILY = ("pycel",)
 
 
@@ -61,32 +61,32 @@ class Verdict:
         return f"{words}: {cells}; the machine's own checks: {own_verdict(report)}{rest}"
 
 
-class Kept:
-    """A watched book, as the process that judges it keeps it."""
+class WatchedBook:
+    """A watched book in the process that judges it: its formulas, and its design as of the latest save."""
 
     def __init__(self) -> None:
         self.book = WarmBook()
         self.design: Design | None = None
 
 
-_books: OrderedDict[Path, Kept] = OrderedDict()
+_books: OrderedDict[Path, WatchedBook] = OrderedDict()
 
 
 def judge_values(path: Path, data: bytes) -> tuple[Outcome, Changes] | None:
     """Return what comes of the values of a save, and what it changed; None where only ``verify`` can judge it."""
-    kept, begin = _books.setdefault(path, Kept()), time.perf_counter()
+    watched, begin = _books.setdefault(path, WatchedBook()), time.perf_counter()
     _books.move_to_end(path)
-    while len(_books) > MOST_KEPT:
+    while len(_books) > MOST_HELD:
         _books.popitem(last=False)
     with tempfile.TemporaryDirectory() as folder, suppress(Exception):  # verify says what is wrong
         copy = Path(folder, path.name)
         copy.write_bytes(data)
         with collector_paused():
-            judged = kept.book.judge_values(copy)
-        before, kept.design = kept.design, Design(path, judged.machine, judged.declared)
+            judged = watched.book.judge_values(copy)
+        before, watched.design = watched.design, Design(path, judged.machine, judged.declared)
         report = replace(judged.report, path=path)
-        return judge(path, report, hashlib.sha256(data).hexdigest(), begin), changed(before, kept.design)
-    kept.design = None
+        return judge(path, report, hashlib.sha256(data).hexdigest(), begin), changed(before, watched.design)
+    watched.design = None
     return None
 
 
@@ -129,7 +129,7 @@ def is_zip(data: bytes) -> bool:
 
 
 class Saves:
-    """Books that are watched: the latest verdict on each, told as it comes."""
+    """Books that are watched, with the latest verdict on each."""
 
     def __init__(self, work: Work, tell: Callable[[Path, Verdict], Any]) -> None:
         self.verdicts: dict[Path, Verdict] = {}
