@@ -61,7 +61,7 @@ def improve(
 def show_limits(design: Design) -> None:
     """Print the limits of a design in their order, or what is to be less."""
     if not design.aim.is_rate:
-        words = f"{design.aim.words} of {design.limiting}: {figure_of(design, design.cost)}"
+        words = f"{design.aim.words} of {design.limiting}: {design.cost:.5g} {design.aim.unit}"
         say(OUT, f"{words} at {per_minute(design.rate)}", "bold")
         return
     for n, obstacle in enumerate(obstacles(design)):
@@ -103,11 +103,6 @@ def write_best(path: Path, best: Design, output: Path, force: bool) -> int:
     for line in failing:
         say(ERR, f"FAIL {line}", "yellow")
     return FAILS if failing else AGREES
-
-
-def figure_of(design: Design, cost: float) -> str:
-    """Return a cost in words."""
-    return f"{design.shown(cost):.5g} {design.aim.unit}"
 
 
 def per_minute(rate: float) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 
 from engine.drive.shaped import least_use
 from engine.laws.base import Array
-from workbook.fields.paths import get
+from workbook.fields.paths import Place, get
 from workbook.improving import Change, Room
 from workbook.studies.design import GAIN, Design
 
@@ -56,16 +56,12 @@ class TimingSearch:
         spread = qmc.Halton(len(self.rooms), rng=0).random(more)
         return [self.moves(self.begin), *(self.low + spread * (self.high - self.low))]
 
-    def moved(self, moves: Array) -> Design | str:
-        """Return the design with its edges moved, or why there is none such."""
-        each = zip(self.rooms, moves.tolist(), strict=True)
-        entries = {path: place for room, by in each for path, place in room.change(by).entries.items()}
+    def moved(self, moves: Array, in_steps: bool = True) -> Design | str:
+        """Return the design with its edges moved, by multiples of their steps or as is; or why there is none such."""
+        entries: dict[Place, float] = {}
+        for room, by in zip(self.rooms, moves.tolist(), strict=True):
+            entries |= room.change(room.rounded(by) if in_steps else by).entries
         return self.begin.changed(Change("timing", entries, "edge"))
-
-    def rounded(self, moves: Array) -> Design | str:
-        """Return the design with its edges moved by multiples of their steps."""
-        each = zip(self.rooms, moves.tolist(), strict=True)
-        return self.moved(np.array([room.rounded(by) for room, by in each]))
 
     def solved(self, start: Array) -> Array:
         """Return moves near others with which the largest cost is least."""
@@ -73,7 +69,7 @@ class TimingSearch:
 
         def at(shares: Array) -> Design | str:
             if shares.tobytes() not in self.designs:
-                self.designs[shares.tobytes()] = self.moved(self.low + np.clip(shares, 0.0, 1.0) * span)
+                self.designs[shares.tobytes()] = self.moved(self.low + np.clip(shares, 0.0, 1.0) * span, False)
             return self.designs[shares.tobytes()]
 
         def uses(shares: Array) -> Array:
@@ -104,7 +100,7 @@ class TimingSearch:
         begin, low, high = self.moves(best), 0.0, 2.0
         for _ in range(HALVINGS):
             share = 0.5 * (low + high)
-            other = self.rounded(begin + share * (moves - begin))
+            other = self.moved(begin + share * (moves - begin))
             if isinstance(other, Design) and self.is_better(other, best):
                 low, best = share, other
             else:
@@ -120,7 +116,7 @@ class TimingSearch:
                 for by in (-steps * room.step, steps * room.step):
                     moves = self.moves(best)
                     moves[k] += by
-                    other = self.rounded(moves)
+                    other = self.moved(moves)
                     if isinstance(other, Design) and self.is_better(other, best):
                         best = other
         return best

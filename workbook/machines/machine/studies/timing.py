@@ -147,15 +147,12 @@ def order_margins(machine: AnyMachine) -> list[tuple[float, str]]:
 
 def process_rate(machine: AnyMachine) -> float:
     """Return the highest rate (1/s) at which all phases last as long as they must; infinite where none must."""
-    return min((share / least for share, least in lasting_shares(machine)), default=math.inf)
-
-
-def lasting_shares(machine: AnyMachine) -> Iterator[tuple[float, float]]:
-    """Yield the share of the cycle of each phase that lasts at least a time, and that time (s)."""
+    rates = [math.inf]
     for k, lasting in enumerate(machine.timing.lasting):
         _, phase = phase_of(machine, lasting, f"lasting[{k + 1}]")
         if lasting.least is not None:
-            yield machine.over.degrees(phase.stop - phase.start) / TURN, lasting.least
+            rates.append(machine.over.degrees(phase.stop - phase.start) / TURN / lasting.least)
+    return min(rates)
 
 
 def margins(machine: AnyMachine) -> Array:
