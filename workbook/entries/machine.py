@@ -65,7 +65,7 @@ class Machine(Model):
     revision: Text | None = None
     author: Text | None = None
     date: Dated | None = None
-    print_also: tuple[Literal["catalogue", "laws", "parts", "workings"], ...] = ()
+    print_also: list[Literal["catalogue", "laws", "parts", "workings"]] = Field(default=[])
     laws: Laws = Laws({})
     sizes: Sizes = Sizes()
     _design: Design = PrivateAttr(default_factory=lambda: Design({}))
