@@ -2,7 +2,7 @@
 
 import re
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -11,7 +11,7 @@ from workbook.book.quantity import OK, SAYS
 from workbook.book.rows import as_rows
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
-from workbook.errors import InputError
+from workbook.errors import InputError, ReadError, WriteError
 from workbook.judging.carry_over import find_additions, not_carried
 from workbook.judging.matching import Match
 from workbook.judging.repair import repair_book
@@ -28,14 +28,15 @@ from workbook.template_outputs import NOTHING_JUDGED, ExactJudgement
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreement import agreed_values
 from workbook.writing.archive import book_digest, same_book
-from workbook.writing.output_files import refuse_existing
-from workbook.writing.write import save
+from workbook.writing.output_files import is_same_file, refuse_existing
+from workbook.writing.write import KEPT, NO_ADDITIONS, save
 
 LARGE = 10_000_000  # bytes of a file: a smaller file is far within the limits of reading
 DIGESTS = "books.sha256"  # in the folder of the templates: a line for each workbook, in git or not
 COMMITTED = ("cutting-machine", "flying-cutter", "indexing-overlap", "motion-composer", "motion-laws")
 """the workbooks that are in git, beside motion-functions; `motionbook templates` builds the others"""
 NUMBERED = re.compile(r"\b[Aa]xis (\d+)(?=:|$)")
+ELSEWHERE = "another name (-o), or that the file is moved away"
 READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
@@ -49,13 +50,64 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
 
 def write_book(machine: Machine, path: Path, overwrite: bool = False) -> Book:
     """Write the workbook of a machine and return its declaration; raise as :func:`build` does."""
+    return write_keeping(machine, path, None, overwrite)[0]
+
+
+def write_keeping(machine: Machine, path: Path, old: Match | None, overwrite: bool = False) -> tuple[Book, list[str]]:
+    """Write the workbook of a machine, with what an engineer has added to an old book.
+
+    Returns
+    -------
+    book : Book
+        Its declaration.
+    notes : list of str
+        A line for what of the engineer's own stays behind, and for what its formulas have in place of what they had.
+
+    Raises
+    ------
+    WriteError
+        Where ``path`` exists or cannot be written, or holds work of the engineer's own that would be lost.
+    InputError
+        For a machine that the engine refuses.
+    """
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]
     require_possible(template, machine, counted_from_1)
+    own, left = NO_ADDITIONS, list[str]()
     with collector_paused():
         book = template.declare(machine)
-        save(book, type(machine), path, overwrite, require_readable)
-    return book
+        if old is not None:
+            own = find_additions(old, book)
+            left = not_carried(old, machine.template, own)
+        is_kept = old is not None and is_same_file(path, old.file.path)
+        refuse_loss(path, left if is_kept else own_work(path), is_kept)
+        save(book, type(machine), path, overwrite, require_readable, own)
+    return book, [*left, *own.remarks]
+
+
+def own_work(path: Path) -> list[str]:
+    """Return a line for each kind of work that an engineer has added to a workbook of ours; of no such file nothing.
+
+    Raises WriteError for a workbook of ours that cannot be read.
+    """
+    try:
+        file = open_book(path)
+    except ReadError:
+        return []  # nothing is there, or no workbook
+    if "book_template" not in file.places or (file.as_built and file.workbook.properties.category != KEPT):
+        return []
+    try:
+        match, machine, _ = read_entered(path)
+    except (ReadError, InputError) as error:
+        raise WriteError(f"{path}: nobody knows what is your own in it: {error}; expected {ELSEWHERE}") from error
+    return not_carried(match, machine.template)
+
+
+def refuse_loss(path: Path, lost: list[str], is_kept: bool) -> None:
+    """Raise InputError, with a line for each kind, where work of an engineer's own in a file would be lost."""
+    if lost:
+        keep = "" if is_kept else f"--keep {path}, which takes along what it can, or "
+        raise InputError([f"{path}: work of your own in it would be lost; expected {keep}{ELSEWHERE}", *lost])
 
 
 class BookVerdict(NamedTuple):
@@ -145,14 +197,16 @@ def read_entered(path: Path) -> tuple[Match, Machine, list[str]]:
 def regenerate(path: Path, output: Path, overwrite: bool = False) -> BookVerdict:
     """Build a workbook anew from what was entered into an old workbook; the notes begin with what is left behind."""
     match, machine, notes = read_entered(path)
-    template = TEMPLATES[machine.template]
-    require_possible(template, machine, counted_from_1)
-    with collector_paused():
-        book = template.declare(machine)
-        own = find_additions(match, book)
-        save(book, type(machine), output, overwrite, require_readable, own)
+    return build_keeping(machine, output, match, overwrite, notes)
+
+
+def build_keeping(
+    machine: Machine, path: Path, old: Match, overwrite: bool = False, notes: Sequence[str] = ()
+) -> BookVerdict:
+    """Write the workbook of a machine with what an engineer has added to an old book; return its verdict and notes."""
+    book, left = write_keeping(machine, path, old, overwrite)
     failing, lines = judge_book(machine, book)
-    return BookVerdict(failing, [*notes, *not_carried(match, machine.template, own), *lines])
+    return BookVerdict(failing, [*notes, *left, *lines])
 
 
 def committed_descriptions() -> list[Path]:

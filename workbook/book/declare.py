@@ -28,7 +28,8 @@ from workbook.book.formula import Area
 from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Block, Cell, Quantity, calc, check, constant, given, result
 from workbook.book.rows import as_rows
-from workbook.book.sheet import FIRST, Sheet, Text
+from workbook.book.sheet import FIRST, Sheet
+from workbook.book.text import Text
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "RowRule", "Sheet", "Text",
@@ -55,6 +56,8 @@ class Book:
     guards: list[Guard] = field(default_factory=list)
     summed: dict[str, list[list[int]]] = field(default_factory=dict)
     """columns ``table.column`` that sum up some checks: of each row the places of these among all"""
+    public: dict[str, str] = field(default_factory=dict)
+    """names for an engineer's own formulas, each with that of its cell; where there are any, all others are hidden"""
 
     def sheet(self, title: str, purpose: str) -> Sheet:
         """Add a sheet behind those that are there. Raises ValueError where any of them has its title."""
@@ -115,14 +118,16 @@ class Book:
         """Return the meaning of each defined name, a block or a named column; and of each sheet, ``title!``, a cell."""
         areas = {f"{sheet.title}!": Area(sheet.title, 1, 1, 1, 1, single=True) for sheet in self.sheets}
         areas |= {name: block.area() for name, block in self.blocks.items()}
-        return areas | {name: self.blocks[table].area(column) for name, (table, column) in self.column_names.items()}
+        areas |= {name: self.blocks[table].area(column) for name, (table, column) in self.column_names.items()}
+        return areas | {name: areas[cell] for name, cell in self.public.items()}
 
     def names(self) -> Iterator[tuple[str, str]]:
-        """Yield every defined name with what it refers to: the blocks, then the named columns."""
-        for block in self.blocks.values():
-            yield block.name, f"{quote_sheetname(block.sheet.title)}!{block.span}"
+        """Yield every defined name with what it refers to: blocks, named columns, public names."""
+        cells = {block.name: f"{quote_sheetname(block.sheet.title)}!{block.span}" for block in self.blocks.values()}
+        yield from cells.items()
         for name, (table, column) in self.column_names.items():
             yield name, self.range(f"[{table}.{column}]")
+        yield from ((name, cells[cell]) for name, cell in self.public.items())
 
 
 def quoted(title: str) -> str:

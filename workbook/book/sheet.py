@@ -7,33 +7,24 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from math import inf
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from workbook.book import limits
 from workbook.book.chart import Chart, in_scope
 from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Block, Quantity, sentence
 from workbook.book.rows import as_rows
+from workbook.book.text import Text
 
 if TYPE_CHECKING:
     from workbook.book.declare import Book
-
-
-class Text(NamedTuple):
-    """A label on the sheet, with the style it takes; ``link`` names a sheet to jump to."""
-
-    row: int
-    column: int
-    text: str
-    style: str
-    link: str = ""
 
 
 LONG = 40  # rows of a table that is not printed below others, and of which a page is printed where it stands alone
 TITLES = 3  # rows of a sheet's title, purpose and overall verdict
 DEEPEST = 14  # a table that begins farther down than this is not alone on its sheet
 MOST_COLUMNS = 40  # of a sheet
-LEAST_COLUMNS, ON_SCREEN = 9, 16  # of a printed page; those that a screen of 1366 pixels shows
+LEAST_COLUMNS, ON_SCREEN = 9, 13  # of a printed page; those that a screen of 1366 pixels shows
 FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
 
 
@@ -66,6 +57,7 @@ class Sheet:
     shared_heads: int = 0  # the row of the names of columns, of the heads that were written last
     later: list[Quantity] = field(default_factory=list)  # checks of tables without heads, until they are placed
     more: Sequence[Quantity] = ()  # results that stand below what is printed
+    links: dict[str, str] = field(default_factory=dict)  # beside that to the first sheet: titles with cells
     called: str = ""  # what its checks begin with, if not with its title; on the sheet itself they go without
 
     @property

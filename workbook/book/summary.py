@@ -4,6 +4,7 @@ On the first, links to every sheet, how to use the book, and its sources follow 
 """
 
 from collections.abc import Sequence
+from itertools import count
 from typing import Any
 
 import workbook
@@ -26,7 +27,9 @@ def title_blocks(book: Book) -> None:
             head(sheet)
         else:
             sheet.texts.append(Text(1, FIRST, sheet.title, "title"))
-            sheet.texts.append(Text(3, sheet.last_column, TITLE, "link", TITLE))
+            links = {TITLE: "A1"} | sheet.links
+            for column, (title, cell) in zip(count(sheet.last_column, -1), links.items(), strict=False):
+                sheet.texts.append(Text(3, column, title, "link", title, cell))
 
 
 TITLE = "Summary"
@@ -44,7 +47,7 @@ USE = (
     "every formula cell is compared with an independent engine.",
     "The sheets are protected without a password: Review > Unprotect Sheet (LibreOffice: Tools > Protect Sheet).",
     "Yours are the cells with a fill, the columns beside the tables, and notes.",
-    "Workings are not printed, nor are Catalogue, Laws and the laws' sheets, unless the description asks: print_also.",
+    "Workings are not printed, nor are Names, Catalogue, Laws, the laws' sheets, unless print_also asks for them.",
 )
 COLUMNS = 17
 WIDTHS: dict[int, float] = {FIRST: 14.5, FIRST + 1: 24, 6: 12, 7: 13, 13: 12, 14: 12, 15: 16}

@@ -122,6 +122,9 @@ def build(
     output: Path | None = to("BOOK.xlsx", "Where to write; else here, named like the description."),
     motors: Path | None = option("MOTORS.csv", "Motors to choose among; else those in or beside the description."),
     reducers: Path | None = option("REDUCERS.csv", "Reducers to choose among, likewise."),
+    keep: Path | None = to(
+        "OLD.xlsx", "Take along what you added to this book; it may be the file to replace.", "--keep"
+    ),
     force: Force = False,
 ) -> None:
     """Build a workbook from a machine description.
@@ -131,7 +134,7 @@ def build(
     """
     from workbook.commands import make
 
-    raise typer.Exit(make.build(machine, output, motors, reducers, force))
+    raise typer.Exit(make.build(machine, output, motors, reducers, force, keep))
 
 
 PLACES = "Workbooks built by motionbook, or folders of them."

@@ -22,15 +22,25 @@ STARTER = Path(workbook.__file__).parent / "starter"
 NAME = re.compile(r"[a-z][a-z0-9_]{0,30}")
 
 
-def build(machine: Path | None, output: Path | None, motors: Path | None, reducers: Path | None, force: bool) -> int:
-    """Build a workbook from a machine description; return the exit code."""
+def build(
+    machine: Path | None,
+    output: Path | None,
+    motors: Path | None,
+    reducers: Path | None,
+    force: bool,
+    keep: Path | None = None,
+) -> int:
+    """Build a workbook from a machine description, with what is added to an old book; return the exit code."""
     source = machine or FOLDER / "cutting-machine.toml"
     target = output or Path(f"{source.stem}.xlsx")
     refuse_itself(target, source)
     refuse_suffix(target)
     with ERR.status(shown(f"Building {target} …")):
         described = making.read_description(source, motors, reducers)
-        report = making.judge_book(described, making.write_book(described, target, overwrite=force))
+        if keep is None:
+            report = making.judge_book(described, making.write_book(described, target, overwrite=force))
+        else:
+            report = making.build_keeping(described, target, making.read_entered(keep)[0], force)
     return show_built(target, report)
 
 

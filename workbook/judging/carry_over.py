@@ -1,21 +1,23 @@
 """Contents that ``inputs`` and ``regenerate`` leave, and the engineer's additions that ``regenerate`` takes along."""
 
 from collections import defaultdict
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from openpyxl.cell.cell import Cell
 from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet.worksheet import Worksheet
 
 from workbook.book.address import Address
 from workbook.book.declare import Book, Sheet
+from workbook.book.formula import FormulaError
 from workbook.errors import listed
 from workbook.judging.display.cells import rule_words
 from workbook.judging.display.charts import pair_charts, read_charts
 from workbook.judging.matching import Match
+from workbook.judging.moved_cells import LostError, Moves
 from workbook.judging.report import Report
 from workbook.judging.structure import check_structure
-from workbook.reading.contents import Contents
-from workbook.reading.files import BookFile
 from workbook.writing.charts import draw
 from workbook.writing.layout import PossibleTexts, widths
 from workbook.writing.style import conditional_formats
@@ -34,10 +36,11 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
     edited, added = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
     for finding in (finding for finding in report.findings if finding.kind != "missing"):
         edited[finding.sheet].append(finding.cell)
-    taken = {(cell.parent.title, cell.coordinate) for cell, _ in own.cells}
+    taken = taken_places(own)
     for at in file.contents.formula_cells:
         if at.sheet in ours | titles and at not in match.numbers and (at.sheet, at.a1) not in taken:
             added[at.sheet].append(at.a1)
+    lines += [f"{at} is not carried over: {reason}" for at, reason in own.lost.items()]
     lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
     lines += [f"formulas added on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in added.items()]
     return lines + left_behind(match, own)
@@ -45,34 +48,39 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
 
 def left_behind(match: Match, own: Additions = NO_ADDITIONS) -> list[str]:
     """Return a line for each kind of addition to a generated sheet that is not in ``own``, and for names."""
-    taken = {(cell.parent.title, cell.coordinate) for cell in (*(cell for cell, _ in own.cells), *own.notes)}
+    taken, carried = taken_places(own), {name.name for name in own.names}
     lines = [
         f"{what} on the sheet {title!r} are not carried over: {listed(left)}"
         for declared, title in match.sheets
         for what, cells in sheet_additions(match, declared, title).items()
         if (left := [a1 for a1 in cells if (title, a1) not in taken])
     ]
-    if left := [name.name for name in own_names(match) if name not in own.names]:
+    if left := [name.name for name in own_names(match) if name.name not in carried]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
     if inspected := match.file.inspected:
         drawn = (sheet.title for sheet in own.sheets if inspected.drawings.get(sheet.title))
+        tables = ((sheet.title, [*sheet.tables]) for sheet in own.sheets if sheet.tables)
+        lines += [f"tables of the sheet {title!r} are not carried over: {listed(names)}" for title, names in tables]
         lines += [f"charts and pictures of the sheet {title!r} are not carried over" for title in drawn]
         lines += [f"{what} are not carried over: {count} in all" for what, count in inspected.drawn.items() if count]
     return lines
 
 
+def taken_places(own: Additions) -> set[tuple[str, str]]:
+    """Return the sheets and cells of what is taken along, and of what is known to stay behind."""
+    cells = (*(cell for cell, *_ in own.cells), *(cell for cell, _ in own.notes))
+    return {(cell.parent.title, cell.coordinate) for cell in cells} | {(at.sheet, at.a1) for at in own.lost}
+
+
 def sheet_additions(match: Match, declared: Sheet, title: str) -> dict[str, list[str]]:
     """Return the cells of what was added to a sheet, by its kind in words."""
-    sheet, words = match.file.workbook[title], {text.text for text in declared.texts}
-    constants = match.file.contents.constants.items()
+    sheet, constants = match.file.workbook[title], match.file.contents.constants.items()
     known = {rule_words(mark.rule) for block in declared.blocks for mark in conditional_formats(block)}
     charts, wide = list(read_charts(match, title)), widths(declared, PossibleTexts(match.declared))
     drawn = [draw(chart, match.declared, *chart_size(declared, wide, *place)) for chart, *place in declared.charts]
     ours = {id(chart) for *_, chart in pair_charts(match, declared, drawn, charts)}
     return {
-        "texts and numbers": [
-            at.a1 for at, text in constants if at.sheet == title and at not in match.numbers and text not in words
-        ],
+        "texts and numbers": [at.a1 for at, _ in constants if at.sheet == title and is_own(match, at)],
         "notes": [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment],
         "charts": [chart.at.a1 for chart in charts if id(chart) not in ours],
         "conditional formats": [
@@ -82,57 +90,77 @@ def sheet_additions(match: Match, declared: Sheet, title: str) -> dict[str, list
 
 
 def find_additions(match: Match, fresh: Book) -> Additions:
-    """Return the additions of a matched file that a fresh book of the same inputs takes along."""
-    file = match.file
-    ours = {pair.address.sheet for pair in match.pairs}
-    own = [sheet for sheet in file.workbook.worksheets if sheet.title not in ours | {s.title for s in fresh.sheets}]
-    known, taken = steady_sheets(file, fresh) | {sheet.title for sheet in own}, taken_cells(match, fresh)
-    cells = [
-        cell
-        for sheet in file.workbook.worksheets
-        if sheet.title in known
-        for cell in sheet._cells.values()
-        if isinstance(cell, Cell)
-    ]
-    free = [cell for cell in cells if (cell.parent.title, cell.row, cell.column) not in taken]
-    held = [(cell, content) for cell in free if (content := carried_content(file.contents, cell, known)) is not None]
-    notes = [cell for cell in cells if cell.comment is not None]
-    names = tuple(defined for defined in own_names(match) if leads_to_sheets(defined, known))
-    return Additions(tuple(own), tuple(held), tuple(notes), names)
+    """Return the additions of a matched file that a fresh book takes along, with their places, and what it lacks."""
+    ours, titles = {pair.address.sheet for pair in match.pairs}, {sheet.title.casefold() for sheet in fresh.sheets}
+    sheets = match.file.workbook.worksheets
+    own = [sheet for sheet in sheets if sheet.title not in ours and sheet.title.casefold() not in titles]
+    moves = Moves(match, fresh, {sheet.title for sheet in own})
+    names = tuple(carried_names(match, moves))
+    moves.own_names |= {name.name.casefold() for name in names}
+    taken, lost = taken_cells(fresh), dict[Address, str]()
+    cells, notes = list[tuple[Cell, Address, Any]](), list[tuple[Cell, Address]]()
+    for at, cell in cells_on(sheets, ours | moves.own_sheets):
+        try:
+            if is_own(match, at):
+                to = free_place(moves, at, taken)
+                cells.append((cell, to, carried_content(moves, cell, at, to.sheet)))
+            if cell.comment is not None:
+                notes.append((cell, moves.cell(at)))
+        except LostError as error:
+            lost[at] = str(error)
+    return Additions(tuple(own), tuple(cells), tuple(notes), names, tuple(moves.remarks()), lost)
 
 
-def leads_to_sheets(defined: DefinedName, known: set[str]) -> bool:
-    """Whether a name leads to cells, all of them on known sheets."""
-    titles = {title for title, _ in defined.destinations}
-    return bool(titles) and titles <= known
+def cells_on(sheets: Sequence[Worksheet], titles: set[str]) -> Iterator[tuple[Address, Cell]]:
+    """Yield the cells of sheets with these titles."""
+    for sheet in (sheet for sheet in sheets if sheet.title in titles):
+        cells = (cell for cell in sheet._cells.values() if isinstance(cell, Cell))
+        yield from ((Address(sheet.title, cell.row, cell.column), cell) for cell in cells)
 
 
-def steady_sheets(file: BookFile, fresh: Book) -> set[str]:
-    """Return the sheets of a fresh book on which all blocks lie as they do in a file."""
-    lies = {name: place[:4] for name, place in file.places.items()}
-    return {
-        sheet.title
-        for sheet in fresh.sheets
-        if all(lies.get(b.name) == (sheet.title, b.row, b.column, b.size) for b in sheet.blocks)
-    }
+def is_own(match: Match, at: Address) -> bool:
+    """Whether a cell holds something that no book of the engine's has there."""
+    contents = match.file.contents
+    if at in match.numbers:
+        return False
+    return at in contents.formulas or at in contents.failed or (at in contents.constants and at not in match.labels)
 
 
-def taken_cells(match: Match, fresh: Book) -> set[tuple[str, int, int]]:
-    """Return the cells that hold something declared, in a file or in a fresh book."""
-    texts = {(sheet.title, text.row, text.column) for sheet in fresh.sheets for text in sheet.texts if text.text}
-    cells = {(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
-    return texts | cells | {(a.sheet, a.row, a.column) for a in match.numbers}
+def free_place(moves: Moves, at: Address, taken: set[Address]) -> Address:
+    """Return where an own cell goes, and note it as taken; raise LostError where the fresh book has something there."""
+    if (to := moves.cell(at)) in taken:
+        raise LostError(f"the new book has something else in {to}")
+    taken.add(to)
+    return to
 
 
-def carried_content(contents: Contents, cell: Cell, known: set[str]) -> Any:
-    """Return the content of a cell; None for nothing, and for a formula that refers to other sheets than the known."""
-    address = Address(cell.parent.title, cell.row, cell.column)
+def carried_names(match: Match, moves: Moves) -> Iterator[DefinedName]:
+    """Yield the engineer's own names that lead on, each with what it leads to in the fresh book."""
+    known = {name.casefold() for name, _ in moves.fresh.names()}
+    for defined in own_names(match):
+        text = str(defined.attr_text)
+        try:
+            if defined.name.casefold() not in known and "#REF!" not in text:
+                led = moves.formula(f"={text}", Address("", 1, 1), "").removeprefix("=")
+                yield DefinedName(defined.name, attr_text=led, comment=defined.comment, hidden=defined.hidden)
+        except (LostError, FormulaError):
+            continue
+
+
+def taken_cells(fresh: Book) -> set[Address]:
+    """Return the cells in which a fresh book has something."""
+    texts = {Address(sheet.title, text.row, text.column) for sheet in fresh.sheets for text in sheet.texts if text.text}
+    return texts | {Address(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
+
+
+def carried_content(moves: Moves, cell: Cell, at: Address, sheet: str) -> Any:
+    """Return the content of an own cell on a sheet of the fresh book; raise LostError where a formula cannot follow."""
+    contents = moves.match.file.contents
     if cell.data_type != "f":
-        return contents.constants.get(address)
-    if (formula := contents.formulas.get(address)) is None or address in contents.arrays:
-        return None
-    sheets = {area.sheet for area in formula.arguments if not isinstance(area, str)}
-    return cell.value if sheets <= known else None
+        return contents.constants[at]
+    if at in contents.arrays or not isinstance(cell.value, str):
+        raise LostError("it is a formula over several cells")
+    return moves.formula(cell.value, at, sheet)
 
 
 def own_names(match: Match) -> list[DefinedName]:

@@ -127,6 +127,23 @@ class Match:
         return headings | cell_index(places)
 
     @cached_property
+    def labels(self) -> set[Address]:
+        """The cells of the file that hold a text of its sheet as declared: at its place, if nothing has moved there."""
+        labels, held = set[Address](), self.file.contents.constants.items()
+        for sheet, title in self.sheets:
+            texts = {Address(title, text.row, text.column): text.text for text in sheet.texts}
+            words = {*texts.values()}
+            if all(place[:4] == (title, b.row, b.column, b.size) for b, place in self.placed(sheet)):
+                labels |= {at for at, text in held if texts.get(at) == text}
+            else:
+                labels |= {at for at, text in held if at.sheet == title and text in words}
+        return labels
+
+    def index_of(self, held: Address) -> Index | None:
+        """Return the block, row and column of a cell of the file; None where it is of no block."""
+        return self._held_index.get(held)
+
+    @cached_property
     def _held_index(self) -> dict[Address, Index]:
         return cell_index((name, self.file.places[name]) for name in self.declared.blocks if name in self.file.places)
 

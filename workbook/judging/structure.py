@@ -134,7 +134,7 @@ def finding(place: Place, name: str, fault: str, expected: str) -> Finding:
 
 
 def column_name_findings(match: Match) -> Iterator[Finding]:
-    """Yield names of a table's column, or of several side by side, that are not those."""
+    """Yield names of a table's column, or of several side by side, that are not those; and public names."""
     places = match.file.places
     for name, (table, column) in match.declared.column_names.items():
         block, place = match.declared.blocks[table], places.get(table)
@@ -145,6 +145,9 @@ def column_name_findings(match: Match) -> Iterator[Finding]:
         if held is None or held.corners != right:
             expected = range_of(first._replace(columns=last.column - first.column + 1))
             yield finding(held or first, name, range_of(held), expected)
+    for name, cell in match.declared.public.items():
+        if (place := places.get(cell)) is not None and places.get(name) != place:
+            yield finding(place, name, range_of(places.get(name)), range_of(place))
 
 
 def stray_blocks(match: Match) -> Iterator[Finding]:

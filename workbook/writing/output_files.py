@@ -38,9 +38,14 @@ def refuse_same_file(*paths: Path | None) -> None:
         seen.add(place)
 
 
+def is_same_file(path: Path, other: Path) -> bool:
+    """Whether two paths lead to the same place."""
+    return os.path.realpath(path) == os.path.realpath(other)
+
+
 def refuse_itself(path: Path | None, source: Path) -> None:
     """Raise WriteError where what is built of a file would take its place, asked to replace it or not."""
-    if path is not None and os.path.realpath(path) == os.path.realpath(source):
+    if path is not None and is_same_file(path, source):
         raise WriteError(f"{path}: this is what is read; expected another name for what is made of it")
 
 

@@ -2,9 +2,10 @@
 
 import io
 import zipfile
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from openpyxl import Workbook
@@ -22,6 +23,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from openpyxl.writer.excel import ExcelWriter
 from pydantic import BaseModel
 
+from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Book, Sheet
 from workbook.book.quantity import Quantity, number_format, sample
 from workbook.book.sheet import LEAST_COLUMNS
@@ -30,6 +32,7 @@ from workbook.writing import archive, charts, layout, style
 from workbook.writing.archive import Cells, Strings
 from workbook.writing.layout import COLUMN_WIDTH, FULL, PossibleTexts, lines_of, widths
 from workbook.writing.output_files import refuse_existing, replace
+from workbook.writing.screen import add_validations, set_up_screen
 
 LAST_COLUMN = 16_384
 LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 13}, {"header": 2, "equation": 5}
@@ -42,15 +45,18 @@ LOOKS = ("font", "fill", "border", "alignment", "number_format", "protection")
 
 
 class Additions(NamedTuple):
-    """Sheets, cells with what they hold, cells with notes, and names, as openpyxl reads them of the old file."""
+    """Sheets, cells and names, as openpyxl reads them of the old file, with where they go and what they hold there."""
 
     sheets: tuple[Worksheet, ...] = ()
-    cells: tuple[tuple[Cell, Any], ...] = ()
-    notes: tuple[Cell, ...] = ()
+    cells: tuple[tuple[Cell, Address, Any], ...] = ()
+    notes: tuple[tuple[Cell, Address], ...] = ()
     names: tuple[DefinedName, ...] = ()
+    remarks: tuple[str, ...] = ()  # lines on what formulas have in place of what they had
+    lost: Mapping[Address, str] = MappingProxyType({})  # the cells that stay behind, each with the reason
 
 
 NO_ADDITIONS = Additions()
+KEPT = "with work of its engineer's own"  # the category of such a book in its properties
 
 
 def save(
@@ -78,7 +84,7 @@ def parts(
     cells = {sheet.title: Cells(strings, dynamic) for sheet in book.sheets}
     workbook = make_workbook(book, model, cells)
     if names is None:
-        names = (DefinedName(name, attr_text=target) for name, target in book.names())
+        names = (defined_name(book, name, target) for name, target in book.names())
     workbook.defined_names.update({defined.name: defined for defined in names})
     write_additions(own, workbook, cells, strings)
     draft = io.BytesIO()
@@ -94,6 +100,14 @@ def parts(
     return archive.complete_parts(files, strings.part(), abouts)
 
 
+def defined_name(book: Book, name: str, target: str) -> DefinedName:
+    """Return a name of a book: a public name with its meaning and unit, beside which the others are hidden."""
+    if cell := book.public.get(name):
+        (q,) = book.blocks[cell].quantities
+        return DefinedName(name, attr_text=target, comment=f"{q.source} [{q.unit}]" if q.unit else q.source)
+    return DefinedName(name, attr_text=target, hidden=True if book.public else None)
+
+
 def write_additions(own: Additions, workbook: Workbook, cells: dict[str, Cells], strings: Strings) -> None:
     """Add to a new workbook, whose cells are ``cells`` by sheet, what an engineer had in the old."""
     for sheet in own.sheets:
@@ -106,18 +120,22 @@ def write_additions(own: Additions, workbook: Workbook, cells: dict[str, Cells],
         for merged in sheet.merged_cells.ranges:
             new.merge_cells(merged.coord)
         new.freeze_panes = sheet.freeze_panes
-    for cell, content in own.cells:
-        twin = workbook[cell.parent.title].cell(cell.row, cell.column)
+        new.conditional_formatting, new.data_validations = sheet.conditional_formatting, sheet.data_validations
+        new.sheet_state, new.sheet_properties.tabColor = sheet.sheet_state, sheet.sheet_properties.tabColor
+    for cell, at, content in own.cells:
+        twin = workbook[at.sheet].cell(at.row, at.column)
         for look in LOOKS if cell.has_style else ():
             setattr(twin, look, copy(getattr(cell, look)))
-        place = cell.row, cell.column, twin.style_id
+        place = at.row, at.column, twin.style_id
         if cell.data_type == "f":
-            cells[cell.parent.title].put_formula(*place, content, None)
+            cells[at.sheet].put_formula(*place, content, None)
         else:
-            cells[cell.parent.title].put(*place, content)
-    for cell in own.notes:
-        workbook[cell.parent.title].cell(cell.row, cell.column).comment = copy(cell.comment)
+            cells[at.sheet].put(*place, content)
+    for cell, at in own.notes:
+        workbook[at.sheet].cell(at.row, at.column).comment = copy(cell.comment)
     workbook.defined_names.update({name.name: name for name in own.names})
+    if own.sheets or own.cells or own.notes or own.names:
+        workbook.properties.category = KEPT
 
 
 def make_workbook(book: Book, model: type[BaseModel], cells: dict[str, Cells]) -> Workbook:
@@ -160,7 +178,7 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
         aside = text.style == "units" and 0 < sheet.folded <= text.column
         cells.put(text.row, text.column, styles.text("folded units" if aside else text.style), text.text or None)
         if text.link:
-            target = f"{quote_sheetname(text.link)}!A1"
+            target = f"{quote_sheetname(text.link)}!{text.linked_cell}"
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
         if text.style in LINE_HEIGHTS and text.text:
             room = wide.get(text.column, COLUMN_WIDTH)
@@ -179,9 +197,7 @@ def write_block(
         aligned = style.aligned(q, value, block.is_table, column == FIRST)
         look = styles.quantity(style.style_role(q.role, block), format_of(q, value, model), aligned)
         if q.role == "input":
-            rule = rules.validation(model, q)
-            rule.add(block.reference(q.name).replace("$", ""))
-            page.add_data_validation(rule)
+            add_validations(block, q, page, model)
         for row, (content, value) in enumerate(block.contents(q), block.row):
             if q.formula is None:
                 cells.put(row, column, look, content)
@@ -216,6 +232,7 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], cells: Ce
         page.sheet_properties.outlinePr = Outline(summaryBelow=False)
     page.sheet_view.showGridLines = False
     page.freeze_panes = f"A{sheet.head + 1}"
+    set_up_screen(sheet, page)
     page.protection.sheet = True
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
     rest = page.column_dimensions[get_column_letter(widest + 1)]

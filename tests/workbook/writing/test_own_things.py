@@ -6,8 +6,9 @@ from openpyxl.comments import Comment
 from openpyxl.styles import Font
 from openpyxl.workbook.defined_name import DefinedName
 
+from workbook.book.address import Address
 from workbook.build import read_entered, regenerate
-from workbook.judging.carry_over import find_additions, not_carried
+from workbook.judging.carry_over import find_additions
 from workbook.judging.verify import verify
 
 DOUBLE = "='Drive MC01'!D7*2"
@@ -53,7 +54,7 @@ def test_sheets_cells_notes_and_names_of_ones_own_come_along(anew):
 def test_what_does_not_come_along_is_named(anew):
     path, _, notes = anew
     assert openpyxl.load_workbook(path)["Timing"]["AL45"].value is None
-    assert notes == ["formulas added on the sheet 'Timing' are not carried over: AL45"]
+    assert notes == ["Timing!AL45 is not carried over: it refers to another file, or to a table by its name"]
 
 
 def test_the_new_book_verifies_as_a_fresh_one_with_cells_of_ones_own(anew):
@@ -62,11 +63,12 @@ def test_the_new_book_verifies_as_a_fresh_one_with_cells_of_ones_own(anew):
     assert report.own == ["Costs!A2", "Timing!AL44"]
 
 
-def test_cells_stay_behind_where_the_tables_of_their_sheet_lie_otherwise(edited, press):
+def test_cells_go_with_the_tables_of_their_sheet(edited, press):
     match, machine, _ = read_entered(edited)
-    larger = machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"phases": 12})})
-    own = find_additions(match, press.template.declare(larger))
-    assert [cell.coordinate for cell, _ in own.cells] == ["A1", "A2", "B2"]
-    assert own.notes == ()
-    told = not_carried(match, "press", own)
-    assert [line for line in told if "'Timing'" in line and ("AL43" in line or "notes" in line)] != []
+    larger = press.template.declare(
+        machine.model_copy(update={"sizes": machine.sizes.model_copy(update={"cycle": 24})})
+    )
+    own = find_additions(match, larger)
+    assert sorted(cell.coordinate for cell, *_ in own.cells) == ["A1", "A2", "AL43", "AL44", "B2"]
+    assert [cell.coordinate for cell, _ in own.notes] == ["D43"]
+    assert own.lost.keys() == {Address("Timing", 45, 38)}

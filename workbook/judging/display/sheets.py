@@ -184,12 +184,15 @@ def compare_print_area(match: Match, sheet: Sheet, page: Any, differences: Diffe
 def compare_links(match: Match, sheet: Sheet, title: str, differences: Differences) -> None:
     """Enter links of declared cells and texts that lead elsewhere."""
     titles = {declared.title: held for declared, held in match.sheets}
-    declared = {" ".join(text.text.split()): titles.get(text.link, "") for text in sheet.texts if text.link}
+    links = [text for text in sheet.texts if text.link]
+    declared = {" ".join(text.text.split()): titles.get(text.link, "") for text in links if text.text}
+    of_cells = {(text.row, text.column): titles.get(text.link, "") for text in links if not text.text}
     for (row, column), cell in match.file.workbook[title]._cells.items():
         if (link := cell.hyperlink) is None:
             continue
         at, text = Address(title, row, column), " ".join(str(cell.value).split())
         if at in match.numbers or text in declared:
             target = str(link.location or "").rpartition("!")[0].strip("#'").replace("''", "'")
-            held = {"link": str(link.target or target)}
-            differences.compare(at, Subject(text), {"link": declared.get(text, "")}, held)
+            pair = match.pairs[match.numbers[at]].cell if at in match.numbers else None
+            expected = of_cells.get((pair.row, pair.column), "") if pair else declared[text]
+            differences.compare(at, Subject(text), {"link": expected}, {"link": str(link.target or target)})

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, PrivateAttr, WrapValidator, model_validator
+from pydantic import Field, WrapValidator, model_validator
 
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.machine import Exporting
@@ -16,7 +16,6 @@ from workbook.fields.types import (
     DesignFaultsError,
     EntryError,
     MakesCells,
-    Model,
     NotNegative,
     Number,
     Positive,
@@ -44,10 +43,9 @@ class AxisPhase(TurnPhase, Passing):
     stop: NotNegative
 
 
-class Axis(Model):
+class Axis(beside.NamedPart):
     """An axis: its phases in a turn of the master shaft; between them it rests."""
 
-    name: beside.Name
     group: Text
     unit: Unit = "mm"
     closes: Closes = "position"
@@ -65,12 +63,6 @@ class Axis(Model):
     reducer: drive_entries.Reducer = drive_entries.Reducer()
     stages: Annotated[list[drive_entries.StageEntry], MakesCells()] = Field([], max_length=drive_entries.STAGES)
     limits: OwnLimits = OwnLimits()
-    _built: str | None = PrivateAttr(default=None)
-
-    @property
-    def called(self) -> str:
-        """Return its name when its book was built, else its name."""
-        return self._built or self.name
 
     @model_validator(mode="before")
     @classmethod
@@ -220,10 +212,10 @@ class AnyMachine(Exporting):
         return numbers | {"selection.falling": self.selection.knows_falling}
 
     def built_as(self, names: Mapping[str, str]) -> None:
-        """Keep what the axes with drives were called when the book was built."""
-        for i, axis in enumerate(self.axes, 1):
-            built = names.get(f"drive{i}_built")
-            axis._built = built if built != axis.name else None
+        """Keep what the axes and the clearances were called when the book was built."""
+        for part, entries in (("axis", self.axes), ("clear", self.clearances)):
+            for i, entry in enumerate(entries, 1):
+                entry.built_as(names.get(f"{part}{i}_built"))
 
     @property
     def over(self) -> Abscissa:

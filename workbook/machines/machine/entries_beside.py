@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, GetJsonSchemaHandler, field_validator
+from pydantic import Field, GetJsonSchemaHandler, PrivateAttr, field_validator
 from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
@@ -98,14 +98,29 @@ class FreePosition(Model):
         return {"anyOf": [TWO_NUMBERS, handler(core)]}
 
 
-class ClearanceEntry(Model):
+class NamedPart(Model):
+    """A part of a machine whose sheet, checks or public names keep the name that it had when its book was built."""
+
+    name: Name
+    _built: str | None = PrivateAttr(default=None)
+
+    @property
+    def called(self) -> str:
+        """Return its name when its book was built, else its name."""
+        return self._built or self.name
+
+    def built_as(self, name: str | None) -> None:
+        """Keep the name that it had when its book was built; None where that is not known."""
+        self._built = name if name != self.name else None
+
+
+class ClearanceEntry(NamedPart):
     """A gap of two axes, offset + factor · position + factor · position, in the unit of the first axis.
 
         With a table of pairs the free position of the second axis takes the place of the first position, all in the
     unit of the second: by default the gap is what the second axis is short of its free position.
     """
 
-    name: Name
     first: Name
     first_factor: Number = 1.0
     second: Name

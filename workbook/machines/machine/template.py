@@ -1,15 +1,16 @@
 """Any machine: laws, and the timing diagram of 1 to 24 axes at a single rate, or over any abscissa."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
 from engine.cams.interpolation import FunctionValues, composed
 from engine.motion.profile import CamProfile, profile_of_motion
 from engine.timing import Switch
+from workbook.book.address import Address
 from workbook.book.cell_tables import cell_tables
 from workbook.book.checks import group_verdict_column
-from workbook.book.declare import FIRST, Book, Quantity
+from workbook.book.declare import FIRST, Book, Quantity, Text
 from workbook.book.summary import SENTENCE, summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
@@ -27,6 +28,7 @@ from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
+from workbook.machines.machine.names import names_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.rates_summary import range_of_rates, rate_check, rates_in_words, whole_range
@@ -71,9 +73,8 @@ def declare(given: AnyMachine) -> Book:
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
-    for row in rows:
-        if view := drives.get(row.axis.number):
-            named_drive_sheet(book, view)
+    for view in drives.values():
+        named_drive_sheet(book, view)
     clearances_sheet(book, [ClearanceView(clearance, k, rows) for k, clearance in enumerate(given.clearances, 1)])
     if bus:
         power_sheet(book, bus)
@@ -90,7 +91,9 @@ def declare(given: AnyMachine) -> Book:
         cycle_sheet(book, machine, row, len(rows) + len(given.switches) - row.axis.number)
     pieces_sheet(book, rows)
     export_sheet(book, given, [exportable(row) for row in rows])
+    link_drives(book, drives)
     judge_axes(book, machine.axes, given.laws.names)
+    names_sheet(book, machine.axes, given.clearances)
     return finish(book, ("S1", "S3", "S4"))
 
 
@@ -115,6 +118,16 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
         names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "Sm" if view.brakes else "S"}
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
     book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards
+
+
+def link_drives(book: Book, drives: Mapping[int, DriveView]) -> None:
+    """Link the axes on the first sheet to their drives, and these to their phases and to what they are chosen by."""
+    axes, titles = book.blocks["axes_short"], {sheet.title for sheet in book.sheets}
+    for i in drives:
+        sheet, phases = book.blocks[f"drive{i}_axis"].sheet, book.blocks[f"axis{i}"]
+        axes.sheet.texts.append(Text(axes.row + i - 1, axes.column, "", "link", sheet.title))
+        sheet.links = {"Timing": Address("", phases.row, phases.column).a1}
+        sheet.links |= {title: "A1" for title in ("Selection", "Catalogue") if title in titles}
 
 
 SEVERAL, DWELL = "several", 1

@@ -112,7 +112,6 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
         "S1: C_m = J_m/τ ω̇ + τ (C_r + J_tot ω̇), τ = 1/i_1 and ω̇ of the mechanism's shaft; with losses τ over η_1.",
     )
     sheet.rows(
-        cell("@built", driven.entered.called),
         cell("@faster", shown(axis.speed, tables.axis.speed)),
         cell("@omega", axis.speed, speed=tables.machine.over.speed),
         *inertias(view, sizes),
