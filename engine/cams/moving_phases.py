@@ -54,9 +54,7 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
             continue
         sides = _beside(of, rebuilt, runs, begin), _beside(of, rebuilt, runs, end)
         inner = of.part(begin, end)
-        ends = list(product(_meeting(inner, sides[0], 0), _meeting(inner, sides[1], -1)))
-        fits = (_fitted(law, inner, both, near) for both in ends for law in laws if inner.identifies(law))
-        fitted = next(filter(None, fits), None)
+        fitted = _law_between(laws, inner, sides, near)
         laid = [fitted] if fitted else _quintics(quintic, inner, rebuilt, sides, near)
         slopes = _slope(inner, sides[0], 0), _slope(inner, sides[1], -1)
         laid = laid or splined(inner, rebuilt, slopes, max(of.thinned, near))
@@ -65,6 +63,15 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
         known &= fitted is not None
         phases += laid
     return _settled(phases), known
+
+
+def _law_between(
+    laws: Sequence[BoundaryLaw], of: CamPoints, sides: tuple[EndLine, EndLine], near: float
+) -> FoundPhase | None:
+    """Return the first law that a curve between two lines follows, in their directions or from corners; None if none."""
+    ends = list(product(_meeting(of, sides[0], 0), _meeting(of, sides[1], -1)))
+    fits = (_fitted(law, of, both, near) for both in ends for law in laws if of.identifies(law))
+    return next(filter(None, fits), None)
 
 
 def _meeting(of: CamPoints, met: EndLine, side: int) -> list[EndLine]:

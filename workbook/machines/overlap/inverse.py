@@ -175,7 +175,7 @@ def points(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
 
 
 def scale_of_acceleration(inverse: PointInversion) -> float:
-    """Return what accelerations between points are compared by: a law's, or a millionth of 2/Δξ², as heights round."""
+    """Return the scale of accelerations between points: that of a law, or a millionth of 2/Δξ², as heights round."""
     return max(1.0, 2e-6 / float((inverse.high.xi - inverse.low.xi).min()) ** 2)
 
 
