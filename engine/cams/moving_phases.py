@@ -68,7 +68,7 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
 def _law_between(
     laws: Sequence[BoundaryLaw], of: CamPoints, sides: tuple[EndLine, EndLine], near: float
 ) -> FoundPhase | None:
-    """Return the first law that a curve between two lines follows, in their directions or from corners; None if none."""
+    """Return the first law that a curve between two lines follows, in their direction or from a corner, or None."""
     ends = list(product(_meeting(of, sides[0], 0), _meeting(of, sides[1], -1)))
     fits = (_fitted(law, of, both, near) for both in ends for law in laws if of.identifies(law))
     return next(filter(None, fits), None)
