@@ -52,7 +52,8 @@ def gain_in_words(design: Design, before: float, after: float) -> str:
     """Return two costs as the aim shows them, and by how much that is more or less."""
     was, now = design.shown(before), design.shown(after)
     more = f" ({100.0 * (now / was - 1.0):+.1f} %)" if was else ""
-    return f"{was:.{DIGITS}g} → {now:.{DIGITS}g} {design.aim.unit}{more}"
+    figures = (f"{shown:#.{DIGITS}g}".rstrip(".") for shown in (was, now))
+    return f"{' → '.join(figures)} {design.aim.unit}{more}"
 
 
 class Gain(NamedTuple):
