@@ -56,12 +56,11 @@ def compared(plan, number):
 
 ON_THE_PAGE = frozenset(
     (
-        "creep_use inertia_ratio j_all j_figures largest losses nmax peak peak_reserve rated reducer_rated "
-        "rms_reserve speed_reserve stall torque_factor use_inertia use_input use_mean use_peak use_reducer "
-        "use_rms use_speed"
+        "creep_use inertia_ratio j_figures losses nmax peak peak_reserve rated reducer_rated rms_reserve "
+        "speed_reserve stall torque_factor parts_listed windows_listed"
     ).split()
 )
-"""what a drive's page shows in bold besides: what is in use, and what follows from results that a study has"""
+"""bold on a drive's page, and no results: what entries decide or say in words, and the use while it creeps"""
 
 
 def drive_results(book):
@@ -71,7 +70,7 @@ def drive_results(book):
     return {name for name in names if name.partition("_")[2] not in ON_THE_PAGE}
 
 
-PEAKS = ("tmax", "tmin", "pmax", "pmin", "about_peak")
+PEAKS = ("tmax", "tmin", "largest", "use_peak", "pmax", "pmin", "about_peak")
 """results of which a study has the parabola through points, where a book works the drive out at its peaks once more"""
 
 

@@ -15,7 +15,9 @@ from workbook.template_outputs import Computations
 RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "rate": lambda study: study.rates.each,
     "jtot": lambda study: shown(study.at_motor, KG_CM2),
+    "j_all": lambda study: shown(study.motors_used["inertia"] + study.at_motor, KG_CM2),
     "inertias": lambda study: study.inertias,
+    "largest": lambda study: study.extremes.peak,
     "tmax": lambda study: study.extremes.torque,
     "tmin": lambda study: study.extremes.torque_low,
     "rms": lambda study: study.rms,
@@ -27,6 +29,13 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
         study.motors_used["peak_torque"] * study.limits.peak_reserve, study.extremes.peak
     ),
     "res_speed": lambda study: shares_of(study.motors_used["max_speed"] * study.limits.speed_reserve, study.speed),
+    "use_rms": lambda study: shares_of(study.rms, study.continuous),
+    "use_peak": lambda study: shares_of(study.extremes.peak, study.motors_used["peak_torque"]),
+    "use_speed": lambda study: shares_of(study.speed, study.motors_used["max_speed"]),
+    "use_reducer": lambda study: shares_of(study.behind(0), study.reducer_held_at(1.0 / study.time)),
+    "use_mean": lambda study: shares_of(study.behind(1), study.reducers_used["mean_torque"]),
+    "use_input": lambda study: shares_of(study.speed, study.reducers_used["max_speed"]),
+    "use_inertia": lambda study: study.inertias / study.limits.inertia_ratio,
     "smax": lambda study: study.behind(0),
     "smean": lambda study: study.behind(1),
     "energy": lambda study: study.works.driving,
