@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, splined
-from engine.cams.moving_phases import gauss_newton, phases_at_speed, true_runs
+from engine.cams.least_squares import gauss_newton
+from engine.cams.moving_phases import phases_at_speed, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile

@@ -1,6 +1,6 @@
 """Identification of phases that meet at speed: straight lines, laws with boundary values, splines for the rest."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise, product
 from typing import NamedTuple
@@ -9,15 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, splined
+from engine.cams.least_squares import gauss_newton
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
 from engine.motion.profile import CamProfile
 
 SHORTEST = 3  # intervals of a straight line, if the table has no y'
-TURNS = 12  # iterations of Gauss and Newton
-SETTLED, SLOW = 3, 0.5  # in so many iterations the residual must fall to this share, else the law is another
-STEP = 1e-4  # share of the interval between points, for derivatives of the deviations by the place of a break
 CORNER = 2e-5  # share of the cycle: a curve between lines that is shorter, in a table with y', is their corner
 TURNED = 0.1  # share of the largest velocity by which that of a curve beside a line is another: there is a corner
 MOST = 8  # quintics in place of a law
@@ -244,41 +242,6 @@ def _fitted(base: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], ne
     if phase is None or not phase.agrees(of):
         return None
     return replace(phase, residual=float(np.abs(phase.off(of)).max()))
-
-
-def gauss_newton(off: Callable[[Array], Array], fit: Array, steps: Array, near: float) -> Array | None:
-    """Return parameters with small deviations, by the method of Gauss and Newton.
-
-    Parameters
-    ----------
-    off : callable
-        The deviations, array (n,), by the parameters, array (k,).
-    fit, steps : array (k,)
-        Parameters to begin with, and by how much an iteration may move each; without a limit infinite.
-    near : float, unit of the deviations
-        Largest deviation allowed.
-
-    Returns
-    -------
-    array (k,) or None
-        None where the deviations do not become so small, or fall too slowly.
-    """
-    missed: list[float] = []
-    moves = np.diag(np.where(np.isfinite(steps), STEP * steps, 1.0))
-    for _ in range(TURNS + 1):
-        here = off(fit)
-        missed.append(float(np.abs(here).max()))
-        if missed[-1] <= near:
-            return fit
-        slow = len(missed) > SETTLED and missed[-1] > SLOW * missed[-SETTLED]
-        if slow or not fit.size or not np.isfinite(missed[-1]):
-            return None
-        slopes = np.column_stack([(off(fit + move) - here) / move.sum() for move in moves])
-        if not np.all(np.isfinite(slopes)):
-            return None
-        by = np.linalg.lstsq(slopes, -here, rcond=1e-12)[0]
-        fit = fit + np.clip(by, -steps, steps)
-    return None
 
 
 def _quintics(

@@ -43,7 +43,7 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
             )
             for figure, scale in zip(view.shaft.figures, scales, strict=True)
         ),
-        *([cell("@last", view.shaft.rows * POINTS)] if view.is_ragged else []),
+        *last_point(view),
         cell("@held_mixed", mixed, mean=MIXED.format(**OWN), scale=view.shaft.product),
         cell("@held_square", square, mean=SQUARE.format(**OWN), scale=view.shaft.torque**2),
         cell("@held_motor", motor, as_entered=AS_ENTERED),
@@ -67,6 +67,11 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
         ),
         *([last_points(view)] if view.is_ragged else []),
     )
+
+
+def last_point(view: PairSelection) -> list[Quantity]:
+    """Return the row of the number of points that the named drive has, where some have more than others."""
+    return [CELLS["named_drive"]("@last", view.shaft.rows * POINTS)] if view.is_ragged else []
 
 
 def last_points(view: PairSelection) -> Quantity:
