@@ -54,7 +54,7 @@ WIDTHS: dict[int, float] = {FIRST: 14.5, FIRST + 1: 24, 6: 12, 7: 13, 13: 12, 14
 SENTENCE, FIGURES = 4, 6  # rows of the verdict in words, and of figures
 LETTER, COLUMN = 0.95, 9.5  # width of a letter at most, and of a column that has none of its own, in digits
 ENTERED = 15  # the column of entries
-PICTURE_ROW, PICTURE_ROWS = 11, 17
+PICTURE_ROW, PICTURE_ROWS = 11, 14
 
 
 IDENTIFIED = {"number": "Machine number", "revision": "Revision", "author": "Author", "date": "Date"}
