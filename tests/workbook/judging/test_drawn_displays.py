@@ -253,7 +253,8 @@ def fine_words(drawn):
 def fine_charts(drawn):
     return drawn.choice((
         (CHART, rb'w="19050"', b'w="%d"' % drawn.randint(9000, 60000)), (CHART, rb'val="0072B2"', b'val="004400"'),
-        (CHART, rb">Both<", b">Beide<"), (CHART, rb"<legend>.*?</legend>", b""), (CHART, rb'"b"', b'"r"'),
+        (CHART, rb">Both<", b">Beide<"), (CHART, rb'dLblPos val="t"', b'dLblPos val="b"'),
+        (CHART, rb"</plotArea>", b'</plotArea><legend><legendPos val="r"/></legend>'),
         (CHART, rb'sz="1300"', b'sz="%d"' % drawn.randint(800, 2000)),
         (CHART, rb'majorUnit val="60"', b'majorUnit val="90"'),
         ("xl/drawings/drawing1.xml", rb"<xdr:row>\d+</xdr:row>", b"<xdr:row>%d</xdr:row>" % drawn.randint(60, 90)),

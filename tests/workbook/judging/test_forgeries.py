@@ -117,7 +117,7 @@ def test_a_rule_that_writes_in_signs_or_struck_out_is_told(book):
 LABELS = b"<dLbls><numFmt formatCode='%s' sourceLinked='0'/><showVal val='1'/></dLbls><xVal>"
 POINT = b"<dPt><idx val='3'/><spPr><a:ln><a:noFill/></a:ln></spPr></dPt><xVal>"
 GROUND = b'<spPr><solidFill><srgbClr val="0072B2"/></solidFill></spPr></plotArea>'
-LEGEND = rb'<legendPos \1/><layout><manualLayout><w val="0.9"/><h val="0.9"/></manualLayout></layout>'
+LARGE = b'<legendPos val="b"/><layout><manualLayout><w val="0.9"/><h val="0.9"/></manualLayout></layout>'
 STROKES = b"<errBars><errDir val='y'/><errBarType val='both'/><errValType val='stdErr'/></errBars><xVal>"
 
 
@@ -130,7 +130,7 @@ STROKES = b"<errBars><errDir val='y'/><errBarType val='both'/><errValType val='s
         (CHART, rb'sz="1000"', b'sz="100"'), (CHART, rb'sz="1000"', b'sz="1000" strike="sngStrike"'),
         (CHART, rb"<a:defRPr ([^>]*)/>", rb'<a:defRPr \1><a:latin typeface="Wingdings"/></a:defRPr>'),
         (CHART, rb"</plotArea>", GROUND),
-        (CHART, rb"<legendPos ([^>]*)/>", LEGEND),
+        (CHART, rb"</plotArea>", b"</plotArea><legend>" + LARGE + b"</legend>"),
         (CHART, rb"</chartSpace>", b'<userShapes id="x"/></chartSpace>'),
         (SHEET, rb"<sheetView ", b'<sheetView view="pageLayout" zoomScalePageLayoutView="10" '),
         (SHEET, rb"<oddFooter>.*?</oddFooter>", b"<oddFooter>&amp;CAll checks: OK</oddFooter>"),
