@@ -73,7 +73,8 @@ def verified(page, server, path):
     """The report of a workbook from elsewhere."""
     opened(page, server, "/")
     page.set_input_files("#book", path)
-    page.locator("form[action='/upload'] button").click()
+    with page.expect_navigation():  # the page before has headings too
+        page.locator("form[action='/upload'] button").click()
     page.wait_for_selector("h2")
     return page.locator("body").inner_text()
 
