@@ -1,5 +1,6 @@
 """The sheet Checks, which every book has: the verdict, what fails, and every check; verdicts on all sheets."""
 
+import re
 from collections.abc import Sequence
 from itertools import accumulate
 from typing import Any, NamedTuple
@@ -15,6 +16,8 @@ CELLS = cell_tables(__file__)
 FAILING = {"mend": 6, "failing": 8}
 """tables of the first checks that fail, on the first sheet and on Checks, and how many each has room for"""
 FAILING_NOW, OWN = "(checks_all-checks_ok)", "by_sheet.verdict"
+
+GROUP_VERDICT = re.compile(r"=\[(\w+\.verdict)\.(\d+)\]")
 
 ZERO = 1e-9
 NONE = "none"  # what stands in place of the first check that fails, where none does
@@ -145,7 +148,6 @@ def check_cells(book: Book) -> dict[str, list[Any]]:
     """Return the values of all cells that sum up checks, by block and column: ``checks.verdict``."""
     facts = summary(book)
     heads = [f"status{i}" for i in range(1, len(book.sheets) + 1)]
-    judged = {f"status{i}_own": verdict for i, verdict in zip(own_checks(book), group_verdicts(book)[OWN], strict=True)}
     return {
         "checks.verdict": facts.verdicts,
         "checks.says": facts.sentences,
@@ -161,8 +163,16 @@ def check_cells(book: Book) -> dict[str, list[Any]]:
         "overall.overall": [facts.overall],
         "about_verdict.about_verdict": [in_one(book)],
         **{f"{head}.{head}": [facts.overall] for head in heads},
-        **{f"{head}.{head}": [verdict] for head, verdict in judged.items()},
+        **repeated_verdicts(book),
     }
+
+
+def repeated_verdicts(book: Book) -> dict[str, list[str | None]]:
+    """Return the values of cells that repeat the verdict of a group: of each sheet's own checks, of an axis."""
+    verdicts = group_verdicts(book)
+    cells = ((name, str(block.quantities[0].formula)) for name, block in book.blocks.items() if not block.is_table)
+    repeating = ((name, match) for name, formula in cells if (match := GROUP_VERDICT.fullmatch(formula)))
+    return {f"{name}.{name}": [verdicts[match[1]][int(match[2]) - 1]] for name, match in repeating}
 
 
 def own_checks(book: Book) -> dict[int, list[int]]:
