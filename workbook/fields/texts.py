@@ -83,7 +83,7 @@ def require_distinct(names: Iterable[str], kind: str, key: str) -> None:
 
 
 LONGEST = 31  # characters of a sheet's title, as UTF-16 counts them; Excel's limit
-RESERVED = ("Summary", "Cycle", "Drive cycle", "Pieces", "Laws", "Export", "Checks", "History")
+RESERVED = ("Summary", "Cycle", "Drive cycle", "Pieces", "Laws", "Export", "Names", "Checks", "History")
 """sheets that come later, and a title that Excel keeps for itself"""
 
 

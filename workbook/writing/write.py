@@ -25,6 +25,7 @@ from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Book, Sheet
+from workbook.book.formula import LAST_COLUMN
 from workbook.book.quantity import Quantity, number_format, sample
 from workbook.book.sheet import LEAST_COLUMNS
 from workbook.entries import rules
@@ -34,11 +35,11 @@ from workbook.writing.layout import COLUMN_WIDTH, FULL, PossibleTexts, lines_of,
 from workbook.writing.output_files import refuse_existing, replace
 from workbook.writing.screen import add_validations, set_up_screen
 
-LAST_COLUMN = 16_384
+HIDDEN = 16_250
+"""a column: of a print area without a cell in sight no page is printed. Others may be put in before it"""
 LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 13}, {"header": 2, "equation": 5}
 """in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
 ROW_HEIGHT = 15  # of a line in a cell that wraps
-NOWHERE = "XFD1:XFD1"  # in a hidden column: of a print area without a cell in sight no page is printed
 AS_TYPED = "@"  # the format of a cell that keeps 4711, or 3-4, as a text
 CM_PER_CHARACTER, CM_PER_ROW = 0.19, 0.53
 LOOKS = ("font", "fill", "border", "alignment", "number_format", "protection")
@@ -235,10 +236,12 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], cells: Ce
     set_up_screen(sheet, page)
     page.protection.sheet = True
     page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
-    rest = page.column_dimensions[get_column_letter(widest + 1)]
-    rest.min, rest.max, rest.width = widest + 1, LAST_COLUMN - 1, COLUMN_WIDTH
-    for column in range(min(used + 2, widest + 1), widest + 2):  # an engineer writes there without unprotecting
-        page.column_dimensions[get_column_letter(column)].protection = Protection(locked=False)
+    for begin, end in ((widest + 1, HIDDEN - 1), (HIDDEN + 1, LAST_COLUMN)):
+        rest = page.column_dimensions[get_column_letter(begin)]
+        rest.min, rest.max, rest.width = begin, end, COLUMN_WIDTH
+    for column in (*range(min(used + 2, widest + 1), widest + 2), HIDDEN, HIDDEN + 1):
+        unlocked = Protection(locked=False)  # an engineer writes there without unprotecting
+        page.column_dimensions[get_column_letter(column)].protection = unlocked
     set_up_print(sheet, page, used, wide, cells.heights)
 
 
@@ -251,8 +254,9 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
     if sheet.unprinted:
-        page.print_area = NOWHERE
-        page.column_dimensions[get_column_letter(LAST_COLUMN)].hidden = True
+        nowhere = get_column_letter(HIDDEN)
+        page.print_area = f"{nowhere}1:{nowhere}1"
+        page.column_dimensions[nowhere].hidden = True
         return
     page.print_title_rows = f"1:{sheet.head}"
     has_workings = sheet.page_end and not sheet.folded_rows  # as wide as they are, over as many pages as it takes

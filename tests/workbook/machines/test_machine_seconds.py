@@ -57,7 +57,7 @@ def small(name):
 ENTRIES = {"timing_cycle", "timing_rate_entries", "timing_rate_entries_says", "timing_rate_expected"}
 PLACES = {("bus", "theta"), *((f"axis{k}", name) for k in range(1, 10) for name in ("ms", "pause"))}
 """columns that a book in seconds has under another name: its places are times, and its durations in s"""
-SENTENCES = ("says", "about_verdict")
+SENTENCES = ("says", "about_verdict", "listed")
 """ends of the names of cells with sentences: of places, and of how many checks there are"""
 TOLD = ("_order_place", "_order_size", "_order_unit", "_order_jump")
 """ends of the names of cells that tell a jump in the units of the cycle"""
