@@ -157,7 +157,7 @@ def every_drive(sheet: Sheet, view: PairSelection) -> None:
     for row, drive in enumerate(drives, block.row):
         called = f"Drive {drive.shaft.name}"
         title = next((other.title for other in sheet.book.sheets if other.called == called), "")
-        sheet.texts.append(Text(row, LINKS, f"choose: {title}", "link", title))
+        sheet.texts.append(Text(row, LINKS, "choose on its sheet", "link", title))
 
 
 def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:
