@@ -24,9 +24,9 @@ RESOLUTION = 100  # dots per inch
 FUNCTIONS = "motion-functions"  # computed by the add-in
 PICTURES = (  # file, workbook, page of the printed book, left, top, width, height in dots
     ("summary.png", "machine", 1, 30, 30, 1112, 712),
-    ("timing.png", "cutting-machine", 3, 30, 30, 1112, 696),
+    ("timing.png", "cutting-machine", 2, 30, 30, 1112, 696),
     ("drive.png", "cutting-machine", 5, 30, 30, 1112, 712),
-    ("selection.png", "flying-cutter", 8, 30, 30, 1112, 685),
+    ("selection.png", "flying-cutter", 6, 30, 30, 1112, 685),
     ("motion.png", "motion-composer", 2, 30, 30, 1112, 653),
     ("overlap.png", "indexing-overlap", 2, 30, 30, 1112, 685),
     ("actuator.png", "actuator-sizing", 4, 30, 30, 1112, 712),
