@@ -18,7 +18,8 @@ WORM = {"ratio": 2.5, "driver_inertia": 2.0, "driven_inertia": 3.5, "efficiency"
 RISE = ((30, 90, 20.0, "CIC"), (180, 300, -20.0, "CIC"))
 SCREW = driven(*RISE, load={"mass": 8.0, "slope": 40.0, "friction": 0.1}, reducer={"ratio": 3.0, "efficiency": 0.8})
 AXES = {"screw": SCREW, "crank": linked(mechanism=CRANK | {"efficiency": 0.85}, **LOSSY)}
-PEAKS = ("tmax", "tmin", "pmax", "pmin", "res_peak", "highest", "largest", "use_peak")  # which a study has by the parabola alone
+# A study has these by the parabola alone.
+PEAKS = ("tmax", "tmin", "pmax", "pmin", "res_peak", "highest", "largest", "use_peak")
 
 
 def test_what_is_entered_in_a_book_comes_back_and_missing_teeth_fail_a_check(tmp_path):
