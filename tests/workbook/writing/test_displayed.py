@@ -22,7 +22,7 @@ from workbook.writing import archive
 from workbook.writing.layout import WIDTHS
 from workbook.writing.write import parts
 
-DASH = re.compile(r'([0.#]+(?:E\+00)?);-\1;"–"')  # a declared rule: zero is shown as nothing
+WORDS = re.compile(r'(?:"([^"]+)"|[^;"]+)(?:;[^;]*)?(?:;(?:"([^"]+)")?)?(?:;.*)?')  # above zero, and for zero
 BLANK = "0;;"  # a declared rule: zero is not shown
 DECIMALS = re.compile(r"0(?:\.([0#]+))?(E\+00)?")
 GENERAL = 9  # digits after the first that Excel shows of a number without a format of its own
@@ -54,10 +54,13 @@ def says(text, value, number_format, peak):
     """Whether a text says a value, as exactly as its format allows."""
     if value is None or isinstance(value, str):
         return text == (value or "")
-    if text == "–":
-        return abs(value) <= TOLERANCE * peak and DASH.fullmatch(number_format) is not None
+    above, zero = WORDS.fullmatch(number_format).groups()
+    if text in (above, zero):
+        return value > 0 if text == above else abs(value) <= TOLERANCE * peak
     if text == "":
         return value == 0 and number_format == BLANK
+    if text.endswith("%"):
+        return says(text.rstrip(" %"), 100 * value, re.sub(" ?%", "", number_format), 100 * peak)
     if not re.fullmatch(r"-?\d+(\.\d*)?(E[+-]\d+)?", text) or len(text) > MOST:
         return False
     return abs(float(text) - value) <= (1 + 1e-6) * step(number_format, text) + TOLERANCE * peak
