@@ -95,8 +95,8 @@ def edited(workbook, edit):
                 home = (cell.parent.title, cell.row, cell.column)
                 cell.value = "=" + followed(cell.value[1:], page.title, edit, home)
         charts(page, edit)
-        if isinstance(edit, Lines) and edit.columns and page.title == edit.sheet:
-            columns(page, edit)
+        if isinstance(edit, Lines) and page.title == edit.sheet:
+            (columns if edit.columns else rows)(page, edit)
         if page.print_area:
             page.print_area = followed(page.print_area, page.title, edit).rpartition("!")[2]
         page.conditional_formatting = rules(page, edit)
@@ -119,6 +119,15 @@ def columns(page, edit):
     for (first, last), one in told:
         one.index, one.min, one.max = get_column_letter(first), first, last
         page.column_dimensions[one.index] = one
+
+
+def rows(page, edit):
+    """Let heights and hidden rows move with what stands in them."""
+    moved = [(span[0], row) for row in page.row_dimensions.values() if (span := edit.span(row.index, row.index))]
+    page.row_dimensions.clear()
+    for number, row in moved:
+        row.index = number
+        page.row_dimensions[number] = row
 
 
 def followed(text, sheet, edit, home=None):
@@ -211,6 +220,8 @@ def cells(workbook, edit):
     for (sheet, row, column), cell in moving.items():
         cell.parent, cell.row, cell.column = pages[sheet], row, column
         pages[sheet]._cells[row, column] = cell
+        if cell.hyperlink:
+            cell.hyperlink.ref = cell.coordinate
 
 
 def save(workbook, path):
