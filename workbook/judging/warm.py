@@ -38,7 +38,7 @@ NAMING = frozenset({"workbookPr", "sheet", "definedName"})  # elements of the wo
 
 
 class OtherBookError(MotionbookError):
-    """A save of which the values alone cannot be judged."""
+    """A save that has to be judged as a whole: more than contents of cells is new."""
 
 
 @dataclass
@@ -81,7 +81,7 @@ class WarmBook:
         return Judged(machine, match.declared, report)
 
     def _compare(self, match: Match, report: Report, entered: Cells) -> None:
-        """Enter the findings on the values of a file, of which the contents ``entered`` are new."""
+        """Enter the findings on the values of a file; ``entered`` are the contents that changed since the last save."""
         check_structure(match, report)
         require_little_work(match.file, match.file.path)
         witnesses = [make() for make in WITNESSES.values()]

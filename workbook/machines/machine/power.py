@@ -140,7 +140,7 @@ def results(bus: Mains) -> list[Quantity]:
 
 
 def on_the_bus(bus: Mains) -> list[Quantity]:
-    """Return the powers of the drives on the common bus, of which results take their part."""
+    """Return the powers of the drives on the common bus, from which its results are summed."""
     cell, without = CELLS["on the bus"], bus.without
     return [
         cell("bus_mains_peak", kw(bus.peak)),
