@@ -229,10 +229,10 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
         "The common DC bus at the samples of the cycle",
         rows,
         time,
-        CELLS["bus"]("sum", kw(bus.sum), first=columns[0], last=columns[-1]),
-        CELLS["bus"]("alone", kw(bus.apart), formula=taken),
         CELLS["bus"]("k", list(range(rows))),
         CELLS["bus"]("w", bus.weights.tolist()),
+        CELLS["bus"]("sum", kw(bus.sum), first=columns[0], last=columns[-1]),
+        CELLS["bus"]("alone", kw(bus.apart), formula=taken),
         *(
             calc(
                 name,
