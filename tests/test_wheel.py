@@ -32,7 +32,12 @@ def motionbook(tmp_path_factory):
     assert wheel.name.startswith(f"motionbook-{workbook.__version__}-")
     names = zipfile.ZipFile(wheel).namelist()
     assert {name.partition("/")[0] for name in names if ".dist-info" not in name} == {"engine", "workbook"}
-    assert {"engine/py.typed", "workbook/py.typed", "workbook/shipped/machine.toml"} <= set(names)
+    assert {
+        "engine/py.typed",
+        "workbook/py.typed",
+        "workbook/shipped/machine.toml",
+        "workbook/serve/page/vendor/uplot.css",
+    } <= set(names)
     run(*pip, "install", "--no-deps", "--no-index", "--quiet", "--target", str(folder / "site"), str(wheel))
     environment = os.environ | {"PYTHONPATH": str(folder / "site")}
     return lambda *arguments: run(sys.executable, "-m", "workbook", *arguments, cwd=folder, env=environment)

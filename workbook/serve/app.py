@@ -210,6 +210,7 @@ GET: dict[str, Action] = {
     r"/print/([^/]+)": partial(work_out, live.sheet), r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary,
     r"/study/([^/]+)": study.show, r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
+    r"/(page/(?:vendor/)?[\w-]+\.(?:js|css))": static,
 }  # fmt: skip
 POST: dict[str, Action] = {
     "/build": partial(write, "build", ".xlsx"), "/inputs": partial(write, "inputs", ".toml"),

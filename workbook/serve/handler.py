@@ -25,7 +25,7 @@ COOKIE = "motionbook"
 REPORT = "report.html"
 STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
 POLICY = (
-    f"default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'sha256-{STYLED}'; img-src 'self'; "
+    f"default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'self' 'sha256-{STYLED}'; img-src 'self'; "
     "form-action 'self'; frame-ancestors 'none'; base-uri 'none'"
 )
 

@@ -9,18 +9,21 @@ from typing import Any
 
 from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
-from tornado.web import Application
+from tornado.web import Application, HTTPError
 
 from workbook.serve.handler import LARGEST, Action, Page
 
 SVG = "image/svg+xml"
 ICON = {"favicon.ico": "icon.svg"}
+TYPES = {".svg": SVG, ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}
 
 
 async def static(page: Page, name: str) -> bytes:
-    """Send a script of a page, or an icon."""
-    file = Path(__file__).with_name(ICON.get(name, name))
-    page.set_header("Content-Type", SVG if file.suffix == ".svg" else "text/javascript; charset=utf-8")
+    """Send a script or style of a page, or an icon."""
+    file = Path(__file__).parent / ICON.get(name, name)
+    if not file.is_file():
+        raise HTTPError(404)
+    page.set_header("Content-Type", TYPES[file.suffix])
     return file.read_bytes()
 
 
