@@ -9,7 +9,7 @@ from pydantic import BaseModel, Field
 from tests.workbook.judging.hands import repacked
 from workbook.book.chart import Chart, Series
 from workbook.book.checks import checks_sheet, repeat_verdicts
-from workbook.book.declare import Book, calc, check, constant, given, result
+from workbook.book.declare import Book, Text, calc, check, constant, given, result
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.verify import check_display
@@ -17,6 +17,7 @@ from workbook.reading.files import open_book
 from workbook.writing.write import save
 
 ROWS = 13
+LED_TO = ("Checks", "Drive")  # by links of the same words
 ANGLES = [30.0 * k for k in range(ROWS)]
 
 
@@ -52,6 +53,7 @@ def declared(limit=20.0):
         check("within", "Torque within the motor's", "peak<limit", 2 * omega < limit),
         check("turns", "It turns", "rate>0", True),
     )
+    sheet.texts += [Text(sheet.row, 9 + k, "to its sheet", "link", title) for k, title in enumerate(LED_TO)]
     sheet.row += 1
     sheet.table(
         "cycle", "Cycle", ROWS,

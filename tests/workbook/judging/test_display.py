@@ -373,7 +373,11 @@ def test_a_print_area_without_the_verdict_and_links_that_lead_elsewhere_are_noti
     def linked(workbook):
         book.cell(workbook, "which").hyperlink = "https://example.org"
 
-    for change in (printed, linked):
+    def exchanged(workbook):
+        first, second = (c for row in workbook["Drive"] for c in row if c.hyperlink and c.value == "to its sheet")
+        first.hyperlink.location, second.hyperlink.location = second.hyperlink.location, first.hyperlink.location
+
+    for change in (printed, linked, exchanged):
         report = book.edited(change)
         assert report.findings == []
         assert report.notices

@@ -2,6 +2,7 @@
 
 import re
 from bisect import bisect_left
+from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from itertools import accumulate
 from typing import Any, NamedTuple
@@ -185,14 +186,16 @@ def compare_links(match: Match, sheet: Sheet, title: str, differences: Differenc
     """Enter links of declared cells and texts that lead elsewhere."""
     titles = {declared.title: held for declared, held in match.sheets}
     links = [text for text in sheet.texts if text.link]
-    declared = {" ".join(text.text.split()): titles.get(text.link, "") for text in links if text.text}
+    declared = defaultdict[str, list[str]](list)  # of texts: those of the same words lead on in the order of their rows
+    for text in sorted((text for text in links if text.text), key=lambda text: (text.row, text.column)):
+        declared[" ".join(text.text.split())].append(titles.get(text.link, ""))
     of_cells = {(text.row, text.column): titles.get(text.link, "") for text in links if not text.text}
-    for (row, column), cell in match.file.workbook[title]._cells.items():
+    for (row, column), cell in sorted(match.file.workbook[title]._cells.items()):
         if (link := cell.hyperlink) is None:
             continue
-        at, text = Address(title, row, column), " ".join(str(cell.value).split())
-        if at in match.numbers or text in declared:
+        at, words = Address(title, row, column), " ".join(str(cell.value).split())
+        if at in match.numbers or declared.get(words):
             target = str(link.location or "").rpartition("!")[0].strip("#'").replace("''", "'")
             pair = match.pairs[match.numbers[at]].cell if at in match.numbers else None
-            expected = of_cells.get((pair.row, pair.column), "") if pair else declared[text]
-            differences.compare(at, Subject(text), {"link": expected}, {"link": str(link.target or target)})
+            expected = of_cells.get((pair.row, pair.column), "") if pair else declared[words].pop(0)
+            differences.compare(at, Subject(words), {"link": expected}, {"link": str(link.target or target)})
