@@ -1,4 +1,4 @@
-"""The register of targets: their names, which the command's help lists without loading them, and what each claims."""
+"""The register of targets: their names, which the command's help lists without loading them, and their facts."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from workbook.errors import TargetError
 if TYPE_CHECKING:
     from workbook.controllers.target import Target
 
-CLAIMS = tomllib.loads(Path(__file__).with_name("claims.toml").read_text(encoding="utf-8"))
-"""the claims about each target's format, with their documents"""
-TARGETS = tuple(name for name in CLAIMS if not name.endswith(" switches"))
+STATED = tomllib.loads(Path(__file__).with_name("targets.toml").read_text(encoding="utf-8"))
+"""the facts of each target, and the claims about its format, with their documents"""
+TARGETS = tuple(name for name in STATED if not name.endswith(" switches"))
 MODULES = ("br", "codesys", "columns", "mitsubishi", "rockwell", "siemens", "twincat")
 """the files in ``targets`` in which these are declared"""
 

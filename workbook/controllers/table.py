@@ -86,7 +86,6 @@ def required_part(part: T | None, part_name: str) -> T:
 
 
 BOTH = "y' and y''; expected both, for polynomials of degree 5"
-LOCAL, CENTRAL = "cubics by neighbours", "cubics by the line between neighbours"
 
 RULES: dict[str, Rule] = {  # what is between the points, by name
     "straight lines": Rule(lambda t: interpolation.lines(t.x, t.y), 2),
@@ -94,8 +93,8 @@ RULES: dict[str, Rule] = {  # what is between the points, by name
     "natural cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "natural"), 4, 2),
     "not-a-knot cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "not-a-knot"), 4, 2),
     "periodic cubic spline": Rule(lambda t: interpolation.spline(t.x, t.y, "periodic"), 4, 2),
-    LOCAL: Rule(lambda t: interpolation.parabolas(t.x, t.y), 4, 2),
-    CENTRAL: Rule(lambda t: interpolation.central(t.x, t.y), 4, 2),
+    "cubics by neighbours": Rule(lambda t: interpolation.parabolas(t.x, t.y), 4, 2),
+    "cubics by the line between neighbours": Rule(lambda t: interpolation.central(t.x, t.y), 4, 2),
     "quintics": Rule(lambda t: interpolation.quintics(t.x, t.y, required_part(t.v, BOTH), required_part(t.a, BOTH)), 6),
     "polynomials": Rule(lambda t: required_part(t.profile, "polynomials; expected them"), 6),
 }

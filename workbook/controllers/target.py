@@ -13,8 +13,8 @@ from tornado.template import Loader
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 from engine.timing import Switch, SwitchDifference, compare_switches
-from workbook.controllers.registry import CLAIMS
-from workbook.controllers.table import Table
+from workbook.controllers.registry import STATED
+from workbook.controllers.table import SPLINES, Table
 from workbook.controllers.texts import LREAL, Number, literal
 from workbook.errors import ReadError, TargetError, visible
 from workbook.template_outputs import CamSwitch
@@ -33,6 +33,9 @@ NARROWEST, SHORTEST = 1e-9, 1e-12  # of the whole of x, and of its unit: the sma
 COUNTED = re.compile(r"; ([0-9]{1,9}) points(?: at equal steps)?; between them")
 
 
+CERTAINTIES = ("documented", "probable", "untested")
+
+
 class Claim(NamedTuple):
     """A claim about a target's format: what is assumed, how certain that is, and by which document."""
 
@@ -42,20 +45,31 @@ class Claim(NamedTuple):
 
 
 class ClaimedFormat:
-    """A format whose claims stand in ``claims.toml`` by its name."""
+    """A format whose claims stand in ``targets.toml`` by its name."""
 
     name: str
 
     @property
     def claims(self) -> list[Claim]:
         """The claims, and how certain each is: documented, probable or untested."""
-        claims = CLAIMS[self.name].items()
+        claims = [(certainty, STATED[self.name].get(certainty, ())) for certainty in CERTAINTIES]
         return [Claim(what, certainty, source) for certainty, rows in claims for what, source in rows]
 
     @property
     def untested(self) -> list[Claim]:
         """The questions that no document settles."""
         return [claim for claim in self.claims if claim.certainty == "untested"]
+
+
+def facts_of(name: str) -> dict[str, Any]:
+    """Return what ``targets.toml`` states of a target, or of its switches, besides claims: fields of its class."""
+    facts: dict[str, Any] = {"name": name}
+    for field, value in STATED[name].items():
+        if isinstance(value, list) and field not in CERTAINTIES:
+            facts[field] = tuple(part for each in value for part in (SPLINES if each == "splines" else (each,)))
+        elif field not in CERTAINTIES:
+            facts[field] = value
+    return facts
 
 
 class CamExport(NamedTuple):
@@ -142,7 +156,7 @@ class Target(ClaimedFormat):
     signs: tuple[str, ...] = ()  # which of separator and decimal may be asked for
     spacing: Spacing = "free"
     plain: tuple[str, ...] = ()  # the rules for a table of x and y only, where a file may have no more
-    tolerance: tuple[tuple[str, float], ...] = (("y", 1e-4), ("a", 0.01))  # of which order, unless given otherwise
+    tolerance: Sequence[tuple[str, float]] = (("y", 1e-4), ("a", 0.01))  # of which order, unless given otherwise
     exact: Callable[[CamProfile], NDArray[np.bool_]] = lambda of: np.zeros(len(of.origins), dtype=np.bool_)
     """which stretches of a motion need no points within"""
     built: Callable[[CamProfile, Array, tuple[float, float]], Table] | None = None

@@ -63,11 +63,6 @@ class ShownPhase(Model):
     lift: Number = 0.0
     p: Annotated[list[Number], Field(max_length=WIDTH)] = Field(default_factory=list)
 
-    @property
-    def to_engine_phase(self) -> Phase:
-        """The engine's phase."""
-        return Phase(FAMILY[self.law].law_of(self.p), self.lift, self.duration)
-
 
 class Shaft(Model):
     """A shaft with its inertia, and its speed over that of the reference shaft."""
@@ -104,7 +99,8 @@ class PageInputs(Model):
     @cached_property
     def motion(self) -> Motion:
         """The phases, joined: they take over velocities from straight lines."""
-        return join_phases([phase.to_engine_phase for phase in self.phases], periodic=False).motion
+        phases = [Phase(FAMILY[row.law].law_of(row.p), row.lift, row.duration) for row in self.phases]
+        return join_phases(phases, periodic=False).motion
 
 
 EXAMPLE = PageInputs.model_validate(TEXTS["example"])

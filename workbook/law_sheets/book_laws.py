@@ -65,23 +65,10 @@ def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
         pieces = law.page.stacked(law.law, sizes)
         places = placed_pieces([piece for piece, _ in pieces], law.law.entry_velocity)
         for k, ((piece, entered), place) in enumerate(zip(pieces, places, strict=True), 1):
-            ((ps, pv, pj), (ps2, pv2, pj2)), (s0, s1) = place.amplitudes, place.constants
-            values = entries_of(place.piece) | {
-                "xi": place.begin,
-                "s": place.s,
-                "v": place.v,
-                "ds": place.ds,
-                "dv": place.dv,
-                "ps": ps,
-                "pv": pv,
-                "pj": pj,
-                "ps2": ps2,
-                "pv2": pv2,
-                "pj2": pj2,
-                "s0": s0,
-                "s1": s1,
-                "key": 2.0 * law.number + place.begin,
-            }
+            values = entries_of(place.piece) | dict(zip(("xi", "s", "v", "ds", "dv"), place[1:], strict=True))
+            values |= dict(zip(("ps", "pv", "pj"), place.amplitudes[0], strict=True))
+            values |= dict(zip(("ps2", "pv2", "pj2"), place.amplitudes[1], strict=True))
+            values |= dict(zip(("s0", "s1"), place.constants, strict=True)) | {"key": 2.0 * law.number + place.begin}
             formulas = {name: law.own(text) for name, text in entered.items()}
             rows.append(Row(law.name, law.number, k, piece, formulas, values))
     return rows
@@ -105,23 +92,8 @@ def laws_sheet(book: Book, of: BookLaws) -> None:
     stack(sheet, of.rows, of.stack)
 
 
-LAW_NAMES = (
-    "name",
-    "no",
-    "code",
-    *(name for name, *_ in COEFFICIENTS),
-    "start",
-    "v_low",
-    "wrong",
-    "low",
-    "high",
-    "s0",
-    "s1",
-    "v0",
-    "v1",
-    "a0",
-    "a1",
-)
+RATES = "start v_low wrong low high s0 s1 v0 v1 a0 a1".split()
+LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), *RATES)
 """columns of the table of laws that have names"""
 ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
 
@@ -146,40 +118,25 @@ def summary(sheet: Sheet, of: BookLaws) -> None:
         values = [getattr(law.law.start if at == "first" else law.law.end, d) for law in laws]
         return cell("{d}{xi}", values, d=d, xi=xi, label=label, formula=formulas, scale=RISE)
 
-    ways = stated(
-        "way",
-        "meets its neighbours' velocity",
-        "",
-        "end_mode",
-        [end_mode(law.law) for law in laws],
-        source="−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial",
-        format="0",
-    )
+    source = "−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial"
+    modes = [end_mode(law.law) for law in laws]
+    ways = stated("way", "meets its neighbours' velocity", "", "end_mode", modes, source=source, format="0")
     early = CELLS["summary"]("early", [law.page.early for law in laws])
     ends = [ways, early] if of.hands_over else []
+    cell, back = CELLS["laws"], [law.page.step_back(law.law, of.sizes) for law in laws]
+    names = [law.own(law.page.named or f'="{law.words}"') for law in laws]
+    codes = [f'="{law.name}"' if law.basic else law.own("=@called") for law in laws]
     sheet.table(
         "laws",
         "The laws by number; a phase takes its law by this name",
         len(laws),
-        CELLS["laws"](
-            "name", [law.words for law in laws], formula=[law.own(law.page.named or f'="{law.words}"') for law in laws]
-        ),
-        CELLS["laws"]("no", [law.number for law in laws]),
-        CELLS["laws"](
-            "code",
-            [law.name for law in laws],
-            formula=[f'="{law.name}"' if law.basic else law.own("=@called") for law in laws],
-        ),
+        cell("name", [law.words for law in laws], formula=names),
+        cell("no", [law.number for law in laws]),
+        cell("code", [law.name for law in laws], formula=codes),
         *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
         stated("start", "velocity it begins with", "", "start", [law.law.start.v for law in laws]),
         stated("v_low", "lowest velocity", "", "lowest", [slowest(law.law) for law in laws], scale=1.0),
-        stated(
-            "wrong",
-            "step of v the wrong way",
-            "",
-            "wrong_step",
-            [law.page.step_back(law.law, of.sizes) for law in laws],
-        ),
+        stated("wrong", "step of v the wrong way", "", "wrong_step", back),
         *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
         stated("low", "lowest position", "s_min", "low", [low for low, _ in reaches], scale=1.0),
         stated("high", "highest position", "s_max", "high", [high for _, high in reaches], scale=1.0),
@@ -196,26 +153,8 @@ SECOND_TERMS = {
 }
 """what a second sine adds to formulas of the stack"""
 WITH_SECOND = (*SECOND, "ps2", "pv2", "pj2")  # columns of the stack that are there with a second sine alone
-COLUMNS = (
-    "d",
-    "s0",
-    "s1",
-    *POWERS,
-    *SINE,
-    *SECOND,
-    "xi",
-    "ps",
-    "pv",
-    "pj",
-    "pj2",
-    "ps2",
-    "pv2",
-    "v",
-    "dv",
-    "s",
-    "ds",
-    "key",
-)
+PLACED = "xi ps pv pj pj2 ps2 pv2 v dv s ds key".split()
+COLUMNS = ("d", "s0", "s1", *POWERS, *SINE, *SECOND, *PLACED)
 FIRST_POWERS = {"piece_y": "s0", "piece_dy": "s1", "piece_ddy": "c0", "piece_dddy": "c1"}
 """the first column of each block of coefficients, up to the highest power that any law has"""
 

@@ -9,14 +9,14 @@ from engine.laws.piece import begins
 from engine.motion import Phase
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
-from workbook.book.declare import Book, Sheet, calc, given, result
+from workbook.book.declare import Book, Quantity, Sheet, calc, given, result
 from workbook.entries.machine import Sizes
 from workbook.fields.paths import get, split
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import MM, shown, si
 from workbook.law_sheets.library import NamedLaw
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, entries_of
+from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, Parameter, entries_of
 
 CELLS = cell_tables(__file__)
 
@@ -56,6 +56,11 @@ def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces)
             sheet.heading("Pieces", f"On each piece a(u) = {a}, u = ξ − ξ_k; velocity and position are carried on.")
             rows, pieces = page.pieces, law.monotone_pieces()
             values = [entries_of(piece) for piece in pieces]
+
+            def column(name: str) -> Quantity:
+                formulas = [row.formulas[name] for row in rows]
+                return calc(name, *LABELS[name], "", formulas, [entry[name] for entry in values])
+
             sheet.table(
                 "@pieces",
                 "Pieces of the law",
@@ -63,12 +68,7 @@ def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces)
                 cell("name", [row.name for row in rows]),
                 cell("k", list(range(1, len(rows) + 1))),
                 cell("xi", begins(pieces)),
-                *(
-                    calc(
-                        name, *LABELS[name], "", [row.formulas[name] for row in rows], [entry[name] for entry in values]
-                    )
-                    for name in page.columns
-                ),
+                *map(column, page.columns),
                 cell("equation", [row.equation for row in rows]),
             )
         sheet.checks(*page.verdicts(named, sizes))
@@ -95,28 +95,14 @@ def entries(sheet: Sheet, named: NamedLaw) -> None:
     """Declare the law's name, the rise that is shown, and the law's parameters."""
     cell = CELLS["entries"]
     page, entered = named.page, named.entered
-    called = (
-        cell("@called", named.name, named=named),
-        cell("@built", named.called),
-    )
-    sheet.rows(
-        *(() if named.basic else called),
-        cell("@h", entered.lift, named=named),
-        cell("@t", entered.time, named=named),
-        *(
-            given(
-                p.name,
-                p.label,
-                p.symbol,
-                "",
-                get(entered, split(p.key)),
-                f"{named.key}.{p.key}",
-                format="0.0000",
-                source=p.source,
-            )
-            for p in page.parameters
-        ),
-    )
+    called = [] if named.basic else [cell("@called", named.name, named=named), cell("@built", named.called)]
+    rise = [cell("@h", entered.lift, named=named), cell("@t", entered.time, named=named)]
+
+    def parameter(p: Parameter) -> Quantity:
+        value, key = get(entered, split(p.key)), f"{named.key}.{p.key}"
+        return given(p.name, p.label, p.symbol, "", value, key, format="0.0000", source=p.source)
+
+    sheet.rows(*called, *rise, *map(parameter, page.parameters))
 
 
 def results(sheet: Sheet, named: NamedLaw, rise: Phase) -> None:

@@ -27,15 +27,9 @@ def extremes(at: Points) -> list[Quantity]:
     rows: list[Quantity] = []
     for what, words in WORDS.items():
         low, high = at.extremes(what)
-        rows += [
-            cell("@{what}_most", high, what=what, words=words),
-            cell("@{what}_least", low, what=what, words=words),
-        ]
-    return [
-        *rows,
-        cell("@v_at", at.peak),
-        cell("@back", float(at.wrong_way.max())),
-    ]
+        rows.append(cell("@{what}_most", high, what=what, words=words))
+        rows.append(cell("@{what}_least", low, what=what, words=words))
+    return [*rows, cell("@v_at", at.peak), cell("@back", float(at.wrong_way.max()))]
 
 
 def points_table(sheet: Sheet, at: Points, first: int, stack: Pieces) -> None:

@@ -9,7 +9,7 @@ from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 from workbook.controllers import texts
 from workbook.controllers.table import Table, required_part
-from workbook.controllers.target import Target, by_template
+from workbook.controllers.target import Target, by_template, facts_of
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")
@@ -66,6 +66,11 @@ def read(text: str) -> Table:
 NAMED = {"offset": offset, "polynomials": polynomials, "fields": FIELDS, "stands": texts.stands, "counts": texts.counts,
          "DINT": texts.DINT, "REAL": texts.REAL}  # fmt: skip
 TARGETS = (
-    Target("br", "B&R, polynomials of McCamDataType in Structured Text", ".st", ("polynomials",), ("quintics",),
-           by_template("br.st", **NAMED), read, number=texts.DINT_IN_REAL, points=(2, 129), built=built),
-)  # fmt: skip
+    Target(
+        **facts_of("br"),
+        write=by_template("br.st", **NAMED),
+        read=read,
+        number=texts.DINT_IN_REAL,
+        built=built,
+    ),
+)

@@ -4,8 +4,8 @@ from math import ceil, log2
 
 import numpy as np
 
-from workbook.controllers.table import LOCAL, SPLINES, Table
-from workbook.controllers.target import Tappets, Target, Track, by_template, tracks_of_rows
+from workbook.controllers.table import Table
+from workbook.controllers.target import Tappets, Target, Track, by_template, facts_of, tracks_of_rows
 from workbook.controllers.texts import grouped, pairs, points, require_count
 
 FIELDS = ("dX", "dY", "dV", "dA")
@@ -29,20 +29,17 @@ def read_switches(text: str) -> list[Track]:
     return tracks_of_rows(text, times)
 
 
-TAPPETS = Tappets(
-    "codesys switches",
-    "MC_CAMSWITCH_TR for MC_DigitalCamSwitch",
-    by_template("codesys-switches.st"),
-    read_switches,
-    tracks=32,
-)
-
+TAPPETS = Tappets(**facts_of("codesys switches"), write=by_template("codesys-switches.st"), read=read_switches)
 TARGETS = (
-    Target("codesys", "CODESYS SoftMotion, SMC_CAMXYVA in Structured Text", ".st", ("x", "y", "y'", "y''"),
-           ("quintics",), by_template("codesys.st"), lambda text: points(text, grouped(text, FIELDS), "nElements"),
-           points=(2, 32_767), tappets=TAPPETS),
-    Target("codesys-table", "CODESYS SoftMotion, table of pairs, cubic, in Structured Text", ".st", ("x", "y"),
-           (*SPLINES, LOCAL), by_template("codesys-table.st", limits=LIMITS, ends=ends),
-           lambda text: points(text, pairs(text, "Table := [", "]]"), "nElements"),
-           points=(4, 32_767)),
-)  # fmt: skip
+    Target(
+        **facts_of("codesys"),
+        write=by_template("codesys.st"),
+        read=lambda text: points(text, grouped(text, FIELDS), "nElements"),
+        tappets=TAPPETS,
+    ),
+    Target(
+        **facts_of("codesys-table"),
+        write=by_template("codesys-table.st", limits=LIMITS, ends=ends),
+        read=lambda text: points(text, pairs(text, "Table := [", "]]"), "nElements"),
+    ),
+)

@@ -4,8 +4,8 @@ import re
 
 import numpy as np
 
-from workbook.controllers.table import CENTRAL, LOCAL, SPLINES, Table
-from workbook.controllers.target import CamExport, SwitchExport, Tappets, Target, tracks_of_rows
+from workbook.controllers.table import Table
+from workbook.controllers.target import CamExport, SwitchExport, Tappets, Target, facts_of, tracks_of_rows
 from workbook.controllers.texts import as_lines, numbers, remarks
 from workbook.errors import TargetError
 
@@ -81,16 +81,12 @@ def write_sew(handed: CamExport) -> str:
     return f"{len(table.x)}\r\n" + as_lines((table.x, table.y), handed.separator, handed.decimal)
 
 
+TAPPETS = Tappets(
+    **facts_of("csv switches"), write=write_switches, read=lambda text: tracks_of_rows(text, numbers(text, (3,)))
+)
 TARGETS = (
-    Target("csv", "Columns of text: x, y, y', y'', y'''", ".csv", ("x", "y", "y'", "y''", "y'''"), ("quintics",),
-           write_any, read_any, plain=SPLINES, signs=("separator", "decimal"),
-           tappets=Tappets("csv switches", "track, on from, to", write_switches,
-                           lambda text: tracks_of_rows(text, numbers(text, (3,))))),
-    Target("kollmorgen", "Kollmorgen KAS, cam profile as CSV", ".csv", ("x", "y"), SPLINES,
-           write_kollmorgen, read_kollmorgen, points=(5, 10_000)),
-    Target("lenze", "Lenze Global Drive Cam Loader, text", ".txt", ("x", "y"), (*SPLINES, LOCAL),
-           write_lenze, read_lenze, points=(4, 10_000), signs=("decimal",)),
-    Target("sew", "SEW MOVI-C, cam points as text, cubic", ".txt", ("x", "y"), (LOCAL, CENTRAL),
-           write_sew, lambda text: Table(*np.array(numbers(text, (2,))).T),
-           points=(2, 1024), spacing="equal", signs=("separator", "decimal")),
-)  # fmt: skip
+    Target(**facts_of("csv"), write=write_any, read=read_any, tappets=TAPPETS),
+    Target(**facts_of("kollmorgen"), write=write_kollmorgen, read=read_kollmorgen),
+    Target(**facts_of("lenze"), write=write_lenze, read=read_lenze),
+    Target(**facts_of("sew"), write=write_sew, read=lambda text: Table(*np.array(numbers(text, (2,))).T)),
+)

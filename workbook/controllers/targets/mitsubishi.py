@@ -6,7 +6,7 @@ from engine.cams.certificate import equal_steps
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 from workbook.controllers.table import Table
-from workbook.controllers.target import CamExport, Target
+from workbook.controllers.target import CamExport, Target, facts_of
 from workbook.controllers.texts import DINT, Number, as_lines, counts, numbers, read_counts, read_stand, remarks, stands
 from workbook.errors import TargetError
 
@@ -68,11 +68,14 @@ def read_ratios(text: str) -> Table:
 
 
 TARGETS = (
-    Target("mitsubishi", "Mitsubishi, coordinates of cam data", ".csv", ("x", "y"), ("straight lines",), write, read,
-           number=DINT, points=(2, 16_384), signs=("separator",), tolerance=(("y", 1e-4), ("v", 0.01))),
-    Target("mitsubishi-ratio", "Mitsubishi, stroke ratios of cam data", ".csv", ("y",), ("straight lines",),
-           write_ratios, read_ratios,
-           number=Number("DINT, 1e-7 %", DINT.largest), points=(RESOLUTIONS[0] + 1, RESOLUTIONS[-1] + 1),
-           counts=tuple(n + 1 for n in RESOLUTIONS), spacing="equal",
-           tolerance=(("y", 1e-4), ("v", 0.01)), built=built),
-)  # fmt: skip
+    Target(**facts_of("mitsubishi"), write=write, read=read, number=DINT),
+    Target(
+        **facts_of("mitsubishi-ratio"),
+        write=write_ratios,
+        read=read_ratios,
+        number=Number("DINT, 1e-7 %", DINT.largest),
+        points=(RESOLUTIONS[0] + 1, RESOLUTIONS[-1] + 1),
+        counts=tuple(n + 1 for n in RESOLUTIONS),
+        built=built,
+    ),
+)

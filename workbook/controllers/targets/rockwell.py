@@ -9,7 +9,7 @@ import numpy as np
 from engine.cams.interpolation import straight
 from engine.motion.profile import CamProfile
 from workbook.controllers.table import MOST_POINTS, Table
-from workbook.controllers.target import SwitchExport, Tappets, Target, Track, by_template, tracks_of_rows
+from workbook.controllers.target import SwitchExport, Tappets, Target, Track, by_template, facts_of, tracks_of_rows
 from workbook.controllers.texts import DINT, REAL, literal
 from workbook.errors import TargetError
 
@@ -150,15 +150,9 @@ CAM = by_template(
     "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda text: re.sub("-(?=-)", "- ", text)
 )
 TAPPETS = Tappets(
-    "rockwell switches",
-    "OUTPUT_CAM array for MAOC, as a Tag of L5X",
-    by_template("rockwell-switches.xml", elements=parted, real=real),
-    read_switches,
+    **facts_of("rockwell switches"),
+    write=by_template("rockwell-switches.xml", elements=parted, real=real),
+    read=read_switches,
     number=REAL,
-    tracks=32,
 )
-
-TARGETS = (
-    Target("rockwell", "Rockwell Logix, CAM array as a Tag of L5X", ".xml", ("x", "y", "straight"),
-           ("clamped cubic spline",), CAM, read, number=REAL, points=(2, 10_000), exact=straight, tappets=TAPPETS),
-)  # fmt: skip
+TARGETS = (Target(**facts_of("rockwell"), write=CAM, read=read, number=REAL, exact=straight, tappets=TAPPETS),)

@@ -5,8 +5,8 @@ import numpy as np
 from engine.cams.interpolation import HIGHEST, segmented, simple
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile
-from workbook.controllers.table import SPLINES, Table, required_part
-from workbook.controllers.target import Target, by_template
+from workbook.controllers.table import Table, required_part
+from workbook.controllers.target import Target, by_template, facts_of
 from workbook.controllers.texts import indexed, points
 from workbook.errors import TargetError
 
@@ -43,11 +43,21 @@ def read_segments(text: str) -> Table:
 
 
 TARGETS = (
-    Target("siemens", "Siemens S7-1500T, LCamHdl basic points in SCL", ".scl", ("x", "y", "y'", "y''"), ("quintics",),
-           by_template("siemens.scl"), lambda text: points(text, indexed(text, BASIC)), points=(2, 51)),
-    Target("siemens-points", "Siemens S7-1500T, points of TO_Cam in SCL", ".scl", ("x", "y"), SPLINES,
-           by_template("siemens-points.scl"), lambda text: points(text, indexed(text, ("x", "y"))), points=(2, 1000)),
-    Target("siemens-segments", "Siemens S7-1500T, segments of TO_Cam in SCL", ".scl", ("segments",), ("polynomials",),
-           by_template("siemens-segments.scl", segments=segments, fields=SEGMENT), read_segments,
-           points=(2, 51), spacing="breaks", exact=simple, built=built),
-)  # fmt: skip
+    Target(
+        **facts_of("siemens"),
+        write=by_template("siemens.scl"),
+        read=lambda text: points(text, indexed(text, BASIC)),
+    ),
+    Target(
+        **facts_of("siemens-points"),
+        write=by_template("siemens-points.scl"),
+        read=lambda text: points(text, indexed(text, ("x", "y"))),
+    ),
+    Target(
+        **facts_of("siemens-segments"),
+        write=by_template("siemens-segments.scl", segments=segments, fields=SEGMENT),
+        read=read_segments,
+        exact=simple,
+        built=built,
+    ),
+)

@@ -2,8 +2,8 @@
 
 import re
 
-from workbook.controllers.table import SPLINES, equidistant
-from workbook.controllers.target import Tappets, Target, Track, by_template, tracks_of_rows
+from workbook.controllers.table import equidistant
+from workbook.controllers.target import Tappets, Target, Track, by_template, facts_of, tracks_of_rows
 from workbook.controllers.texts import INDEXED, columns, indexed, pairs, points, without_comments
 from workbook.errors import TargetError
 
@@ -29,19 +29,17 @@ def read_switches(text: str) -> list[Track]:
     return tracks_of_rows(text, times)
 
 
-TAPPETS = Tappets(
-    "twincat switches",
-    "MC_CamSwitch, an array for each MC_DigitalCamSwitch",
-    by_template("twincat-switches.st"),
-    read_switches,
-    times=1000,
-)
-
+TAPPETS = Tappets(**facts_of("twincat switches"), write=by_template("twincat-switches.st"), read=read_switches)
 TARGETS = (
-    Target("twincat", "Beckhoff TwinCAT NC2, motion function points in Structured Text", ".st", ("x", "y", "y'", "y''"),
-           ("quintics",), by_template("twincat.st"), lambda text: points(text, indexed(text, FIELDS), "NoOfRows"),
-           points=(2, 65_535), tappets=TAPPETS),
-    Target("twincat-table", "Beckhoff TwinCAT, position table in Structured Text", ".st", ("x", "y"), SPLINES,
-           by_template("twincat-table.st", equidistant=equidistant),
-           lambda text: points(text, pairs(text, ":= [", "]"), "NoOfRows"), points=(4, 65_535)),
-)  # fmt: skip
+    Target(
+        **facts_of("twincat"),
+        write=by_template("twincat.st"),
+        read=lambda text: points(text, indexed(text, FIELDS), "NoOfRows"),
+        tappets=TAPPETS,
+    ),
+    Target(
+        **facts_of("twincat-table"),
+        write=by_template("twincat-table.st", equidistant=equidistant),
+        read=lambda text: points(text, pairs(text, ":= [", "]"), "NoOfRows"),
+    ),
+)

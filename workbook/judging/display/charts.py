@@ -143,11 +143,6 @@ def pair_alike(
     yield from ((None, other) for other in theirs.values())
 
 
-def drawn_areas(chart: ChartData) -> list[Area]:
-    """Return the columns that a chart draws."""
-    return [value.meaning for line in chart.lines for value in (line["x"], line["y"]) if isinstance(value, Shown)]
-
-
 def has_data(differences: Differences, fresh: Flat, held: Flat) -> bool:
     """Whether two lines draw the same columns."""
     return all(differences.is_same(name, fresh[name], held[name]) for name in DRAWN)
@@ -194,7 +189,8 @@ def compare_sight(
         differences.add(held.at, subject, "size", "as built", f"{share:.0%} of it")
     if any(area.has(*middle) for area in areas[held.number + 1 :]):
         differences.add(held.at, subject, "sight", "in sight", "behind another drawing")
-    drawn = [area for area in drawn_areas(held) if area.sheet in views]
+    columns = [value.meaning for line in held.lines for value in (line["x"], line["y"]) if isinstance(value, Shown)]
+    drawn = [area for area in columns if area.sheet in views]
     rows = [(views[area.sheet].rows, range(area.top, area.bottom + 1)) for area in drawn]
     hidden = [sum(not heights[row] for row in numbers) for heights, numbers in rows]
     if any(hidden) and held.looks.get("chart plotVisOnly val", "1") == "1":

@@ -86,14 +86,13 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
         offsets = range(offset, offset + furthest) if offset > 0 else range(offset, offset - furthest, -1)
         tried = ([text_address(match, *entry, each) for entry in line] for each in offsets)
         declared = [text_address(match, *entry, offset) for entry in line]
-        nearest = next((places for places in tried if hold_most(match, places, line)), declared)
+        nearest = next((places for places in tried if 2 * count_words(match, places, line) > len(line)), declared)
         yield from (Label(*entry, at) for at, entry in zip(nearest, line, strict=True) if at.column > 0 < at.row)
 
 
-def hold_most(match: Match, places: list[Address], line: list[tuple[Text, Block]]) -> bool:
-    """Whether most texts of a line stand at these places."""
-    held = [has_words(match, at, text) for at, (text, _) in zip(places, line, strict=True)]
-    return 2 * sum(held) > len(line)
+def count_words(match: Match, places: list[Address], line: list[tuple[Text, Block]]) -> int:
+    """Return how many texts of a line stand at these places."""
+    return sum(has_words(match, at, text) for at, (text, _) in zip(places, line, strict=True))
 
 
 def text_address(match: Match, text: Text, block: Block, offset: int) -> Address:
