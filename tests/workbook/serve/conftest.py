@@ -1,6 +1,7 @@
 """motionbook serve, running on a folder with the cutting machine in small tables."""
 
 import http.client
+import os
 import re
 import signal
 import subprocess
@@ -12,6 +13,7 @@ from urllib.parse import urlencode
 import pytest
 
 from tests import cutting
+from tests.workbook.serve.chromium import CHROMIUM, sync_playwright
 from workbook.build import build
 from workbook.reading.descriptions import write_machine
 from workbook.serve.handler import COOKIE
@@ -84,3 +86,14 @@ def server(tmp_path_factory):
     build(machine, root / "cutting.xlsx")
     with serving(root) as running:
         yield running
+
+
+@pytest.fixture(scope="session")
+def browser():
+    """The system's Chromium."""
+    if CHROMIUM is None and "CI" not in os.environ:
+        pytest.skip("Chromium, or the Python package playwright, is not on this machine")
+    with sync_playwright() as driver:
+        one = driver.chromium.launch(executable_path=CHROMIUM)
+        yield one
+        one.close()

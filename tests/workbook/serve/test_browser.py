@@ -1,38 +1,20 @@
 """The pages in the system's Chromium, by a person's steps; nothing leaves the host, nothing shuts anybody out."""
 
-import os
 import re
 import shutil
 from urllib.parse import urlsplit
 
 import pytest
 
+from tests.workbook.serve.chromium import Axe, expect
 from workbook.reading.descriptions import read_machine
 from workbook.serve.live import design
 
-CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 SMALL = "\n[sizes]\ncycle = 12\nlaw = 4\n"
 SERIOUS = ("serious", "critical")
 NARROW, WIDE = 1024, 1600
 LONG = 60_000  # ms: a workbook is built, or verified
 STEP = 600  # ms without a change: what comes then is another step to be undone
-
-try:
-    from axe_playwright_python.sync_playwright import Axe
-    from playwright.sync_api import expect, sync_playwright
-except ImportError:
-    CHROMIUM = None
-
-if CHROMIUM is None and "CI" not in os.environ:
-    pytest.skip("Chromium, or the Python package playwright, is not on this machine", allow_module_level=True)
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with sync_playwright() as driver:
-        one = driver.chromium.launch(executable_path=CHROMIUM)
-        yield one
-        one.close()
 
 
 @pytest.fixture

@@ -1,0 +1,166 @@
+// Where everything in the timing diagram stands, and what is at a place in it.
+import { isWhole, lineOf, wrapped } from "./pieces.js";
+
+/**
+ * @typedef {import("./timing_drag.js").Row} Row
+ * @typedef {import("./timing_drag.js").Target} Target
+ * @typedef {{row: Row, y: number, height: number, runs: [number, number][][], low: number, high: number,
+ *            toY: (position: number) => number, figure: any, handles: Handle[]}} Place
+ * @typedef {{kind: "from"|"to"|"span"|"lift", k: number, x: number, y: number, at: number}} Handle  drawn at x, true at `at`
+ * @typedef {{left: number, right: number, length: number, x: (angle: number) => number, places: Place[], height: number}} Layout
+ */
+
+export const LEFT = 100;
+export const RIGHT = 86;
+export const HANDLE = 16; // px: how wide a handle is, with the room between it and the next
+const LANES = { least: 38, most: 84, share: 0.36 }; // px, and of the window's height for all lanes
+const BAR = 26;
+const NEAR = 5; // px at which the line of an edge is taken where no handle is
+
+/** @type {WeakMap<object, {figure: any, length: number, runs: [number, number][][], low: number, high: number}>} */
+const lines = new WeakMap();
+const NONE = { runs: [], low: 0, high: 0 };
+
+/** The line of an axis with its range, worked out once for as long as nothing of it changes. @param {any} axis @param {any} figure @param {number} length */
+function lineFor(axis, figure, length) {
+  let line = lines.get(axis);
+  if (line?.figure !== figure || line?.length !== length) {
+    const runs = lineOf(axis, figure, length);
+    const positions = runs.flat().map(([, position]) => position);
+    line = { figure, length, runs, low: Math.min(...positions), high: Math.max(...positions) };
+    lines.set(axis, line);
+  }
+  return line;
+}
+
+/**
+ * @param {Row[]} rows @param {any} figures @param {{length: number}} period @param {number} width
+ * @param {{axis: number, phase: number|null}|null} selected
+ * @param {{row: string, low: number, high: number}|null} scale of the lane that is being dragged @returns {Layout}
+ */
+export function layOut(rows, figures, { length }, width, selected, scale) {
+  const [left, right] = [LEFT, Math.max(width - RIGHT, LEFT + 100)];
+  const x = (/** @type {number} */ angle) => left + (angle / length) * (right - left);
+  const count = rows.filter((row) => row.isAxis).length;
+  const lane = Math.round(Math.min(Math.max((innerHeight * LANES.share) / (count || 1), LANES.least), LANES.most));
+  let y = 4;
+  const places = rows.map((row) => {
+    const height = row.isAxis ? lane : BAR;
+    const figure = row.isAxis ? figures?.axes?.[row.index] : null;
+    const place = placeOf(row, figure, length, y, height, scale?.row === row.id ? scale : null);
+    /** @type {Handle[]|undefined} */
+    let handles; // of few rows that are drawn or pointed at
+    Object.defineProperty(place, "handles", { get: () => (handles ??= handlesOf(place, { x, length }, selected)) });
+    y += height + (row.isAxis ? 4 : 0);
+    return place;
+  });
+  return { left, right, length, x, places, height: y + 4 };
+}
+
+/** @returns {Place} */
+function placeOf(
+  /** @type {Row} */ row,
+  /** @type {any} */ figure,
+  /** @type {number} */ length,
+  /** @type {number} */ y,
+  /** @type {number} */ height,
+  /** @type {{low: number, high: number}|null} */ scale,
+) {
+  const line = row.isAxis ? lineFor(row.item, figure, length) : NONE;
+  const [low, high] = [Math.min(line.low, scale?.low ?? Infinity), Math.max(line.high, scale?.high ?? -Infinity)];
+  const [top, room] = [y + 16, height - 20];
+  const toY = (/** @type {number} */ position) =>
+    row.isAxis ? top + room * (high > low ? (high - position) / (high - low) : 1) : y + height / 2;
+  return { row, y, height, runs: line.runs, low, high, toY, figure, handles: [] };
+}
+
+/** The angle of the machine at which an edge stands; a span's end on the period's end, not its begin. */
+export const angleOf = (
+  /** @type {Row} */ row,
+  /** @type {number} */ edge,
+  /** @type {number} */ length,
+  isEnd = false,
+) => wrapped(edge + row.shift, length) || (isEnd ? length : 0);
+
+/** What of the period a span covers: two stretches where it goes on past the end. @param {Row} row @param {any} span @param {number} length */
+export function stretchesOf(row, span, length) {
+  const [from, to] = [angleOf(row, span.from, length), angleOf(row, span.to, length, true)];
+  if (span.to - span.from >= length) return [[0, length]];
+  return from < to
+    ? [[from, to]]
+    : [
+        [from, length],
+        [0, to],
+      ].filter(([a, b]) => b > a);
+}
+
+/** The position that a lane's line has at an angle. @param {Place} place @param {number} angle */
+export function positionOf({ runs }, angle) {
+  const run = runs.find((one) => angle >= one[0][0] && angle <= one[one.length - 1][0]);
+  const next = run?.findIndex(([at]) => at >= angle) ?? -1;
+  if (!run || next < 0) return 0;
+  const [to, after] = run[next];
+  const [from, before] = run[Math.max(next - 1, 0)];
+  return to > from ? before + ((after - before) * (angle - from)) / (to - from) : after;
+}
+
+/** The handles of a row, drawn so far apart that none covers another. @returns {Handle[]} */
+function handlesOf(
+  /** @type {Place} */ place,
+  /** @type {{x: (angle: number) => number, length: number}} */ { x, length },
+  /** @type {{axis: number, phase: number|null}|null} */ selected,
+) {
+  const { row } = place;
+  const all = row.spans.flatMap((span, k) => {
+    if (!isWhole(/** @type {any} */ (span))) return [];
+    const made = (/** @type {Handle["kind"]} */ kind, /** @type {number} */ angle) => {
+      const at = x(angle);
+      return { kind, k, x: at, y: place.toY(row.isAxis ? positionOf(place, angle) : 0), at };
+    };
+    const isChosen = row.isAxis && selected?.axis === row.index && selected.phase === span.index;
+    const inner = row.isAxis ? (isChosen ? ["lift"] : []) : ["span"];
+    const middle = angleOf(row, (span.from + span.to) / 2, length);
+    return [
+      made("from", angleOf(row, span.from, length)),
+      ...inner.map((kind) => made(/** @type {"lift"|"span"} */ (kind), middle)),
+      made("to", angleOf(row, span.to, length, true)),
+    ];
+  });
+  return spread(all.sort((a, b) => a.at - b.at || Number(a.kind === "from") - Number(b.kind === "from")));
+}
+
+/** Handles moved as little as keeps them apart: the means of those that press on each other. @param {Handle[]} handles */
+function spread(handles) {
+  /** @type {{sum: number, count: number}[]} */
+  const groups = [];
+  handles.forEach((handle, n) => {
+    let group = { sum: handle.at - n * HANDLE, count: 1 };
+    for (let last = groups.at(-1); last && last.sum / last.count > group.sum / group.count; last = groups.at(-1)) {
+      groups.pop();
+      group = { sum: last.sum + group.sum, count: last.count + group.count };
+    }
+    groups.push(group);
+  });
+  const means = groups.flatMap(({ sum, count }) => Array(count).fill(sum / count));
+  return handles.map((handle, n) => ({ ...handle, x: means[n] + n * HANDLE }));
+}
+
+/** The place of a row at a height. @param {Layout} layout @param {number} y */
+export const placeAt = (layout, y) => layout.places.find((place) => y >= place.y && y < place.y + place.height + 4);
+
+/** What is at a point of a row: the nearest handle, else the span. @param {Layout} layout @param {Place} place @param {number} x @param {number} y @returns {Target|null} */
+export function targetAt(layout, { row, handles }, x, y) {
+  if (x < layout.left - HANDLE) return row.isAxis ? { row: row.id, kind: "shift", k: -1 } : null;
+  const far = (/** @type {Handle} */ one) => Math.hypot(one.x - x, one.y - y);
+  const [nearest] = [...handles].sort((a, b) => far(a) - far(b));
+  if (nearest && far(nearest) <= HANDLE * 0.7) return { row: row.id, kind: nearest.kind, k: nearest.k };
+  const edge = handles.find((one) => one.kind !== "lift" && one.kind !== "span" && Math.abs(one.at - x) <= NEAR);
+  if (edge) return { row: row.id, kind: edge.kind, k: edge.k };
+  const angle = ((x - layout.left) / (layout.right - layout.left)) * layout.length;
+  const k = row.spans.findIndex(
+    (span) =>
+      isWhole(/** @type {any} */ (span)) &&
+      stretchesOf(row, span, layout.length).some(([a, b]) => angle >= a && angle <= b),
+  );
+  return k < 0 ? null : { row: row.id, kind: "span", k };
+}
