@@ -30,12 +30,13 @@ def charts(size=1.0):
     fast = {"value": 4500, "label": "4500 rpm", "kind": "speed"}
     root = {"x": 1200, "y": 13.7, "label": "RMS 13.7 Nm"}
     torque = [30 * value for value in wave]
+    both = [limit | {"value": sign * limit["value"]} for limit in (peak, steady, fast) for sign in (1, -1)]
     return [
         chart("v", "velocity", "m/s", wave),
         chart("a", "acceleration", "m/s²", [70 * value for value in wave]),
         chart("j", "jerk", "m/s³", [900 * value for value in wave]),
-        chart("Tn", "torque against speed", "Nm", torque, [peak, steady, fast], speed, [root]),
-        chart("T", "motor torque", "Nm", torque, [peak, steady]),
+        chart("Tn", "torque against speed", "Nm", torque, both, speed, [root]),
+        chart("T", "motor torque", "Nm", torque, both[:4]),
         chart("P", "power", "kW", [value + 0.2 for value in wave]),
     ]
 

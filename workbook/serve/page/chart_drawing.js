@@ -1,5 +1,5 @@
 // What is drawn into a chart: its line, the saved one, limits, points.
-import { limitsOf } from "./chart_scales.js";
+import { isOverCycle, limitsOf } from "./chart_scales.js";
 import { colorAt } from "./colors.js";
 
 export const FONT = '12px Inter, "Segoe UI", system-ui, "DejaVu Sans", sans-serif';
@@ -34,48 +34,27 @@ function write(plot, text, x, y, color, align) {
 /** Limits as dashed lines with their names; those far beyond the data as words in the corner. @param {any} plot @param {any} chart */
 function drawLimits(plot, chart) {
   const { x, y } = plot.scales;
+  const { left, top, width, height } = plot.bbox;
   const [gap, line] = [4 * devicePixelRatio, 15 * devicePixelRatio];
   let corner = 0;
-  for (const { limit, value, isAcross, isFar, isFirst } of limitsOf(chart)) {
+  for (const { limit, isAcross, isFar, name } of limitsOf(chart)) {
     const color = colorAt(plot.root, limit.kind === "continuous" ? "--soft" : "--limit");
-    const right = plot.bbox.left + plot.bbox.width - gap;
     if (isFar) {
       corner += 1;
-      write(plot, `↑ ${limit.label}`, right, plot.bbox.top + corner * line, color, "right");
+      write(plot, `↑ ${name}`, left + width - gap, top + corner * line, color, "right");
       continue;
     }
-    const [xs, ys] =
-      limit.x && limit.y
-        ? [limit.x, limit.y]
-        : isAcross
-          ? [
-              [value, value],
-              [y.min, y.max],
-            ]
-          : [
-              [x.min, x.max],
-              [value, value],
-            ];
-    draw(plot, xs, ys, color, [5, 4], 1.25);
-    if (!isFirst) continue;
+    const along = limit.x ?? (isAcross ? [limit.value, limit.value] : [x.min, x.max]);
+    const values = limit.y ?? (isAcross ? [y.min, y.max] : [limit.value, limit.value]);
+    draw(plot, along, values, color, [5, 4], 1.25);
     if (isAcross)
-      write(
-        plot,
-        limit.label,
-        plot.valToPos(value, "x", true) - gap,
-        plot.bbox.top + plot.bbox.height - gap,
-        color,
-        "right",
-      );
-    else
-      write(
-        plot,
-        limit.label,
-        right,
-        Math.max(plot.valToPos(ys[ys.length - 1], "y", true) - 1, plot.bbox.top + line),
-        color,
-        "right",
-      );
+      write(plot, name, plot.valToPos(limit.value, "x", true) - gap, top + height - gap - line, color, "right");
+    else if (name) {
+      const isLeft = !isOverCycle(chart) && (chart.points ?? []).every((point) => point.x > (x.min + x.max) / 2); // beside it
+      const at = plot.valToPos(isLeft ? values[0] : values[values.length - 1], "y", true);
+      const bottom = at - line < top ? at + line + 2 : at - 1;
+      write(plot, name, isLeft ? left + gap : left + width - gap, bottom, color, isLeft ? "left" : "right");
+    }
   }
 }
 

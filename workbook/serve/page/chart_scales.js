@@ -1,5 +1,7 @@
 // What a chart shows of its figures: its ranges, the limits within them, and values at an angle.
 
+import { short } from "./colors.js";
+
 /**
  * @typedef {{value: number, label: string, kind: "peak"|"continuous"|"speed"|"reducer", x?: number[], y?: number[]}} Limit
  * @typedef {{key: string, title: string, unit: string, x: number[], y: number[], x_title: string, limits?: Limit[],
@@ -17,18 +19,21 @@ const isAcross = (/** @type {Limit} */ limit, /** @type {Chart} */ chart) =>
   limit.kind === "speed" && !isOverCycle(chart);
 
 /**
- * The lines of a chart's limits: across (over the speed) or along, on both sides where the data are.
- * @param {Chart} chart @returns {{limit: Limit, value: number, isAcross: boolean, isFar: boolean, isFirst: boolean}[]}
+ * The limits of a chart on the sides where its data are, each with its name where that is not named yet on the other side.
+ * @param {Chart} chart @returns {{limit: Limit, isAcross: boolean, isFar: boolean, name: string}[]}
  */
 export function limitsOf(chart) {
-  return (chart.limits ?? []).flatMap((limit) => {
+  const limits = (chart.limits ?? []).map((limit) => {
     const values = isAcross(limit, chart) ? chart.x : chart.y;
     const reach = reachOf(values);
-    const isTwo = !limit.x && values.some((value) => value * Math.sign(limit.value) < -0.02 * reach);
+    const isBeside = Boolean(limit.x) || limit.value >= 0 || values.some((value) => value < -0.02 * reach);
+    const isNamed =
+      limit.value >= 0 || !(chart.limits ?? []).some((other) => other.label === limit.label && other.value > 0);
+    const name = /\d/.test(limit.label) ? limit.label : `${limit.label} ${short(limit.value)}`;
     const isFar = Math.abs(limit.value) > FAR * (reach || Infinity);
-    const sides = isTwo && !isFar ? [limit.value, -limit.value] : [limit.value];
-    return sides.map((value, n) => ({ limit, value, isAcross: isAcross(limit, chart), isFar, isFirst: n === 0 }));
+    return { limit, isBeside, isAcross: isAcross(limit, chart), isFar, name: isNamed ? name : "" };
   });
+  return limits.filter((one) => one.isBeside && (!one.isFar || one.name));
 }
 
 /** The range of values, with those of limits that are near, and a little room. @param {number[]} values @param {number[]} more @returns {[number, number]} */
@@ -44,10 +49,10 @@ function padded(values, more) {
 export function rangesOf(chart, saved) {
   const near = limitsOf(chart).filter(({ isFar }) => !isFar);
   const points = chart.points ?? [];
-  const along = near.filter((one) => !one.isAcross).flatMap(({ limit, value }) => [value, ...(limit.y ?? [])]);
+  const along = near.filter((one) => !one.isAcross).flatMap(({ limit }) => limit.y ?? [limit.value]);
   const y = padded([...chart.y, ...(saved?.y ?? []), ...points.map((point) => point.y)], along);
   if (isOverCycle(chart)) return { x: [chart.x[0], chart.x[chart.x.length - 1]], y };
-  const across = near.filter((one) => one.isAcross).map(({ value }) => value);
+  const across = near.filter((one) => one.isAcross).map(({ limit }) => limit.value);
   return { x: padded([...chart.x, ...(saved?.x ?? []), ...points.map((point) => point.x)], across), y };
 }
 

@@ -29,6 +29,7 @@ function plotIn(box, shown, cursor, view) {
       height: box.clientHeight,
       legend: { show: false },
       pxAlign: 0,
+      padding: [8, 12, 0, 0],
       scales: {
         x: {
           time: false,
@@ -96,11 +97,9 @@ function Chart({ chart, saved, cursor, view }) {
   useEffect(() => {
     if (range && isOverCycle(chart)) plot.current.setScale("x", { min: range[0], max: range[1] });
   }, [range]);
-  const over = isOverCycle(chart) ? "" : ` over ${chart.x_title}`;
+  const unit = isOverCycle(chart) ? chart.unit : `${chart.unit.split(" over ")[0]}, ${chart.x_title}`;
   return html`<figure class="chart">
-    <h3>
-      <span>${chart.title} [${chart.unit}${over}]</span><${Readout} chart=${chart} saved=${saved} cursor=${cursor} />
-    </h3>
+    <h3><span>${chart.title} [${unit}]</span><${Readout} chart=${chart} saved=${saved} cursor=${cursor} /></h3>
     <div class="plot" ref=${box}></div>
   </figure>`;
 }

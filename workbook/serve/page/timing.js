@@ -7,6 +7,8 @@ import { useHands } from "./timing_hands.js";
 import { Lane } from "./timing_lane.js";
 import { layOut, positionOf } from "./timing_places.js";
 
+const TICK = 38; // px that a number on the scale takes
+
 /** The angles with a line and a number: each 30° of a turn, else a round part of the period. @param {number} length */
 export function ticksOf(length) {
   const step = length % 360 === 0 ? length / 12 : niceStep(length / 10);
@@ -34,8 +36,21 @@ function Cursor({ cursor, layout }) {
 function Scale({ cursor, layout, period }) {
   const now = cursor.value;
   const room = now === null ? null : layout.x(now);
+  const ticks = ticksOf(period.length);
+  const apart = layout.x(ticks[1]) - layout.x(ticks[0]);
+  const every = [1, 2, 3, 4, 6].find((n) => n * apart >= TICK) ?? 12;
   return html`<svg class="scale" width=${layout.right + 86} height="22" aria-hidden="true">
-    ${ticksOf(period.length).map((angle) => html`<text x=${layout.x(angle)} y="15" class=${room !== null && Math.abs(layout.x(angle) - room) < 34 ? "faint" : ""}>${angle}</text>`)}
+    ${ticks
+      .filter((_, n) => n % every === 0)
+      .map(
+        (angle) =>
+          html`<text
+            x=${layout.x(angle)}
+            y="15"
+            class=${room !== null && Math.abs(layout.x(angle) - room) < TICK ? "faint" : ""}
+            >${angle}</text
+          >`,
+      )}
     ${room !== null && html`<text class="now" x=${room} y="15">${short(/** @type {number} */ (now))}${space(period.unit)}</text>`}
   </svg>`;
 }

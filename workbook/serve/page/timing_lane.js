@@ -5,7 +5,7 @@ import { roomOf, space } from "./timing_drag.js";
 import { idOf } from "./timing_hands.js";
 import { stretchesOf } from "./timing_places.js";
 
-const LETTER = 7; // px, about, of a letter
+const LETTER = 7.4; // px, about, of a letter
 const NAMES = { from: "from", to: "to", lift: "lift", span: "all of it", shift: "shift" };
 
 /** The line's path. @param {any} place @param {(angle: number) => number} x */
@@ -91,7 +91,7 @@ function Span({ place, span, k, layout, period, isTold, isChosen, onKey }) {
           rx=${row.isAxis ? 3 : 4}
         />`,
     )}
-    ${row.isAxis && html`<text class="label" x=${layout.x((from + to) / 2)} y=${y + 12}>${labelOf(span, row.unit, room + 8)}</text>`}
+    ${row.isAxis && html`<text class="label" x=${layout.x((from + to) / 2)} y=${y + 12}>${labelOf(span, row.unit, room)}</text>`}
   </g>`;
 }
 

@@ -13,7 +13,7 @@ import { isWhole, lineOf, wrapped } from "./pieces.js";
 export const LEFT = 100;
 export const RIGHT = 86;
 export const HANDLE = 16; // px: how wide a handle is, with the room between it and the next
-const LANES = { least: 38, most: 84, share: 0.36 }; // px, and of the window's height for all lanes
+const LANES = { least: 38, most: 84, share: 0.27 }; // px, and of the window's height for all lanes
 const BAR = 26;
 const NEAR = 5; // px at which the line of an edge is taken where no handle is
 
