@@ -97,7 +97,8 @@ class Improving(NamedTuple, Generic[M]):
     single changes of an axis, ``where`` says where a limit of an axis is used most, ``breaks`` names the checks beside
     limits of drives that do not hold. ``figure`` gives what an axis is to have less of. ``rooms`` are the edges that
     may move from a base, of a present machine by the axis that limits; ``margins`` the shares by which holds what must
-    meanwhile; ``process_rate`` is the rate (1/s) that times of the process allow.
+    meanwhile; ``process_rate`` is the rate (1/s) that times of the process allow, ``sheet_rate`` the highest rate
+    (cycles/min) that the sheets of all drives state.
     """
 
     limits: Callable[[M], Mapping[str, Callable[[], LimitChecks]]]
@@ -108,3 +109,4 @@ class Improving(NamedTuple, Generic[M]):
     rooms: Callable[[M, M, str], list[Room]]
     margins: Callable[[M], Array]
     process_rate: Callable[[M], float]
+    sheet_rate: Callable[[M], float]

@@ -78,9 +78,10 @@ def first_other_row(file: BookFile, blocks: list[Block], own: list[int]) -> int:
 def fit_columns(file: BookFile, block: Block) -> None:
     """Take columns that were put in out of a table's place; enter a table without columns, or without headings."""
     place, added = file.places[block.name], file.places[block.name].columns - len(block.quantities)
-    if not added and has_texts_above(file, block):
+    labels = declared_headers(block)
+    if not added and (not any(labels) or has_texts_above(file, block)):
         return
-    labels, furthest = declared_headers(block), block.row - min(header_rows(block)) + MOST_BETWEEN
+    furthest = block.row - min(header_rows(block)) + MOST_BETWEEN
     above = [
         {file.value(Address(place.sheet, place.row - up, place.column + c)) for up in range(1, furthest + 1)}
         for c in range(place.columns)

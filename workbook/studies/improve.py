@@ -12,6 +12,7 @@ from workbook.fields.paths import Place, get
 from workbook.improving import Change
 from workbook.pool import Pool, WorkerDied
 from workbook.studies.design import GAIN, Design
+from workbook.studies.plan import changed_machine
 from workbook.studies.timing import Done, best_timing
 from workbook.text_files import read_text
 
@@ -120,7 +121,14 @@ def rate_to_write(design: Design) -> float | None:
     """Return the highest rate (cycles/min) that sheets and the exact engine hold, cut off; None of another aim."""
     if get(design.machine, RATE) is None or not design.aim.is_rate:
         return None
-    return math.floor(design.shown(max(design.cost, design.exact_cost)) * 100.0) / 100.0
+    exact = cut_off(design.shown(max(design.cost, design.exact_cost)))
+    there = changed_machine(design.base, dict(design.data), {**design.changes, RATE: exact})
+    return exact if isinstance(there, str) else min(exact, cut_off(design.improving.sheet_rate(there)))
+
+
+def cut_off(rate: float) -> float:
+    """Return a rate rounded down to two decimals."""
+    return rate if math.isinf(rate) else math.floor(rate * 100.0) / 100.0
 
 
 def edited(path: Path, design: Design) -> str:

@@ -26,6 +26,7 @@ from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.exact import drives_of
 from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.studies.timing import EDGE, margins, order_margins, process_rate, rooms
@@ -225,6 +226,12 @@ def vibration(axis: MovingAxis, phase: Phase, aim: Aim) -> float:
     return float(shown(abs(phase.lift), axis.unit) * residual(phase.law, periods, aim.damping))
 
 
+def sheet_rate(machine: AnyMachine) -> float:
+    """Return the highest rate (cycles/min) that the sheets of all drives state, infinite where none is bound."""
+    common = (view.rates.high for view in drives_of(machine) if view.driven.entered.rate is None)
+    return min((rate for rate in common if isinstance(rate, float)), default=math.inf)
+
+
 IMPROVING = Improving(
     limit_checks,
     changes,
@@ -234,4 +241,5 @@ IMPROVING = Improving(
     rooms=lambda base, machine, name: rooms(base, machine, number_of(machine, name)),
     margins=margins,
     process_rate=process_rate,
+    sheet_rate=sheet_rate,
 )
