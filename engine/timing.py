@@ -32,7 +32,8 @@ class Switch:
     """A lane that is on or off over the cycle: a cylinder, a valve. Raises ValueError for intervals that overlap."""
 
     name: str
-    on: tuple[tuple[float, float], ...]  # begin and end of each interval; an end before its begin is in the next cycle
+    # begin and end of each interval; an end before its begin is in the next cycle
+    on: tuple[tuple[float, float], ...]
     cycle: float = FULL_TURN  # in the same unit as the intervals
 
     def __post_init__(self) -> None:
@@ -101,7 +102,8 @@ def compare_switches(meant: Switch, actual: Switch) -> SwitchDifference:
     marks = marks[np.append(np.diff(marks) > SAME * cycle, True)]
     middles = 0.5 * (marks[1:] + marks[:-1])
     states = meant.at(middles), actual.at(middles)
-    count, distances = 0, []  # of an edge to the nearest of its kind on the other side, with the edge
+    # of an edge to the nearest of its kind on the other side, with the edge
+    count, distances = 0, []
     for step in (1.0, -1.0):  # edges on, then edges off
         here, there = (marks[:-1][np.diff(state, prepend=state[-1]) == step] for state in states)
         count += len(here)

@@ -66,7 +66,8 @@ def entry_without_cells(value: Any, field: FieldInfo, key: str, keys: set[str]) 
         return without_cells(value, f"{key}.", keys) or ({} if default is None else None)
     if marks and marks[0].stand_in is not None:
         return marks[0].stand_in
-    if isinstance(value, list):  # a description without such a list would have the rows of the default
+    # a description without such a list would have the rows of the default
+    if isinstance(value, list):
         return [without_cells(row, f"{key}.*.", keys) for row in value] if marks else [] if default else None
     return None if key in keys or value == default else value
 

@@ -33,7 +33,7 @@ from workbook.writing.write import KEPT, NO_ADDITIONS, save
 
 LARGE = 10_000_000  # bytes of a file: a smaller file is far within the limits of reading
 DIGESTS = "books.sha256"  # in the folder of the templates: a line for each workbook, in git or not
-COMMITTED = ("cutting-machine", "flying-cutter", "indexing-overlap", "motion-composer", "motion-laws")
+COMMITTED = "cutting-machine flying-cutter indexing-overlap motion-composer motion-laws".split()
 """the workbooks that are in git, beside motion-functions; `motionbook templates` builds the others"""
 NUMBERED = re.compile(r"\b[Aa]xis (\d+)(?=:|$)")
 ELSEWHERE = "another name (-o), or that the file is moved away"

@@ -15,7 +15,8 @@ from workbook.pool import THIS_PROCESS, Pool, WorkerDied, cores
 T = TypeVar("T")
 R = TypeVar("R")
 MOST_JOBS = 61  # Windows waits for no more processes at once
-COLLECT_EVERY = 32  # tasks between two collections of garbage: a command runs with the collector off
+# tasks between two collections of garbage: a command runs with the collector off
+COLLECT_EVERY = 32
 WAIT = "10s"  # for a scheduler
 LOCAL = {
     "distributed.scheduler.allowed-failures": 0,  # a task whose worker died comes back, and is tried alone

@@ -42,7 +42,8 @@ class Room(NamedTuple):
 
     def rounded(self, by: float) -> float:
         """Return the nearest multiple of the step within the room."""
-        lowest, highest = math.ceil(self.low / self.step - NEAR), math.floor(self.high / self.step + NEAR)
+        lowest = math.ceil(self.low / self.step - NEAR)
+        highest = math.floor(self.high / self.step + NEAR)
         return min(max(round(by / self.step), lowest), highest) * self.step
 
     def change(self, by: float) -> Change:

@@ -30,13 +30,18 @@ class Template(Generic[M]):
     model: type[M]
     finished: Callable[[M], Book]
     variants: Callable[[M], list[M]]
-    check: Callable[[M], None] = lambda machine: None  # raises EntryError for entries that only the engine can refuse
-    axes: Callable[[M], list[CamAxis]] = lambda machine: []  # the motions that a controller can be given
-    switches: Callable[[M], list[CamSwitch]] = lambda machine: []  # what it is to turn on and off meanwhile
+    # raises EntryError for entries that only the engine can refuse
+    check: Callable[[M], None] = lambda machine: None
+    # the motions that a controller can be given
+    axes: Callable[[M], list[CamAxis]] = lambda machine: []
+    # what it is to turn on and off meanwhile
+    switches: Callable[[M], list[CamSwitch]] = lambda machine: []
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
     improving: Improving[M] | None = None  # says what would make it faster
-    judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED  # of its book, by the exact engine
-    folder: Path = FOLDER  # where the description to begin with lies, and its book, called as the template
+    # of its book, by the exact engine
+    judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED
+    # where the description to begin with lies, and its book, called as the template
+    folder: Path = FOLDER
 
     def judge(self, machine: M) -> ExactJudgement:
         """Return the judgement of the exact engine on the book of a machine: nothing of an unfinished design."""

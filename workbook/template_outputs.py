@@ -114,7 +114,8 @@ class JudgedLimit(NamedTuple):
     @property
     def line(self) -> str:
         """Both figures against the limit; of a figure that is close to it, how close, and how well that is known."""
-        exact, limit = f"{rounded(self.exact.value)} {self.unit}", f"{rounded(self.exact.limit)} {self.unit}"
+        exact = f"{rounded(self.exact.value)} {self.unit}"
+        limit = f"{rounded(self.exact.limit)} {self.unit}"
         if self.is_close:
             share, known = f"{100.0 * self.sheet.use:.2f} %", f"{100.0 * self.bound:.2g} %"
             return f"{self.what} at the limit: {share}, known to {known}; {exact} exactly, the limit is {limit}"
@@ -198,10 +199,12 @@ def limit_bounds(exact: LimitChecks) -> dict[str, float]:
 
 def deviations(drive: str, sheet: Mapping[str, float], exact: LimitChecks) -> Iterator[str]:
     """Yield a line for each result of a drive's sheet, by its name and in SI units, that is farther off than stated."""
-    results, bound, time = exact.results, stated_bounds(exact.drive_cycle.train), exact.drive_cycle.time
+    results, bound = exact.results, stated_bounds(exact.drive_cycle.train)
+    time = exact.drive_cycle.time
     torque, speed, power, energy = results.torque, results.speed.peak, results.power, results.energy
     behind, most = results.shaft_torque(1).peak, bound.peak_torque * torque.peak
-    most_power, work = bound.peak_power * power.peak, bound.energy * (energy.driving + energy.regenerated)
+    most_power = bound.peak_power * power.peak
+    work = bound.energy * (energy.driving + energy.regenerated)
     truths = {
         "RMS torque": ("Nm", results.rms_torque, bound.rms_torque * torque.peak),
         "highest torque": ("Nm", torque.highest.value, most),

@@ -14,7 +14,8 @@ from workbook.template import Template
 MODULES = {"machine": "machine", "indexing-overlap": "overlap", "flying-cutter": "flying", "motion-laws": "laws"}
 """where each template is declared, under workbook/machines/"""
 GROUP = "motionbook.templates"  # the group of entry points by which packages bring their own
-AnyTemplate: TypeAlias = Template[Machine]  # a template as those see it who know it by its name only
+# a template as those see it who know it by its name only
+AnyTemplate: TypeAlias = Template[Machine]
 
 
 class Register(Mapping[str, AnyTemplate]):
@@ -53,6 +54,7 @@ class Register(Mapping[str, AnyTemplate]):
 
 
 TEMPLATES = Register()
-copyreg.pickle(Template, lambda template: (TEMPLATES.__getitem__, (template.name,)))  # to processes by its name
+# to processes by its name
+copyreg.pickle(Template, lambda template: (TEMPLATES.__getitem__, (template.name,)))
 
 __all__ = ["TEMPLATES", "AnyTemplate", "Template"]

@@ -21,7 +21,8 @@ FEW = 6  # points, from which the velocity at an end of a table is computed
 ROUND = 24  # numbers: up to so many may be round by chance
 COUNTING = range(6, 10)  # digits that count, to which a file may round its numbers
 ROUNDED = 1e-9  # share of the range: least error that a fit may have
-RATES = 1e-5  # share of the peak by which a law's velocity and acceleration may deviate from a table's
+# share of the peak by which a law's velocity and acceleration may deviate from a table's
+RATES = 1e-5
 QUINTIC = "PO5"
 LONGER = 2.0  # length over the neighbours' from which a single interval counts as a dwell, or as a straight line
 AT_SPEED = 1e-3  # share of the largest velocity: a slower end is at rest

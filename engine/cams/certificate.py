@@ -26,7 +26,8 @@ BASIS = np.array(
 )
 """matrix from the coefficients of powers of t, from −1 to 1, to those of Bernstein"""
 LEFT = np.array([[comb(i, j) / 2.0**i for i in TERMS] for j in TERMS])
-RIGHT = LEFT[::-1, ::-1]  # matrices from Bernstein's coefficients to those of the left and right half (de Casteljau)
+# matrices from Bernstein's coefficients to those of the left and right half (de Casteljau)
+RIGHT = LEFT[::-1, ::-1]
 
 
 class Largest(NamedTuple):
@@ -70,7 +71,8 @@ def largest(rows: Array) -> Largest:
         k = int(at.argmax())
         if at[k] > best.value:
             best = Largest(float(at[k]), int(number[k]), float(middle[k]))
-        number, low, high = np.tile(number, 2), np.concatenate([low, middle]), np.concatenate([middle, high])
+        number, low = np.tile(number, 2), np.concatenate([low, middle])
+        high = np.concatenate([middle, high])
         size = np.abs(rows)
     return best
 

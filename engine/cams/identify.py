@@ -19,7 +19,8 @@ MOST_WAYS = 24  # strokes between reversals of a movement; with more of them no 
 FEWEST = 6  # points of positions alone, from which four figures of a phase can be fitted
 KEPT = 3.0  # times the allowed error of a fit: so far phases, each fitted by itself, are off in succession
 RESTS = 4.0  # length over the neighbours' from which equal points among such that creep are a dwell
-DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)  # decimals to which a begin or an end is rounded, if it still fits
+# decimals to which a begin or an end is rounded, if it still fits
+DIGITS = (0, 1, 2, 3, 4, 5, 6, 8)
 THINNED = 1e-4  # share of the range: allowed error of a spline through points that follow no law
 
 

@@ -93,16 +93,10 @@ def quintics_between(x: Array, begin: Sequence[Array], end: Sequence[Array]) -> 
     d = end[0] - y - (v + 0.5 * a * h) * h
     e = (end[1] - v - a * h) * h
     f = (end[2] - a) * h**2
-    return np.column_stack(
-        [
-            y,
-            v,
-            0.5 * a,
-            (10.0 * d - 4.0 * e + 0.5 * f) / h**3,
-            (-15.0 * d + 7.0 * e - f) / h**4,
-            (6.0 * d - 3.0 * e + 0.5 * f) / h**5,
-        ]
-    )
+    c3 = (10.0 * d - 4.0 * e + 0.5 * f) / h**3
+    c4 = (-15.0 * d + 7.0 * e - f) / h**4
+    c5 = (6.0 * d - 3.0 * e + 0.5 * f) / h**5
+    return np.column_stack([y, v, 0.5 * a, c3, c4, c5])
 
 
 def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamProfile:
@@ -189,7 +183,8 @@ def segmented(of: CamProfile, x: Array) -> CamProfile:
 
 NEAR, NEAR_ACCELERATION = 1e-9, 1e-5
 """allowed errors of the polynomials, as shares of the range of f(y(x)) and of its largest second derivative"""
-FIRST, NARROWEST = 4, 1e-7  # intervals of a piece at first; share of the cycle below which none is halved
+# intervals of a piece at first; share of the cycle below which none is halved
+FIRST, NARROWEST = 4, 1e-7
 
 
 class FunctionValues(NamedTuple):
@@ -216,7 +211,8 @@ def composed(of: CamProfile, outer: OuterFunction) -> CamProfile:
 
     samples = np.linspace(of.edges[0], of.edges[-1], 257)
     value, _, curvature = values(samples, of.index(samples))
-    near, near_curvature = NEAR * float(np.ptp(value)), NEAR_ACCELERATION * float(np.abs(curvature).max())
+    near = NEAR * float(np.ptp(value))
+    near_curvature = NEAR_ACCELERATION * float(np.abs(curvature).max())
     x = np.append(np.linspace(of.edges[:-1], of.edges[1:], FIRST, endpoint=False, axis=1).ravel(), of.edges[-1])
     while True:
         middle = 0.5 * (x[:-1] + x[1:])

@@ -7,7 +7,8 @@ import numpy as np
 from engine.laws.base import Array
 
 TURNS = 12  # iterations of Gauss and Newton
-SETTLED, SLOW = 3, 0.5  # in so many iterations the residual must fall to this share, else the law is another
+# in so many iterations the residual must fall to this share, else the law is another
+SETTLED, SLOW = 3, 0.5
 STEP = 1e-4  # share of the interval between points, for derivatives of the deviations by the place of a break
 
 

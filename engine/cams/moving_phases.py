@@ -140,7 +140,8 @@ def _straight_runs(of: CamPoints) -> list[tuple[int, int]]:
     vertices = _polygon(of)
     turns = np.diff(y[vertices])[1:] * np.diff(y[vertices])[:-1] < 0.0
     if 2 < len(vertices) <= MOST_PHASES and (turns.all() or len(x) < FEW):
-        return list(pairwise(vertices))  # there and back, and straight on the way; few positions tell no more
+        # there and back, and straight on the way; few positions tell no more
+        return list(pairwise(vertices))
     bends = np.abs(y[1:-1] - (y[:-2] + (y[2:] - y[:-2]) * (x[1:-1] - x[:-2]) / (x[2:] - x[:-2]))) > near
     lines = pairwise([0, *(np.flatnonzero(bends) + 1).tolist(), len(x) - 1])
     around = np.pad(h, 1)
@@ -191,7 +192,8 @@ def _beside(of: CamPoints, rebuilt: CamProfile, runs: Sequence[tuple[int, int]],
     if met is not None or not ((k == 0 and of.begins) or (k == last and of.ends)):
         return EndLine(float(of.x[k]), float(of.y[k]), met or 0.0)
     free = _rates(of, rebuilt, k)._replace(fixed=True)
-    if of.begins and of.ends:  # the line that a table ends with may go on at its begin, and the other way round
+    # the line that a table ends with may go on at its begin, and the other way round
+    if of.begins and of.ends:
         across = next((slope(*run) for run in runs if (run[1] == last if k == 0 else run[0] == 0)), np.inf)
         if abs(across - free.v) <= SEAM * of.fastest:
             return free._replace(v=across, a=0.0)
@@ -204,7 +206,8 @@ def _rates(of: CamPoints, rebuilt: CamProfile, k: int) -> EndLine:
     if (of.begins and k == 0) or (of.ends and last):
         return EndLine(x, y, *(of.seam or of.rate_at(-1 if last else 0)))
     at = rebuilt.at(of.x[k : k + 1], left=last)
-    return EndLine(x, y, float(at.y1[0] if of.v is None else of.v[k]), float(at.y2[0] if of.a is None else of.a[k]))
+    v, a = (at.y1[0] if of.v is None else of.v[k]), (at.y2[0] if of.a is None else of.a[k])
+    return EndLine(x, y, float(v), float(a))
 
 
 def _made(base: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndLine]) -> FoundPhase | None:

@@ -22,7 +22,8 @@ class Bounds(NamedTuple):
     energy: float = 0.03  # driven, and regenerated, of both together
 
 
-CONSTANT = Bounds()  # without viscous friction peaks are exact, if the acceleration is monotone in each piece
+# without viscous friction peaks are exact, if the acceleration is monotone in each piece
+CONSTANT = Bounds()
 CHANGING = Bounds()
 TABLE = Bounds(peak_torque=2e-2, rms_torque=1.5e-2, mean_torque=1e-2, speed=1e-2, peak_power=0.1)
 """of a table of positions, whose ratio bends at each of its points"""

@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike
 
 from engine.laws.base import Array, require_finite
 
-Method = Literal["physical", "document"]  # losses by the direction of power, or as S4 counts them: always over η
+# losses by the direction of power, or as S4 counts them: always over η
+Method = Literal["physical", "document"]
 NEAR = 1e-9  # Nm (N at a load that travels) by which a load has to drive, so that rounding does not choose the side
 
 
@@ -26,7 +27,8 @@ class Stage:
     name: str
     ratio: float  # input over output speed, above 0; rad/m if the output travels (screw: 2πP; roller: 1/R)
     efficiency: float = 1.0  # η where the motor drives, above 0, at most 1
-    back_efficiency: float | None = None  # η' where the load drives, at most 1; None: η; 0 or less: self-locking
+    # η' where the load drives, at most 1; None: η; 0 or less: self-locking
+    back_efficiency: float | None = None
     friction: float = 0.0  # on its output (Nm), against the motion, 0 at rest
 
     def __post_init__(self) -> None:
@@ -76,7 +78,8 @@ class Part:
     inertia: float  # J of each (kg m²; kg if it travels)
     shaft: int = 0  # number of stages between the motor and the part's shaft; 0 is the motor's
     count: float = 1.0
-    speed_ratio: float = 1.0  # ω_i/ω of parts geared to that shaft, n1/n2 of its teeth (S1: τ_g = 90/45)
+    # ω_i/ω of parts geared to that shaft, n1/n2 of its teeth (S1: τ_g = 90/45)
+    speed_ratio: float = 1.0
 
     def __post_init__(self) -> None:
         require_not_negative(self.name, inertia=self.inertia, count=self.count)
@@ -116,7 +119,8 @@ class Mechanism:
 
     name: str
     stages: tuple[Stage, ...]  # from the motor to the load, at least one, else ValueError
-    parts: tuple[Part, ...]  # on shafts from the motor's, 0, to the load's, the number of stages, else ValueError
+    # on shafts from the motor's, 0, to the load's, the number of stages, else ValueError
+    parts: tuple[Part, ...]
     load: Load  # on the last shaft
 
     def __post_init__(self) -> None:
@@ -191,7 +195,8 @@ class Mechanism:
         list of array, Nm (N of a shaft that travels)
             From the motor's shaft, without the motor's own inertia, to the load's.
         """
-        a, sign = np.asarray(acceleration, dtype=np.float64), np.asarray(direction, dtype=np.float64)
+        a = np.asarray(acceleration, dtype=np.float64)
+        sign = np.asarray(direction, dtype=np.float64)
         own = [j * a + self.friction_on(k) * sign for k, j in enumerate(self.torque_per_acceleration)]
         torques = [self.load.resisting(sign) + own[self.last]]
         for k in reversed(range(self.last)):

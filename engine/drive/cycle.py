@@ -30,7 +30,8 @@ class TorqueInterval:
     high: float  # u of its end
     direction: float  # 1, −1, or 0 at rest
     force: Force  # at the load
-    torque_coefficients: tuple[TorqueCoefficients, ...]  # of each shaft but the load's, from the motor's
+    # of each shaft but the load's, from the motor's
+    torque_coefficients: tuple[TorqueCoefficients, ...]
     braked: bool = False  # whether a brake holds the motor's shaft
 
     @property
@@ -158,7 +159,8 @@ class DriveCycle:
     """A drivetrain over the cycle of its load's motion. Raises ValueError unless the speed is finite and above 0."""
 
     train: Drivetrain
-    motion: Motion | MotionPieces  # of the load: phases, or pieces (of a flying tool); y in m or rad
+    # of the load: phases, or pieces (of a flying tool); y in m or rad
+    motion: Motion | MotionPieces
     speed: float = 1.0  # of the abscissa (units per s)
     shift: float = 0.0  # y(x) = y0(x − shift), in units of the abscissa; windows are not shifted
 
@@ -231,7 +233,8 @@ class DriveCycle:
 
     def _interval(self, span: Span, factors: Sequence[float]) -> TorqueInterval:
         weights, drive = tuple(self.train.torque_coefficients(factors)), self.train.drive
-        piece, low, high, direction, force, dwell = span  # a brake is on the motor's shaft: gears carry the load
+        # a brake is on the motor's shaft: gears carry the load
+        piece, low, high, direction, force, dwell = span
         braked = drive.holding == "brake" and bool(drive.brake.holds(direction, dwell))
         return TorqueInterval(self.train, piece, self.speed, low, high, direction, force, weights, braked)
 

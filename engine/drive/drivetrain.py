@@ -44,8 +44,10 @@ class Drive:
 
     mechanism: Mechanism
     motor_inertia: float  # J_m (kg m²)
-    method: Method = "physical"  # losses by the direction of power; or "document": always over η, as in S4
-    holding: Holding = "motor"  # what holds the load at rest; S4 counts no torque there, as with a brake
+    # losses by the direction of power; or "document": always over η, as in S4
+    method: Method = "physical"
+    # what holds the load at rest; S4 counts no torque there, as with a brake
+    holding: Holding = "motor"
     no_load: float = 0.0  # T_nl (Nm), against the rotation of the motor's shaft
     copper: float = 0.0  # copper losses over the square of the torque, P_N/T_N² (W/(Nm)²)
     brake: Brake = ANY  # by default of any torque, in any dwell
@@ -88,7 +90,8 @@ class Window:
     begin: float  # in units of the abscissa
     end: float  # likewise; unless it is after the begin, the window runs over the end of the cycle
     force: float  # N, or Nm
-    resists: Resists = "always"  # against positive motion, also at rest; or "moving", against the motion
+    # against positive motion, also at rest; or "moving", against the motion
+    resists: Resists = "always"
 
     def __post_init__(self) -> None:
         require_finite(begin=self.begin, end=self.end, force=self.force)
@@ -127,7 +130,8 @@ class Force(NamedTuple):
     mass: float  # kg, or kg m²
     viscous: float  # N per m/s, or Nm per rad/s
     level: float  # N, or Nm
-    by_angle: ByAngle | None = None  # of a load by the angle of its axis; then a and v are those of x
+    # of a load by the angle of its axis; then a and v are those of x
+    by_angle: ByAngle | None = None
 
     def at(self, motion: LoadMotion) -> Array:
         """Return the force (N, or Nm) for a motion; of a load by angle the torque at its axis, with its weight."""
@@ -155,7 +159,8 @@ class Drivetrain:
     """A drive with a linkage, viscous friction and process forces. Raises ValueError for figures outside the limits."""
 
     drive: Drive
-    linkage: Linkage | None = None  # replaces the ratio of the last stage, which has to be 1; its efficiency counts
+    # replaces the ratio of the last stage, which has to be 1; its efficiency counts
+    linkage: Linkage | None = None
     viscous: float = 0.0  # viscous friction (N per m/s, or Nm per rad/s), 0 or more
     windows: tuple[Window, ...] = field(default=())  # process forces
     by_angle: ByAngle | None = None  # a load that follows the angle of its axis

@@ -79,7 +79,8 @@ def reached(checks: LimitChecks, names: Iterable[str], estimate: float) -> float
 
     def excess(rate: float) -> float:
         uses = (check.use for check in at_speed(checks, rate * total).of(asked))
-        return min(max(uses, default=0.0), 2.0) - 1.0  # a reducer may have a limit from a number of cycles on
+        # a reducer may have a limit from a number of cycles on
+        return min(max(uses, default=0.0), 2.0) - 1.0
 
     low, high = estimate, estimate * (1.0 + STEP)
     for _ in range(WIDENED):

@@ -50,7 +50,8 @@ class RateSearch:
     motor: Motor
     reducer: ReducerLimits
     rate: float  # the present rate (1/s)
-    sought: tuple[float, float] | None = None  # peak torques at the present rate, before and behind the reducer (Nm)
+    # peak torques at the present rate, before and behind the reducer (Nm)
+    sought: tuple[float, float] | None = None
 
     @cached_property
     def estimates(self) -> dict[str, Estimate]:
@@ -248,7 +249,8 @@ class RateSearch:
     def part(self, name: str) -> float:
         """Return the part of the way between both rates after which a limit is reached, or infinite."""
         share = self.share(name)
-        return 1.0 / share - LEAST_USE if share > LEAST_USE else math.inf  # the largest share is reached at once
+        # the largest share is reached at once
+        return 1.0 / share - LEAST_USE if share > LEAST_USE else math.inf
 
     def met(self, name: str) -> float:
         """Return the rate (1/s) at which a limit is reached by the line between both rates, or infinite."""
@@ -281,7 +283,8 @@ class RateSearch:
     @cached_property
     def limits_ends(self) -> Ends:
         """Return the lowest and the highest rate at which all limits are held; where no rate is, they cross."""
-        low, high = max(ends.low for ends in self.ends.values()), min(ends.high for ends in self.ends.values())
+        low = max(ends.low for ends in self.ends.values())
+        high = min(ends.high for ends in self.ends.values())
         if not self.holds:
             return Ends(low, high)
         if not self.tried_holds and math.isfinite(self.released):

@@ -24,7 +24,8 @@ NEAR = 1e-9  # share by which equal rates may differ
 class ReducerLimits:
     """Limits of a reducer, by default infinite. Raises ValueError for a limit not above 0, or a factor below 1."""
 
-    peak_torque: float = math.inf  # at its output (Nm), up to ``full_rate``; divided by ``cycle_factor`` beyond
+    # at its output (Nm), up to ``full_rate``; divided by ``cycle_factor`` beyond
+    peak_torque: float = math.inf
     mean_torque: float = math.inf  # cubic mean at its output, weighted by speed (Nm)
     input_speed: float = math.inf  # rad/s
     full_rate: float = math.inf  # cycles per second

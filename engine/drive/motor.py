@@ -38,7 +38,8 @@ LEVEL = TorqueFall()  # of a peak torque that does not fall
 
 
 RATED_AT = 25.0  # °C of the surroundings, to which a motor's rated torque applies in S4
-WINDING_LIMIT = 175.0  # °C; inferred from S4, problem 2, where 35 °C lowers the torque from 0.147 to 0.142 Nm
+# °C; inferred from S4, problem 2, where 35 °C lowers the torque from 0.147 to 0.142 Nm
+WINDING_LIMIT = 175.0
 UPPER = ((-1, 3), (-1, 2), (-1, 1), (0, 0), (1, 1), (1, 2), (1, 3))
 CORNERS = (*((*corner, 1) for corner in UPPER), *((*corner, -1) for corner in reversed(UPPER)), (-1, 3, 1))
 """corners of the limits in the plane of speed and torque: sign of the speed; which speed (0: 0; 1, 2: the lower and the
@@ -53,7 +54,8 @@ class Motor:
     rated_torque: float = math.inf  # continuous, at the rated speed (Nm)
     peak_torque: float = math.inf  # for a short time (Nm)
     max_speed: float = math.inf  # rad/s
-    stall_torque: float = 0.0  # continuous, at standstill (Nm); ignored unless it is above the rated torque
+    # continuous, at standstill (Nm); ignored unless it is above the rated torque
+    stall_torque: float = 0.0
     rated_speed: float = math.inf  # rad/s
     falling: TorqueFall = field(default=LEVEL, kw_only=True)  # of the peak torque
 

@@ -177,7 +177,8 @@ class QuadratureCycle:
     drive_cycle: DriveCycle
     pieces: Sequence[MotionPiece]  # of its motion
     near: float  # distance within which cuts count as the same, in units of the abscissa
-    inside: Sequence[float] = ()  # further cuts: where the motion turns round, or its acceleration, inside a piece
+    # further cuts: where the motion turns round, or its acceleration, inside a piece
+    inside: Sequence[float] = ()
 
     @cached_property
     def intervals(self) -> list[Interval]:
@@ -229,7 +230,8 @@ class QuadratureCycle:
         begin = np.array([interval.begin for interval in self.intervals])[:, None]
         end = np.array([interval.end for interval in self.intervals])[:, None]
         number = np.arange(len(begin))[:, None] + np.zeros(POINTS, dtype=np.intp)
-        share, place = (end - begin) / self.drive_cycle.unshifted.total * WEIGHTS, begin + (end - begin) * SHARES
+        share = (end - begin) / self.drive_cycle.unshifted.total * WEIGHTS
+        place = begin + (end - begin) * SHARES
         return self.points_at(number, place, share)
 
     def points_at(self, number: NDArray[np.intp], place: Array, share: Array) -> LoadPoints:
@@ -270,8 +272,10 @@ class QuadratureCycle:
 
     def _moved(self, number: NDArray[np.intp], place: Array) -> list[Array]:
         """Return position, velocity and acceleration of the motion at places, by the numbers of their intervals."""
-        piece, w = np.array([interval.piece for interval in self.intervals])[number], self.drive_cycle.speed
-        names = ("begin", "origin", "c", "sines")  # also of pieces without duration, as cells show them
+        piece = np.array([interval.piece for interval in self.intervals])[number]
+        w = self.drive_cycle.speed
+        # also of pieces without duration, as cells show them
+        names = ("begin", "origin", "c", "sines")
         every = CamProfile(*(np.array([getattr(each, name) for each in self.pieces]) for name in names))
         powers = every.taylor(place.ravel(), piece.ravel(), 3)
         return [factor * row.reshape(place.shape) for factor, row in zip((1.0, w, 2.0 * w**2), powers, strict=True)]

@@ -11,15 +11,19 @@ from engine.drive.motor import Motor
 from engine.laws.base import Array
 
 LEAST_GROWTH = 1e-3  # share of a limit's use by which it must grow from standstill on to tell a power of the rate
-LEAST_USE = 1e-6  # a smaller growth is rounding: the limit is reached beyond 1,000 times the present rate
+# a smaller growth is rounding: the limit is reached beyond 1,000 times the present rate
+LEAST_USE = 1e-6
 NEVER = 1.0 / LEAST_USE  # of shares, and of squares of a rate's factor: as good as infinite
 TINY = 1e-30  # more than 0, so that a quotient has a value
 NO_LIMIT = 1.0 / TINY  # stands for an infinite rate
-PEAK_TORQUE, REDUCER_TORQUE, SPEEDS = "peak torque", "reducer peak torque", ("motor speed", "reducer input speed")
-TARGET, TARGET_BETWEEN = 0.999, 0.997  # use of a limit at the ends of the range; where peaks lie between points
+PEAK_TORQUE, REDUCER_TORQUE = "peak torque", "reducer peak torque"
+SPEEDS = ("motor speed", "reducer input speed")
+# use of a limit at the ends of the range; where peaks lie between points
+TARGET, TARGET_BETWEEN = 0.999, 0.997
 TARGET_CURVE = 0.992  # of a peak torque that falls with speed
 HAIR = 1e-6  # by which the range ends before the rate at which a speed is at its limit
-BEYOND, ASTRAY = 0.02, 0.1  # by which the rate that is tried is beyond the estimate: of it, and of the way to it
+# by which the rate that is tried is beyond the estimate: of it, and of the way to it
+BEYOND, ASTRAY = 0.02, 0.1
 
 
 class Ends(NamedTuple):
@@ -227,7 +231,8 @@ def estimates_of(points: DrivePoints, speed: float, motor: Motor, reducer: Reduc
     dict of str to Estimate
         Of the reducer's peak torque in full, and beyond its cycles; of a curve only if the peak torque falls.
     """
-    peak, behind, standing = motor.peak_torque, points.load.output_torque, points.load.output_torque_at_rest
+    peak, behind = motor.peak_torque, points.load.output_torque
+    standing = points.load.output_torque_at_rest
     estimates = {
         "RMS torque": by_rms(points, motor),
         PEAK_TORQUE: by_points(points.torque, points.standing, peak),

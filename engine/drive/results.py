@@ -15,7 +15,8 @@ from engine.drive.search import extremes, integral
 from engine.laws.base import Array
 from engine.laws.extremes import Curve, zeros
 
-OfInterval = Callable[[TorqueInterval, Array], Array]  # a quantity of a torque interval as a function of u
+# a quantity of a torque interval as a function of u
+OfInterval = Callable[[TorqueInterval, Array], Array]
 HOUR = 3600.0  # s
 
 
@@ -171,4 +172,5 @@ def peak_bus_power(powers: tuple[float, float], efficiency: float) -> PeakBusPow
 def total_bus_power(powers: Sequence[MeanBusPower]) -> MeanBusPower:
     """Return the sum of mean powers over drives, in studies of arrays."""
     mains, resistor = zip(*powers, strict=True)
-    return MeanBusPower(reduce(add, mains), reduce(add, resistor))  # sum() of floats hangs on the Python's version
+    # sum() of floats hangs on the Python's version
+    return MeanBusPower(reduce(add, mains), reduce(add, resistor))

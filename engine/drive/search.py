@@ -93,7 +93,8 @@ def crossed(function: Function, u: Array) -> list[float]:
     return [float(zero) for zero in narrowed(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
 
 
-gauss_legendre = cache(np.polynomial.legendre.leggauss)  # the nodes of the rule on [−1, 1], and its weights
+# the nodes of the rule on [−1, 1], and its weights
+gauss_legendre = cache(np.polynomial.legendre.leggauss)
 
 
 def integral(function: Function, low: float, high: float, scale: float = 0.0, halvings: int = HALVINGS) -> float:

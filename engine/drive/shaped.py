@@ -28,7 +28,8 @@ class ShapedLaw(NamedTuple):
     """A law shaped for its drive."""
 
     durations: tuple[float, ...]  # of the pieces, in ξ
-    powers: tuple[tuple[float, ...], ...]  # of each piece, of s by the time since its begin, from the constant term
+    # of each piece, of s by the time since its begin, from the constant term
+    powers: tuple[tuple[float, ...], ...]
     rms_torque: float  # over the move (Nm)
 
     @property
@@ -213,7 +214,8 @@ def shape_phase(
     cycle, motor = checks.drive_cycle, checks.motor
     family, even = Splines(degree, rest, pieces), np.linspace(0.0, 1.0, PEAKS)
     inner, spread = (PhaseLoad(cycle, motion, number, xi) for xi in (family.inner, even))
-    tables, tables_of_peaks = family.tables(family.inner, inner.rates), family.tables(even, spread.rates)
+    tables = family.tables(family.inner, inner.rates)
+    tables_of_peaks = family.tables(even, spread.rates)
     share = motion.phases[number].duration / motion.total
     others = checks.results.rms_torque**2 * (1.0 - shares_of_phases(checks.results, 0).get(number, 0.0))
     fastest = min(motor.max_speed, checks.reducer.input_speed)

@@ -15,7 +15,8 @@ from engine.motion.pieces import MotionPiece
 
 PARTS = 200  # of a piece, in whose middles its direction is looked at
 MIDDLES: Array = (np.arange(PARTS) + 0.5) / PARTS  # as shares of the piece
-NEVER, NOWHERE = 2.0, 0.0  # the first and the last share at which a piece moves a way that it never moves
+# the first and the last share at which a piece moves a way that it never moves
+NEVER, NOWHERE = 2.0, 0.0
 
 
 class Directions(NamedTuple):
@@ -29,7 +30,8 @@ class Directions(NamedTuple):
     @property
     def turns(self) -> list[tuple[float, float]]:
         """The share of the piece near each turn, half a part from a middle on either side; and the direction after."""
-        begin, end = max(self.first_forward, self.first_backward), min(self.last_forward, self.last_backward)
+        begin = max(self.first_forward, self.first_backward)
+        end = min(self.last_forward, self.last_backward)
         if begin >= 1.0:
             return []
         half = 0.5 / PARTS

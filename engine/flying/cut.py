@@ -120,15 +120,18 @@ class Cut:
             raise ValueError(f"beyond is {beyond!r}; expected 'standstill' or 'reversal'")
         if not is_monotone(law) or abs(law.end.s - 1.0) > 1e-9 or max(abs(law.end.v), abs(law.start.v)) > 1e-9:
             raise ValueError(f"{law.name}: expected a law that rises from rest at 0 to rest at 1")
-        self.tool, self.product_length, self.line_speed, self.law = tool, product_length, line_speed, law
+        self.tool, self.product_length, self.line_speed = tool, product_length, line_speed
+        self.law = law
         cv, ca, ca_rms = law.coefficients.cv, law.coefficients.ca, law.coefficients.ca_rms
         self.rate = line_speed / product_length  # 1/s
         self.cycle_time = product_length / line_speed  # t_C (s): eq. (4)
         self.tool_time = tool.tool_length / line_speed  # t_T (s)
         self.repositioning_time = (product_length - tool.tool_length) / line_speed  # t_R (s)
-        self.time_tolerance = BREAK_TOLERANCE * self.cycle_time  # s; a time this near to an event counts as on it
+        # s; a time this near to an event counts as on it
+        self.time_tolerance = BREAK_TOLERANCE * self.cycle_time
         h, same = tool.design_length - product_length, SAME_LENGTH * tool.design_length
-        self.displacement = h if abs(h) > same else 0.0  # h = L_0 − L_p (m), the dynamic displacement
+        # h = L_0 − L_p (m), the dynamic displacement
+        self.displacement = h if abs(h) > same else 0.0
         # L_p,lim (m): for longer products a drum has to stop or reverse; below L_T for a tool that returns
         self.limit_length = (cv * tool.design_length - tool.tool_length) / (cv - 1.0)
         self.waits = tool.design_length > 0.0 and beyond == "standstill" and product_length > self.limit_length
@@ -138,21 +141,32 @@ class Cut:
             self.moving_time = cv * tool.repositioning_length / ((cv - 1.0) * line_speed)
             self.superimposed = -line_speed * self.moving_time / cv
         self.waiting_time = self.repositioning_time - self.moving_time  # s
-        self.fastest = velocity_peak(law) if peak is None else peak  # ξ at which v of the law is largest: a drum waits
-        self.slowest = self.fastest * self.moving_time  # when the law is fastest (s): the tool too, or slowest
+        # ξ at which v of the law is largest: a drum waits
+        self.fastest = velocity_peak(law) if peak is None else peak
+        # when the law is fastest (s): the tool too, or slowest
+        self.slowest = self.fastest * self.moving_time
         begin = self.slowest if self.waits else self.repositioning_time
-        self.wait = begin, begin + self.waiting_time  # begin and end of the standstill (s); both t_R without a wait
-        self.speed_change = cv * self.superimposed / self.moving_time  # Δv_max (m/s), with the sign of h: eq. (10)
+        # begin and end of the standstill (s); both t_R without a wait
+        self.wait = begin, begin + self.waiting_time
+        # Δv_max (m/s), with the sign of h: eq. (10)
+        self.speed_change = cv * self.superimposed / self.moving_time
         ends = line_speed, line_speed + self.speed_change
         self.speed_range = min(ends), max(ends)  # m/s
-        self.slowest_speed = line_speed + law.v(self.fastest) * self.superimposed / self.moving_time  # m/s, then
-        self.reverses = self.speed_range[0] < -SAME_LENGTH * line_speed  # moves against the line for part of the cycle
-        pace, share = abs(self.superimposed) / self.moving_time**2, math.sqrt(self.moving_time / self.cycle_time)
+        # m/s, then
+        self.slowest_speed = line_speed + law.v(self.fastest) * self.superimposed / self.moving_time
+        # moves against the line for part of the cycle
+        self.reverses = self.speed_range[0] < -SAME_LENGTH * line_speed
+        pace = abs(self.superimposed) / self.moving_time**2
+        share = math.sqrt(self.moving_time / self.cycle_time)
         self.max_acceleration = ca * pace  # a_max = C_a |h|/t_R² (m/s²)
-        self.rms_acceleration = ca_rms * pace * share  # a_rms = C_a,rms |h|/t_R² √(t_R/t_C), over the whole cycle
-        self.max_angular_speed = max(abs(v) for v in self.speed_range) / tool.radius  # |ω_L| (rad/s)
-        self.max_angular_acceleration = self.max_acceleration / tool.radius  # ω̇_L,max (rad/s²): eq. (12)
-        self.rms_angular_acceleration = self.rms_acceleration / tool.radius  # ω̇_L,rms (rad/s²): eq. (13)
+        # a_rms = C_a,rms |h|/t_R² √(t_R/t_C), over the whole cycle
+        self.rms_acceleration = ca_rms * pace * share
+        # |ω_L| (rad/s)
+        self.max_angular_speed = max(abs(v) for v in self.speed_range) / tool.radius
+        # ω̇_L,max (rad/s²): eq. (12)
+        self.max_angular_acceleration = self.max_acceleration / tool.radius
+        # ω̇_L,rms (rad/s²): eq. (13)
+        self.rms_angular_acceleration = self.rms_acceleration / tool.radius
 
     def fastest_line(self, max_speed: float, max_acceleration: float) -> float:
         """Return the line speed (m/s) at which the shaft reaches the first of its limits (rad/s, rad/s²).

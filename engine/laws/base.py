@@ -80,7 +80,8 @@ def require_within(low: float, high: float, **abscissae: Array) -> None:
     """Raise ValueError for the first array that holds NaN, or a value outside [low, high] but for rounding."""
     tolerance = ROUNDING * (high - low)
     for name, x in abscissae.items():
-        least, greatest = float(x.min(initial=high)), float(x.max(initial=low))  # NaN, if there is any
+        # NaN, if there is any
+        least, greatest = float(x.min(initial=high)), float(x.max(initial=low))
         if not (least >= low - tolerance and greatest <= high + tolerance):
             reason = "holds NaN" if math.isnan(least) else f"reaches from {least:.15g} to {greatest:.15g}"
             raise ValueError(f"{name} {reason}; expected numbers from {low:.15g} to {high:.15g}")

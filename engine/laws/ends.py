@@ -28,7 +28,7 @@ class BoundaryValues:
     j1: float = 0.0  # and at the end
 
     def __post_init__(self) -> None:
-        require_finite(stroke=self.stroke, v0=self.v0, v1=self.v1, a0=self.a0, a1=self.a1, j0=self.j0, j1=self.j1)
+        require_finite(**vars(self))
 
     @property
     def values(self) -> tuple[float, ...]:

@@ -15,7 +15,8 @@ from engine.laws.base import Array, Coefficients
 from engine.laws.piece import Piece, Sine, cut, gains, placed_pieces
 
 STEPS = 100  # of Newton's method, or of halving if a step leaves the bracket: to the last digit
-ROUNDING = 64 * sys.float_info.epsilon  # of a sum, as a share of its terms' sizes; those of a shifted polynomial cancel
+# of a sum, as a share of its terms' sizes; those of a shifted polynomial cancel
+ROUNDING = 64 * sys.float_info.epsilon
 CELLS = 64  # parts of a half turn in which the sum of two sines is searched, as no derivative of it is simpler
 
 

@@ -12,7 +12,8 @@ from engine.laws.base import Array, Coefficients, Kinematics, Real, require_with
 from engine.laws.extremes import coefficients_of
 from engine.laws.piece import POWERS, Piece, PlacedPiece, placed_pieces
 
-BLOCK = 8192  # samples evaluated at a time, so that intermediate arrays stay in the processor's cache
+# samples evaluated at a time, so that intermediate arrays stay in the processor's cache
+BLOCK = 8192
 
 
 class Vendors(NamedTuple):

@@ -164,7 +164,8 @@ class PointInversion(NamedTuple):
 def point_inversion(law: Law, heights: Array) -> PointInversion:
     """Return when a law reaches heights: u = 2Δs/(v + √(v² + 2aΔs)) after a point, then a step of Newton's method."""
     points = inversion_points(law)
-    k = np.searchsorted(points.s, np.minimum(heights + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE), side="right") - 1
+    reached = np.minimum(heights + BREAK_TOLERANCE, 1.0 - BREAK_TOLERANCE)
+    k = np.searchsorted(points.s, reached, side="right") - 1
     low, high = (points._replace(xi=points.xi[i], s=points.s[i], v=points.v[i]) for i in (k, k + 1))
     d, over = high.xi - low.xi, heights - low.s
     a = 2.0 * (high.s - low.s - low.v * d) / d**2

@@ -102,7 +102,8 @@ class ModifiedSine(PulseLaw):
     STAGES = (0, 2, 4, 6)
 
     share: float = 0.5  # λ, between 0 and 1, else ValueError
-    rise_edge: float = 0.25  # β₁, of its half, 0 to 1: ¼ modified sine, ½ cycloidal, 0 simple harmonic
+    # β₁, of its half, 0 to 1: ¼ modified sine, ½ cycloidal, 0 simple harmonic
+    rise_edge: float = 0.25
     fall_edge: float = 0.25  # β₂, likewise
 
     def __post_init__(self) -> None:
@@ -150,7 +151,7 @@ class SineConstantCosine(PulseLaw):
     share: float = 0.5  # λ, the first pulse's share of what is not straight, between 0 and 1
 
     def __post_init__(self) -> None:
-        parts = {"sine": self.sine, "constant": self.constant, "cosine": self.cosine, "straight": self.straight}
+        parts = {name: getattr(self, name) for name in ("sine", "constant", "cosine", "straight")}
         require_shares(ends=True, **parts)
         total = math.fsum(parts.values())
         if abs(total - 1.0) > SUM_TOLERANCE:
@@ -187,7 +188,8 @@ class HarmonicCombination(PulseLaw):
     STAGES = (0, 2, 4, 6)
 
     share: float = 0.5  # λ, between 0 and 1, else ValueError
-    reversal: Literal["start", "end"] = "end"  # which end turns round; the other is a rest or a velocity
+    # which end turns round; the other is a rest or a velocity
+    reversal: Literal["start", "end"] = "end"
 
     def __post_init__(self) -> None:
         require_shares(share=self.share)

@@ -166,7 +166,8 @@ def placed_pieces(pieces: Sequence[Piece], v: float = 0.0) -> list[PlacedPiece]:
     """Return consecutive pieces at their places in a law that begins at s = 0 with the velocity ``v``."""
     if not pieces:
         return []
-    durations, rows = np.array([piece.duration for piece in pieces]), np.array([piece.row for piece in pieces]).T
+    durations = np.array([piece.duration for piece in pieces])
+    rows = np.array([piece.row for piece in pieces]).T
     gained, rates, _, _ = gains(durations, rows)
     places, s = [], 0.0
     for piece, begin, ds, dv in zip(pieces, begins(pieces), gained.tolist(), rates.tolist(), strict=True):
@@ -201,7 +202,8 @@ def _lag(h: Array, sin: Array, cos: Array) -> Array:
     term = np.ones_like(h)
     for divisor in (210.0, 156.0, 110.0, 72.0, 42.0, 20.0):
         term = 1.0 - y / divisor * term
-    direct = (h - sin * cos) / np.maximum(0.5 * y, 0.5)  # the floor only avoids 0/0, where the series is used
+    # the floor only avoids 0/0, where the series is used
+    direct = (h - sin * cos) / np.maximum(0.5 * y, 0.5)
     return np.where(y < 1.0, series * term, direct)
 
 

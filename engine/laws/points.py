@@ -43,9 +43,11 @@ def piece_ends(pieces: Sequence[Piece]) -> list[PieceEnds]:
 POINTS = 9  # of a piece, with both its ends
 SAME = 1e-9  # difference of ξ, v or a below which two values count as equal
 _BASIS = Legendre.basis(POINTS - 1)
-_NODES = np.array([-1.0, *_BASIS.deriv().roots().real, 1.0])  # which NumPy from 2.5 on gives as complex numbers
+# which NumPy from 2.5 on gives as complex numbers
+_NODES = np.array([-1.0, *_BASIS.deriv().roots().real, 1.0])
 SHARES: Array = (_NODES + 1.0) / 2.0  # places of the points, as shares of a piece's duration
-WEIGHTS: Array = 1.0 / (POINTS * (POINTS - 1) * _BASIS(_NODES) ** 2)  # of the points in a mean over the piece; sum 1
+# of the points in a mean over the piece; sum 1
+WEIGHTS: Array = 1.0 / (POINTS * (POINTS - 1) * _BASIS(_NODES) ** 2)
 SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}  # quantity and its derivative by ξ
 
 
@@ -54,11 +56,14 @@ class Points:
 
     def __init__(self, pieces: Sequence[Piece]) -> None:
         self.pieces = tuple(pieces)
-        self.piece: NDArray[np.intp] = np.repeat(np.arange(len(pieces)), POINTS)  # of each point, from 0
-        self.share, self.weight = np.tile(SHARES, len(pieces)), np.tile(WEIGHTS, len(pieces))  # in its piece
+        # of each point, from 0
+        self.piece: NDArray[np.intp] = np.repeat(np.arange(len(pieces)), POINTS)
+        # in its piece
+        self.share, self.weight = np.tile(SHARES, len(pieces)), np.tile(WEIGHTS, len(pieces))
         figures = np.array([(p.duration, p.omega, p.phase, p.omega2, p.phase2) for p in pieces]).T
         duration, omega, phi, omega2, phi2 = figures[:, self.piece]
-        self.part, self.u = self.weight * duration, self.share * duration  # share of the rise, place in its piece
+        # share of the rise, place in its piece
+        self.part, self.u = self.weight * duration, self.share * duration
         self.xi = np.array(begins(pieces))[self.piece] + self.u
         self.angles = [omega * self.u + phi, omega2 * self.u + phi2]  # ωu + φ of either sine (rad)
         row = np.array([piece.row for piece in pieces]).T[:, self.piece]

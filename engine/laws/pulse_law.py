@@ -141,7 +141,8 @@ class PulseLaw(BoundaryLaw):
     cruise add up to H.
     """
 
-    STAGES: ClassVar[tuple[int, ...] | None] = None  # numbers of its pieces among pulse, cruise, pulse; None: all
+    # numbers of its pieces among pulse, cruise, pulse; None: all
+    STAGES: ClassVar[tuple[int, ...] | None] = None
 
     @abstractmethod
     def _pulses(self) -> TwoPulses:

@@ -103,7 +103,7 @@ class SimpleHarmonic(HalvedLaw):
 
 
 PEAK, COSINE = math.pi**2 / 2.0, math.pi / 2.0
-FROM_REST = Piece(1.0, amplitude=PEAK, omega=math.pi, phase=COSINE, amplitude2=-PEAK, omega2=math.tau, phase2=COSINE)
+FROM_REST = Piece(1.0, (0.0,) * 4, PEAK, math.pi, COSINE, -PEAK, math.tau, COSINE)
 
 
 @dataclass(frozen=True)
@@ -120,7 +120,8 @@ class DoubleHarmonic(Law):
     source = "LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC; saltire.com, cam functions"
     vendors = Vendors(siemens="D_R_DOUBLE_HARMONIC (60)")
 
-    reversal: Literal["start", "end"] = "end"  # which end turns round; at the start, s = 1 − cos⁴(πξ/2)
+    # which end turns round; at the start, s = 1 − cos⁴(πξ/2)
+    reversal: Literal["start", "end"] = "end"
 
     def __post_init__(self) -> None:
         if self.reversal not in ("start", "end"):

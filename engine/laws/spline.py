@@ -32,8 +32,10 @@ class Spline(BoundaryLaw):
     source = "the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline"
     vendors = Vendors(twincat="CubicSpline (MC3: 11)")
 
-    points: tuple[Point, ...] = EXAMPLE  # 2 to 100 (ξ, s), of rising ξ, from (0, 0) to (1, 1), else ValueError
-    slopes: Slopes = (None, None)  # entered velocities at the ends; None: the neighbouring phase's, 0 next to a dwell
+    # 2 to 100 (ξ, s), of rising ξ, from (0, 0) to (1, 1), else ValueError
+    points: tuple[Point, ...] = EXAMPLE
+    # entered velocities at the ends; None: the neighbouring phase's, 0 next to a dwell
+    slopes: Slopes = (None, None)
     natural: tuple[bool, bool] = (False, False)  # whether each end is natural: a = 0, and v follows
 
     def __post_init__(self) -> None:
@@ -198,7 +200,8 @@ class SplineTable:
     @cached_property
     def intervals(self) -> dict[str, Array]:
         """Columns of the interval that begins in each row; from the last point on intervals without duration."""
-        (xi, s), moments, end, rates = self.law.knots, self.law.moments, self.law.end, self.law.table
+        (xi, s), moments, end = self.law.knots, self.law.moments, self.law.end
+        rates = self.law.table
         velocities = [*rates[2], end.v]
         begun = {
             "xi": (xi[:-1], 1.0),

@@ -46,7 +46,8 @@ class Handover:
     kinds: tuple[str, str]  # of begin and end by VDI 2143: letters of "RGUB"
     fault: str  # why the law cannot meet the conditions; empty if it can
     entered: Rates | None = None  # y', y'', y''' entered for its begin
-    contrary: bool = False  # whether a straight line or dwell at its begin has other rates than the entered
+    # whether a straight line or dwell at its begin has other rates than the entered
+    contrary: bool = False
 
     @property
     def end_mode(self) -> int:

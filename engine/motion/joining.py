@@ -62,7 +62,8 @@ class JoinedMotion:
 
     motion: Motion
     faults: tuple[Fault, ...]  # curved phases among them keep their law between rests
-    kinds: tuple[tuple[str, str], ...]  # of begin and end, by VDI 2143: R rest, G constant velocity, U reversal, B any
+    # of begin and end, by VDI 2143: R rest, G constant velocity, U reversal, B any
+    kinds: tuple[tuple[str, str], ...]
     required: tuple[tuple[EndCondition, EndCondition], ...]  # at begin and end of each phase
 
 
@@ -140,7 +141,8 @@ def _between(phase: Phase, begin: EndCondition, end: EndCondition) -> Phase:
     d, law = phase.duration, phase.law
     first, last = begin.required, end.required
     if isinstance(law, BoundaryLaw) and law.fixes_ends:
-        BoundaryValues(a0=first.a, a1=last.a, j0=first.j, j1=last.j).require_taken(law, "")  # it keeps its velocities
+        # it keeps its velocities
+        BoundaryValues(a0=first.a, a1=last.a, j0=first.j, j1=last.j).require_taken(law, "")
         return Phase(law, phase.lift, d)
     if isinstance(law, BoundaryLaw):
         law = law.with_open_ends(begin.open, end.open)

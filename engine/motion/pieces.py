@@ -80,7 +80,8 @@ class ScaledLaw(NamedTuple):
 
 
 def _piece(of: ScaledLaw, phase: int, number: int, placed: PlacedPiece) -> MotionPiece:
-    at, begin, piece = of.law.evaluate(placed.begin), of.x + placed.begin * of.duration, placed.piece
+    at, begin = of.law.evaluate(placed.begin), of.x + placed.begin * of.duration
+    piece = placed.piece
     s, v, still, sines = at.s, at.v, 0.0, []
     for p, w, phi in ((piece.amplitude, piece.omega, piece.phase), (piece.amplitude2, piece.omega2, piece.phase2)):
         turns = p / w**2 if w else 0.0

@@ -43,7 +43,8 @@ class CamProfile:
 
     def at(self, x: Array, left: bool = False) -> MotionValues[Array]:
         """Return y, y', y'', y''' at x; at a jump the value after it, or with ``left`` before it."""
-        return MotionValues(*(math.factorial(n) * row for n, row in enumerate(self.taylor(x, self.index(x, left), 4))))
+        powers = self.taylor(x, self.index(x, left), 4)
+        return MotionValues(*(math.factorial(n) * row for n, row in enumerate(powers)))
 
     def taylor(self, x: Array, k: NDArray[np.intp], terms: int) -> Array:
         """Return the Taylor coefficients of y about each x.

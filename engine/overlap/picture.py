@@ -39,10 +39,12 @@ class Scene:
         self.transfer = stations[0].transfer
         pitch = self.transfer.stroke
         self.strokes = np.array([station.tool.stroke for station in stations], dtype=np.float64)
-        self.middles = pitch * STEP * np.arange(len(stations), dtype=np.float64)  # x of the stations
+        # x of the stations
+        self.middles = pitch * STEP * np.arange(len(stations), dtype=np.float64)
         # openings of the transfer at the stations: a tool's width, and on both sides the remaining part of the stroke
         self.openings = pitch * (WIDTH + 2.0 * np.array([station.passage.remaining for station in stations]))
-        self.tops = np.array([max(of.tool.stroke - of.passage.clearance, 0.0) for of in stations])  # h − c
+        # h − c
+        self.tops = np.array([max(of.tool.stroke - of.passage.clearance, 0.0) for of in stations])
 
     def punch(self, i: int, travel: float) -> Outline:
         """Return the outline of the ``i``-th tool, from 0, after a travel (m)."""

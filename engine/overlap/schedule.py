@@ -75,7 +75,8 @@ class Passage:
 
     remaining: float  # share of the transfer's stroke, at both ends, in which the tool may be in; 0 to ½ (S2: 0.65 %)
     clearance: float  # travel (m) of the tool before it would touch the transfer (S2: 20 mm)
-    margin: float = 0.0  # part of the clearance that must stay free (m); 0 to the clearance (S2: 1 mm)
+    # part of the clearance that must stay free (m); 0 to the clearance (S2: 1 mm)
+    margin: float = 0.0
     allowance: float = 0.0  # subtracted from the tool's angles for the setting of the cam (rad); 0 or more (S2: 5°)
     split: float = 0.5  # share of the free angle for the way in, between 0 and 1
 

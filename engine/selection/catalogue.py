@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from engine.drive.motor import continuous
 from engine.laws.base import Array
 
-NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)  # defaults for all products
+# defaults for all products
+NO_LIMIT, NOT_GIVEN = partial(np.array, np.inf), partial(np.array, np.nan)
 
 
 @dataclass(eq=False)
@@ -24,7 +25,8 @@ class Motors:
     max_speed: Array  # ω_M,max (rad/s)
     size: Array = field(default_factory=NOT_GIVEN)  # mass (kg)
     cost: Array = field(default_factory=NOT_GIVEN)  # in any currency
-    full_torque_to: Array = field(default_factory=NOT_GIVEN)  # speed beyond which the peak torque falls (rad/s)
+    # speed beyond which the peak torque falls (rad/s)
+    full_torque_to: Array = field(default_factory=NOT_GIVEN)
     end_torque: Array = field(default_factory=NOT_GIVEN)  # peak torque at the largest speed (Nm)
     stall_torque: Array = field(default_factory=NOT_GIVEN)  # T_0 (Nm), continuous at standstill
     rated_speed: Array = field(default_factory=NOT_GIVEN)  # rad/s; NaN: the largest speed
@@ -36,13 +38,17 @@ class Motors:
         both = np.isnan(self.full_torque_to) == np.isnan(self.end_torque)
         _require(self, "end_torque", both, "wherever full_torque_to is one")
         _require(self, "full_torque_to", ~(self.full_torque_to >= self.max_speed), "below max_speed")
-        self.stall: Array = np.fmax(self.rated_torque, self.stall_torque)  # continuous torque at standstill (Nm)
+        # continuous torque at standstill (Nm)
+        self.stall: Array = np.fmax(self.rated_torque, self.stall_torque)
         unknown = np.isnan(self.rated_speed)
-        self.falls_to = np.where(unknown, self.max_speed, self.rated_speed)  # speed of the rated torque (rad/s)
-        self.knee = np.where(np.isnan(self.full_torque_to), self.max_speed, self.full_torque_to)  # of the peak (rad/s)
+        # speed of the rated torque (rad/s)
+        self.falls_to = np.where(unknown, self.max_speed, self.rated_speed)
+        # of the peak (rad/s)
+        self.knee = np.where(np.isnan(self.full_torque_to), self.max_speed, self.full_torque_to)
         drop = np.nan_to_num(np.maximum(0.0, self.peak_torque - self.end_torque))
         beyond, none = self.max_speed - self.knee, np.zeros(drop.shape)
-        self.fall: Array = np.divide(drop, beyond, out=none, where=drop > 0.0)  # of the peak beyond the knee (Nm s)
+        # of the peak beyond the knee (Nm s)
+        self.fall: Array = np.divide(drop, beyond, out=none, where=drop > 0.0)
 
     def derated(self, share: float) -> "Motors":
         """Return the motors with rated and stall torque times a share: see :func:`engine.drive.derating`."""
@@ -66,7 +72,8 @@ class Reducers:
     max_mean_torque: Array = field(default_factory=NO_LIMIT)  # cubic mean at the output (Nm)
     size: Array = field(default_factory=NOT_GIVEN)  # mass (kg)
     cost: Array = field(default_factory=NOT_GIVEN)  # in any currency
-    no_load: Array = field(default_factory=lambda: np.array(0.0))  # no-load torque at the input (Nm)
+    # no-load torque at the input (Nm)
+    no_load: Array = field(default_factory=lambda: np.array(0.0))
     full_rate: Array = field(default_factory=NO_LIMIT)  # cycles per second
     cycle_factor: Array = field(default_factory=lambda: np.array(1.0))  # f_s, 1 or more
 

@@ -61,19 +61,30 @@ class PairMatrix:
 
     def __post_init__(self) -> None:
         r, rated = self.reducers, self.motors.rated_torque
-        self.beside_motor: Array = r.inertia + self.beside  # on the motor's shaft with each reducer (kg m²)
-        self.inertias: Array = self.motors.inertia[:, None] + self.beside_motor  # J of each pair (kg m²)
+        # on the motor's shaft with each reducer (kg m²)
+        self.beside_motor: Array = r.inertia + self.beside
+        # J of each pair (kg m²)
+        self.inertias: Array = self.motors.inertia[:, None] + self.beside_motor
         each = np.broadcast_arrays(self.inertias, 1.0 / r.ratio, r.efficiency, r.no_load)
-        self.gears = PairArrays(*(column.ravel() for column in each))  # of each pair, motor by motor
-        self.speed: Array = self.load.speed / r.ratio  # largest speed of the motor before each reducer (rad/s)
-        self.at_motor: Array = self.beside_motor + self.load.inertia * r.ratio**2  # inertia that each drives (kg m²)
-        self.inertia_ratio: Array = self.at_motor / self.motors.inertia[:, None]  # the same over each motor's
-        self.output_torque = self.wanted.torque_factor * self.load.torque  # demand on a reducer (Nm)
-        self.cycle_factors = cycle_factor_at(self.rate, r.full_rate, r.cycle_factor)  # of each reducer at the rate
-        self.most_output_torque: Array = r.max_output_torque / self.cycle_factors  # of each reducer at the rate (Nm)
+        # of each pair, motor by motor
+        self.gears = PairArrays(*(column.ravel() for column in each))
+        # largest speed of the motor before each reducer (rad/s)
+        self.speed: Array = self.load.speed / r.ratio
+        # inertia that each drives (kg m²)
+        self.at_motor: Array = self.beside_motor + self.load.inertia * r.ratio**2
+        # the same over each motor's
+        self.inertia_ratio: Array = self.at_motor / self.motors.inertia[:, None]
+        # demand on a reducer (Nm)
+        self.output_torque = self.wanted.torque_factor * self.load.torque
+        # of each reducer at the rate
+        self.cycle_factors = cycle_factor_at(self.rate, r.full_rate, r.cycle_factor)
+        # of each reducer at the rate (Nm)
+        self.most_output_torque: Array = r.max_output_torque / self.cycle_factors
         strong = (self.output_torque <= self.most_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
-        self.fits: NDArray[np.bool_] = strong & (self.speed <= r.max_input_speed)  # whether a reducer holds the load
-        self.smaller: NDArray[np.int_] = (rated < rated[:, None]).sum(axis=1)  # how many motors are rated less, of each
+        # whether a reducer holds the load
+        self.fits: NDArray[np.bool_] = strong & (self.speed <= r.max_input_speed)
+        # how many motors are rated less, of each
+        self.smaller: NDArray[np.int_] = (rated < rated[:, None]).sum(axis=1)
 
     def pair(self, motor: int, reducer: int) -> Pair:
         """Return J, i, η and no-load torque of a pair."""
@@ -86,7 +97,8 @@ class PairMatrix:
 
     def falling_demand(self, motor: int, reducer: int) -> float:
         """Return the largest |T| + f (ω − ω_1) of a pair at the points (Nm), its demand on a curve over its reserve."""
-        pair, m, fall = self.pair(motor, reducer), self.motors, self.motors.fall[motor] / self.wanted.least_peak
+        pair, m = self.pair(motor, reducer), self.motors
+        fall = self.motors.fall[motor] / self.wanted.least_peak
         torque, speed = self.load.torques(pair.arrays)[0], pair.ratio * self.load.points.speed
         return float((np.abs(torque) + fall * (speed - m.knee[motor])).max())
 

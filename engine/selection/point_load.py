@@ -73,8 +73,10 @@ class PointLoad:
 
     def __post_init__(self) -> None:
         load = self.load
-        torque = np.where(load.braked, 0.0, load.output_torque)  # a brake holds it back from the motor
-        back = (torque * load.direction < 0.0) & (load.train.drive.method == "physical")  # the load drives
+        # a brake holds it back from the motor
+        torque = np.where(load.braked, 0.0, load.output_torque)
+        # the load drives
+        back = (torque * load.direction < 0.0) & (load.train.drive.method == "physical")
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
         self.turning = load.output_ratio * load.speed  # of the output (rad/s)
         each = load.output_ratio * load.shaft_acceleration, driving, driven, np.abs(self.turning), load.direction
@@ -87,7 +89,8 @@ class PointLoad:
         alpha, ahead, behind, _, way = self.points
         means = [alpha**2, alpha * ahead, alpha * behind, ahead**2, behind**2]
         means += [way**2, alpha * way, ahead * way, behind * way]
-        self.squares = MeanSquares(*(float(load.share.ravel() @ values) for values in means))  # over the cycle
+        # over the cycle
+        self.squares = MeanSquares(*(float(load.share.ravel() @ values) for values in means))
 
     def rms(self, pairs: PairArrays) -> Array:
         """Return the RMS torque of motors (Nm)."""

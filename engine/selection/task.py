@@ -90,7 +90,8 @@ class Task:
             raise ValueError(f"efficiency is {efficiency:g}; expected more than 0 and at most 1")
         alpha = accelerating_factor(motors.rated_torque, motors.inertia)
         known = 1.0 if self.moves else np.nan
-        spare, torque = known * (alpha - self.load_factor / efficiency), known * self.torque_rms / efficiency
+        spare = known * (alpha - self.load_factor / efficiency)
+        torque = known * self.torque_rms / efficiency
         root, wide, smallest, largest = _ends(spare, motors.inertia, self.acceleration_rms, torque)
         limit = known * self.max_speed / motors.max_speed
         lowest = np.fmax(smallest, limit)

@@ -39,7 +39,7 @@ KINDS: dict[str, Callable[..., Quantity]] = {
 }
 FORMULAS = {"given": "key", "entry": "key", "key": "key", "check": "condition"}
 """by kind, the attribute that stands in the column of formulas"""
-OWN = {"formula", "source", "scale", "format", "align", "choices", "limit", "upper_limit", "wrap", "says"}
+OWN = frozenset("formula source scale format align choices limit upper_limit wrap says".split())
 """attributes that Python may give a cell"""
 HEADING, BAR = re.compile(r"^## (.+)$", re.MULTILINE), re.compile(r"(?<!\\)\|")
 

@@ -49,9 +49,11 @@ class Chart:
     # least, largest and step; a largest or a step of None is left to the program
     x_range: tuple[float, float | None, float | None] | None = None
     y_range: tuple[float, float | None, float | None] | None = None
-    lanes: bool = False  # each line in a lane of its own, named where it begins; heights have no figures
+    # each line in a lane of its own, named where it begins; heights have no figures
+    lanes: bool = False
     log_y: bool = False
-    in_short: bool = False  # whether it stands on the first sheet too, in place of the book's first chart
+    # whether it stands on the first sheet too, in place of the book's first chart
+    in_short: bool = False
     legend: bool = True  # of several lines; else the title says what they are
 
     def within(self, scope: str) -> Self:

@@ -86,7 +86,8 @@ class Summary(NamedTuple):
     sentences: list[str | None]
     holding: int | None
     failing: int | None
-    so_far: list[int | None]  # of each check how many up to it do not hold; None from the first that is unfinished
+    # of each check how many up to it do not hold; None from the first that is unfinished
+    so_far: list[int | None]
     overall: str | None
 
 
@@ -98,7 +99,8 @@ def summary(book: Book) -> Summary:
     so_far = list(accumulate(int(verdict != "OK") for verdict in verdicts[:known]))
     holding = verdicts.count("OK") if known == len(verdicts) else None
     failing = None if holding is None else len(verdicts) - holding
-    return Summary(verdicts, sentences, holding, failing, filled(so_far, len(verdicts), None), joint_verdict(verdicts))
+    counted = filled(so_far, len(verdicts), None)
+    return Summary(verdicts, sentences, holding, failing, counted, joint_verdict(verdicts))
 
 
 def joint_verdict(verdicts: Sequence[str | None]) -> str | None:

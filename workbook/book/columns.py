@@ -6,7 +6,8 @@ from typing import Any, NamedTuple
 
 from workbook.book.formula import Area, Formula, FormulaError, Resolve, read, words
 
-HERE, ABOVE = "\0", "\1"  # stand for the number of the formula's row, and of the row above; no cell's text has them
+# stand for the number of the formula's row, and of the row above; no cell's text has them
+HERE, ABOVE = "\0", "\1"
 _ROW = r"\$?[A-Za-z]{1,3}\$?([\0\1]|[0-9]+)"
 MOVING = re.compile(rf"(?:[^\0\1]*!)?{_ROW}(?::{_ROW})?")
 

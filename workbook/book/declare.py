@@ -51,7 +51,8 @@ class Book:
     column_names: dict[str, tuple[str, str]] = field(default_factory=dict)
     limit: Callable[[str, float], Limit | None] = lambda key, most: None
     """the limits of the entry at a key of the description, if it has any"""
-    sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, the scale of quantities that name none
+    # by unit, the scale of quantities that name none
+    sizes: Mapping[str, float] = field(default_factory=dict)
     print_also: Sequence[str] = ()  # what is printed besides: catalogue, laws, parts, workings
     guards: list[Guard] = field(default_factory=list)
     summed: dict[str, list[list[int]]] = field(default_factory=dict)
@@ -89,7 +90,8 @@ class Book:
                 row = "{0}" if second is None else "{1[-1]}"
                 return ":".join(f"{fixed}{get_column_letter(at.seen[name])}{row}" for name in first.split(":"))
             block = self.blocks[first]
-            ends_range = text[match.start() - 1 : match.start()] == ":"  # its first corner names the sheet
+            # its first corner names the sheet
+            ends_range = text[match.start() - 1 : match.start()] == ":"
             prefix = "" if ends_range or block.sheet is at.sheet else quoted(block.sheet.title) + "!"
             if end == ".same":
                 row = f"{{1[{block.row - at.row}]}}"

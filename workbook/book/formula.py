@@ -109,7 +109,8 @@ class Formula(NamedTuple):
         return tuple(anchored(w) for w in self.written)
 
 
-Resolve = Callable[[str, str], Area]  # a defined name used on a sheet, or ``title!``, to what it means
+# a defined name used on a sheet, or ``title!``, to what it means
+Resolve = Callable[[str, str], Area]
 
 
 def read(text: str, sheet: str, area: Resolve, known: dict[str, Area | str] | None = None) -> Formula:

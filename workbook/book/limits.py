@@ -150,7 +150,8 @@ def guard_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: boo
     condition, says = f'[{table}.{MESSAGE}.1]=""', f"[{table}.{MESSAGE}.1]"
     if guard.rows > 1:
         row_text = first_text(message)
-        condition, says, row = f'COUNTIF({message},"?*")=0', f"INDEX({message},{row_text})", f'"row "&{row_text}&", "&'
+        condition, says = f'COUNTIF({message},"?*")=0', f"INDEX({message},{row_text})"
+        row = f'"row "&{row_text}&", "&'
     says = f"{row}{says}"
     if filled and required:
         says = f"IF({condition},{quoted(EMPTY)},{says})"

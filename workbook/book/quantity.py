@@ -26,11 +26,14 @@ SAYS, WHERE = "_says", ": where, and by how much"
 WANTED = ": what is expected"  # behind the label of an entry: the message beside it
 
 FLOOR = 1e-3  # of the unit: a size that is negligible for most quantities
-FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}  # for units in which usual values are smaller
+# for units in which usual values are smaller
+FLOORS = {"kg m²": 1e-9, "kg cm²": 1e-5, "m²/rad⁴": 1e-6}
 
-ROUNDED, MOST = 1e-9, 1e9  # of figures beside a limit: the share of it that rounding may add, and what none is above
+# of figures beside a limit: the share of it that rounding may add, and what none is above
+ROUNDED, MOST = 1e-9, 1e9
 
-LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))  # below each size: four digits that count
+# below each size: four digits that count
+LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))
 NOISE = 1e-12  # rounding, of any unit and as a share of a value
 PLAIN = "0.0##"  # how numbers are shown that an engineer enters
 
@@ -53,13 +56,16 @@ class Quantity(NamedTuple):
     format: str = ""
     choices: str = ""
     align: str = ""
-    wrap: bool = False  # whether its texts take several lines, and their column need hold their words alone
+    # whether its texts take several lines, and their column need hold their words alone
+    wrap: bool = False
     rule: str = ""
     """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
     upper_limit: float = inf  # of an input: its largest value, where that depends on other entries
-    limit: float = 0.0  # of figures beside a limit: above it they are shown as beyond it; none by default
+    # of figures beside a limit: above it they are shown as beyond it; none by default
+    limit: float = 0.0
     good: str = ""  # a word that is shown as the verdict OK is
-    grey: str = ""  # the condition, without =, under which the cell does not count, and is shown in grey
+    # the condition, without =, under which the cell does not count, and is shown in grey
+    grey: str = ""
     row_label: str = ""  # the label that stands in its row, where that is another than its own
     says: str = ""  # of a check: the formula of where it fails, and by how much
     sentence: str = ""  # what that formula gives, by the engine, where the check fails
@@ -200,8 +206,10 @@ class Block:
     is_large: bool = False  # a figure below its name and unit
     shared_heads: int = 0  # of a table without heads of its own: the row of the names of its columns, above a like one
     blank: str = ""  # of a table: the condition under which a row is not used, and shows nothing but its inputs
-    quiet: str = ""  # of a table: the condition under which its results are errors, and are not shown
-    lead: Block | None = None  # of columns beside a table: that table, whose cells of the same row formulas may name
+    # of a table: the condition under which its results are errors, and are not shown
+    quiet: str = ""
+    # of columns beside a table: that table, whose cells of the same row formulas may name
+    lead: Block | None = None
     workings: Block | None = None
     """of a table: its workings to the right, whose cells in the same row its formulas may name"""
 

@@ -41,24 +41,31 @@ class Sheet:
     charts: list[tuple[Chart, int, int, int, int]] = field(default_factory=list)
     print_columns: int = 0
     print_rows: int = 0
-    folded: int = 0  # the column from which on there are workings alone: an outline of them is folded
+    # the column from which on there are workings alone: an outline of them is folded
+    folded: int = 0
     folded_rows: int = 0  # the row from which on there are workings alone, likewise
     page_end: int = 0  # the last row of its first page, if that is a whole
-    heights: dict[int, float] = field(default_factory=dict)  # of rows (points) that differ from others
+    # of rows (points) that differ from others
+    heights: dict[int, float] = field(default_factory=dict)
     unprinted: bool = False  # whether it is for the screen alone: its print area is a hidden cell
     one_page: bool = False
     portrait: bool = False
-    widths: dict[int, float] = field(default_factory=dict)  # of columns that differ from those of other sheets
+    # of columns that differ from those of other sheets
+    widths: dict[int, float] = field(default_factory=dict)
     scope: str = ""
     messages: list[tuple[Block, tuple[Quantity, ...]]] = field(default_factory=list)
     """of tables of inputs: what is expected of each entry"""
     section: int = 0  # row of the heading above
-    sizes: Mapping[str, float] = field(default_factory=dict)  # by unit, scales as :attr:`Book.sizes`, of this sheet
+    # by unit, scales as :attr:`Book.sizes`, of this sheet
+    sizes: Mapping[str, float] = field(default_factory=dict)
     shared_heads: int = 0  # the row of the names of columns, of the heads that were written last
-    later: list[Quantity] = field(default_factory=list)  # checks of tables without heads, until they are placed
+    # checks of tables without heads, until they are placed
+    later: list[Quantity] = field(default_factory=list)
     more: Sequence[Quantity] = ()  # results that stand below what is printed
-    links: dict[str, str] = field(default_factory=dict)  # beside that to the first sheet: titles with cells
-    called: str = ""  # what its checks begin with, if not with its title; on the sheet itself they go without
+    # beside that to the first sheet: titles with cells
+    links: dict[str, str] = field(default_factory=dict)
+    # what its checks begin with, if not with its title; on the sheet itself they go without
+    called: str = ""
 
     @property
     def head(self) -> int:
@@ -263,7 +270,8 @@ class Sheet:
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
         self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
         self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))
-        own, name, blank = self._own((quantity,)), in_scope(name, self.scope), in_scope(blank, self.scope)
+        own, name = self._own((quantity,)), in_scope(name, self.scope)
+        blank = in_scope(blank, self.scope)
         self._place(Block(name, self, block.row, column, own, block.size, block.title, blank=blank, lead=block))
 
     def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:

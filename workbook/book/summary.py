@@ -52,7 +52,8 @@ USE = (
 COLUMNS = 17
 WIDTHS: dict[int, float] = {FIRST: 14.5, FIRST + 1: 24, 6: 12, 7: 13, 13: 12, 14: 12, 15: 16}
 SENTENCE, FIGURES = 4, 6  # rows of the verdict in words, and of figures
-LETTER, COLUMN = 0.95, 9.5  # width of a letter at most, and of a column that has none of its own, in digits
+# width of a letter at most, and of a column that has none of its own, in digits
+LETTER, COLUMN = 0.95, 9.5
 ENTERED = 15  # the column of entries
 PICTURE_ROW, PICTURE_ROWS = 11, 14
 

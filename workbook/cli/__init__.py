@@ -33,7 +33,8 @@ def main() -> None:
 def run_command() -> int:
     """Return the exit code of the command, its faults told."""
     try:
-        return int(app(standalone_mode=len(sys.argv) < 2) or AGREES)  # what typer prints by itself is not escaped
+        # what typer prints by itself is not escaped
+        return int(app(standalone_mode=len(sys.argv) < 2) or AGREES)
     except TyperException as error:
         message = error.format_message().replace("Value error, ", "")  # pydantic's words
         say(ERR, f"{message} See --help.", "red")

@@ -48,17 +48,17 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     title = title if len(title) <= LONGEST else f"{title[: LONGEST - 1]}…"
     data = as_description.compose(moves, table, units, title)
     machine = validated(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
-    say(
-        ERR,
-        f"{len(table.x):,} points, {table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}; {len(moves.phases)} movements",
-    )
+    span = f"{table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}"
+    say(ERR, f"{len(table.x):,} points, {span}; {len(moves.phases)} movements")
     for line in as_description.movement_lines(moves, units):
         say(ERR, line)
-    say(ERR, as_description.require_points(moves, table, TEMPLATES[machine.template].axes(machine)[0].profile, units))
+    profile = TEMPLATES[machine.template].axes(machine)[0].profile
+    say(ERR, as_description.require_points(moves, table, profile, units))
     if moves.delay:
         say(ERR, f"It begins on the way: written as an axis that is {moves.delay:.9g} {units[0]} later")
     step, reach = float(table.x[1] - table.x[0]), float(table.x[-1] - table.x[0])
-    if units[0] == "°" and equidistant(table.x) and abs(reach + step - TURN) < NEAR * TURN:  # as of a column a degree
+    # as of a column a degree
+    if units[0] == "°" and equidistant(table.x) and abs(reach + step - TURN) < NEAR * TURN:
         text = f"x ends at {table.x[-1]:.9g}, a step before the turn is over: the cycle is told without its last step"
         say(ERR, f"{text}; if it is a turn, add its end", "yellow")
     print_or_write(write_machine(machine), output, force)

@@ -66,7 +66,8 @@ def parse_options(
     if SEPARATORS[separator] == DECIMALS[decimal]:
         raise TargetError("a comma parts the columns and is the decimal sign; expected two signs")
     held = dict(map(parse_tolerance, tolerance))
-    count, signs = None if points == AUTO else int(points), (SEPARATORS[separator], DECIMALS[decimal])
+    count = None if points == AUTO else int(points)
+    signs = (SEPARATORS[separator], DECIMALS[decimal])
     return Options(target, count, held or dict(target.tolerance), bool(held), signs, unverified, of)
 
 
@@ -137,7 +138,8 @@ def plan_export(
     The switches are those asked for, and with every axis where the target takes some.
     """
     template = TEMPLATES[machine.template]
-    known, lanes = template.axes(machine), template.switches(machine) if switches or everything else []
+    known = template.axes(machine)
+    lanes = template.switches(machine) if switches or everything else []
     called = [axis.name for axis in known]
     axes = [] if switches else choose_axes(known, axis, machine.template)
     if switches:

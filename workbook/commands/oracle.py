@@ -62,7 +62,8 @@ def against(
         asked = witnesses or [name for name in WITNESSES if REGISTER[name]().version() is not None]
         names = [name for name in available_witnesses(asked)[0] if not REGISTER[name]().kept]
         report = Judge(file, load_oracle(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
-    if marked is not None:  # a copy in which the formula cells of each class have a colour of their own
+    # a copy in which the formula cells of each class have a colour of their own
+    if marked is not None:
         copy = load_workbook(path)
         for cell, kind in report.coverage.items():
             copy[cell.sheet].cell(cell.row, cell.column).fill = PatternFill("solid", fgColor=COLOURS[kind])
@@ -71,17 +72,9 @@ def against(
         wrong = [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.wrong]
         cells = {str(cell): kind for cell, kind in report.coverage.items()}
         known = {"known": report.dimensions.known, "formulas": report.dimensions.formulas}
-        say_json(
-            {
-                "cases": report.cases,
-                "covered": report.covered,
-                "findings": wrong,
-                "cells": cells,
-                "dimensions": known,
-                "notes": report.notes,
-            },
-            default=str,
-        )
+        data = {"cases": report.cases, "covered": report.covered, "findings": wrong}
+        data |= {"cells": cells, "dimensions": known, "notes": report.notes}
+        say_json(data, default=str)
     else:
         show(file, report)
     return DISAGREES if report.wrong or (cover is not None and report.covered < cover) else AGREES
@@ -103,9 +96,8 @@ def show(file: BookFile, report: OracleReport) -> None:
     counts = f"{report.count('compared')} compared, {report.count('step')} steps to them"
     counts += f", {report.count('unaccounted')} unaccounted"
     say(OUT, f"{report.cases} cases, {len(report.coverage)} formula cells: {counts}; {report.covered:.1f} % covered")
-    say(
-        OUT, f"Dimensions: {report.dimensions.known} of {report.dimensions.formulas} formula cells known from the units"
-    )
+    known = f"{report.dimensions.known} of {report.dimensions.formulas} formula cells"
+    say(OUT, f"Dimensions: {known} known from the units")
     for note in report.notes:
         say(OUT, note)
     count = f"{len(report.wrong)} {'finding' if len(report.wrong) == 1 else 'findings'}"

@@ -25,15 +25,18 @@ class SwitchFile(NamedTuple):
     @property
     def beyond(self) -> list[str]:
         """In a line each, what is farther off than numbers of 32 bits hold."""
-        return [f"{switch.name}: an edge is off by {differs.largest:.3g} {switch.x_unit}"
-                for switch, differs in self.pairs if differs.largest > MOST_OFF]  # fmt: skip
+        far = ((switch, off.largest) for switch, off in self.pairs if off.largest > MOST_OFF)
+        return [f"{switch.name}: an edge is off by {off:.3g} {switch.x_unit}" for switch, off in far]
 
     @property
     def rows(self) -> list[list[str]]:
         """A row of texts for each switch."""
-        return [[lane.name, str(differs.edges), f"{differs.largest:.3g} {lane.x_unit}",
-                 f"{differs.x:.6g} {lane.x_unit}" if differs.largest else "", f"{differs.duration:.3g} {lane.x_unit}"]
-                for lane, differs in self.pairs]  # fmt: skip
+        rows = []
+        for lane, off in self.pairs:
+            at = f"{off.x:.6g} {lane.x_unit}" if off.largest else ""
+            largest, duration = (f"{size:.3g} {lane.x_unit}" for size in (off.largest, off.duration))
+            rows.append([lane.name, str(off.edges), largest, at, duration])
+        return rows
 
     def show(self, target: Target) -> None:
         """Print how each switch differs when its file is read back."""
@@ -42,11 +45,14 @@ class SwitchFile(NamedTuple):
 
     def as_data(self, target: Target) -> dict[str, Any]:
         """Return the same as data."""
-        switches = [{"switch": switch.name, "unit": switch.x_unit, "edges": differs.edges,
-                     "largest": differs.largest if math.isfinite(differs.largest) else None, "at": differs.x,
-                     "apart": differs.duration} for switch, differs in self.pairs]  # fmt: skip
-        return {"switches": switches, "target": target.name, "file": str(self.path),
-                "untested": [claim.what for claim in self.tappets.untested]}  # fmt: skip
+        switches = []
+        for switch, off in self.pairs:
+            data = {"switch": switch.name, "unit": switch.x_unit, "edges": off.edges}
+            largest = off.largest if math.isfinite(off.largest) else None
+            switches.append(data | {"largest": largest, "at": off.x, "apart": off.duration})
+        untested = [claim.what for claim in self.tappets.untested]
+        file = {"switches": switches, "target": target.name, "file": str(self.path)}
+        return file | {"untested": untested}
 
 
 def switch_format(target: Target, switches: Sequence[CamSwitch] | None = None) -> Tappets:

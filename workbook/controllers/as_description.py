@@ -40,9 +40,11 @@ def phases_of(
     if table.steps[1] != 1.0:
         known = max(known, 0.5 * table.steps[1])
     turns = units[0] == "°" and units[1] in ("mm", "°") and table.x[0] == 0.0 and table.x[-1] == TURN
-    v = None if table.a is None else table.v  # y' alone is nobody's rule: as a rule it was built of differences
+    # y' alone is nobody's rule: as a rule it was built of differences
+    v = None if table.a is None else table.v
     points = CamPoints(table.x, table.y, v, table.a, known)
-    if table.profile is not None and table.steps == (1.0, 1.0):  # polynomials that are exact everywhere
+    # polynomials that are exact everywhere
+    if table.profile is not None and table.steps == (1.0, 1.0):
         x = subdivided(table.x, BETWEEN)
         at = table.profile.at(x, left=True)
         points = CamPoints(x, at.y, at.y1, None, known)
@@ -111,7 +113,8 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
     closes = abs(travel) <= NEXT * max((abs(p.lift) for p in movements), default=1.0)
     if movements and end - movements[-1].end <= near:
         require_end(movements, closes, near + begin)
-    jumps = any(p.law.code == Spline.code for p in movements)  # the acceleration of a spline begins and ends so
+    # the acceleration of a spline begins and ends so
+    jumps = any(p.law.code == Spline.code for p in movements)
     axis = {
         "name": AXIS,
         "group": "Read",
@@ -125,8 +128,10 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
     master = {"cycle": rounded(end - begin), "unit": units[0]}
     points = max((len(p.law.points) for p in movements if isinstance(p.law, Spline)), default=0)
     rows = {"points": points, "phases": len(phases)}
-    sizes = {name: count for name, count in rows.items() if count > getattr(Sizes(), name)}  # usually there is room
-    return {"template": "machine", "title": title, "laws": laws, "sizes": sizes, "master": master, "axes": [axis]}
+    # usually there is room
+    sizes = {name: count for name, count in rows.items() if count > getattr(Sizes(), name)}
+    data = {"template": "machine", "title": title, "laws": laws, "sizes": sizes}
+    return data | {"master": master, "axes": [axis]}
 
 
 def compose_phases(
@@ -185,9 +190,9 @@ def law_entry(phase: FoundPhase, k: int) -> tuple[str, dict[str, Any]]:
     """Return the name of a movement's law in a description, and its entry there where needed."""
     if isinstance(phase.law, Spline):
         points = [{"at": at, "s": s} for at, s in phase.law.points]
-        first, last = phase.law.slopes
+        slopes = dict(zip(("first_slope", "last_slope"), phase.law.slopes, strict=True))
         name = f"Read {k + 1}"
-        return name, {name: {"family": Spline.code, "points": points, "first_slope": first, "last_slope": last}}
+        return name, {name: {"family": Spline.code, "points": points} | slopes}
     if phase.law.code in (*CODES, "LIN"):
         return phase.law.code, {}
     return phase.law.name, {phase.law.name: {"family": phase.law.code}}

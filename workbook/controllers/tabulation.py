@@ -30,7 +30,8 @@ ORDERS = ("y", "v", "a", "j")  # position, velocity, acceleration and jerk, as t
 DIGITS = 13  # of the cycle: so many digits of x are held, which the breaks of a motion have
 ROUNDED = 1e-14  # of the largest of a column: what is smaller is none
 BEFORE = 1e-5  # of the cycle: so far before a jump of y' or y'' stands a point of its own
-WITHIN = 1e-3  # of a way from point to point: so near to its ends a break, rounded to 32 bits, may lie
+# of a way from point to point: so near to its ends a break, rounded to 32 bits, may lie
+WITHIN = 1e-3
 
 
 class CertifiedTable(NamedTuple):
@@ -114,7 +115,8 @@ def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
 def table_at(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> Table:
     """Return the table of a motion at places as the target holds it, the motion's breaks moved to where x is."""
     number = target.number
-    x_step, y_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest), step_of(units[1])
+    x_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest)
+    y_step = step_of(units[1])
     places, x = x, number.rounded(np.round(x, DIGITS - ceil(log10(of.total))), x_step)
     after = np.clip(np.searchsorted(places, of.edges), 1, len(places) - 1)
     nearest = np.where(of.edges - places[after - 1] <= places[after] - of.edges, after - 1, after)
@@ -124,14 +126,14 @@ def table_at(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -
     at = of.at(x)
     sizes = [max(float(np.abs(row).max()), float(np.ptp(at.y)) * (len(x) / of.total) ** k) for k, row in enumerate(at)]
     y, v, a, j = (np.where(np.abs(row) < ROUNDED * size, 0.0, row) for row, size in zip(at, sizes, strict=True))
-    had = [
-        number.rounded(row) if name in target.columns else None for name, row in (("y'", v), ("y''", a), ("y'''", j))
-    ]
+    rates = {"y'": v, "y''": a, "y'''": j}
+    had = [number.rounded(row) if name in target.columns else None for name, row in rates.items()]
     h = WITHIN * np.diff(x)
     begins, ends = of.index(x[:-1] + h), of.index(x[1:] - h)
     lines = np.asarray(straight(of)[begins] & (begins == ends)) if "straight" in target.columns else None
     first, second = (v if number.whole else number.rounded(v))[[0, -1]].tolist()
-    return Table(x, number.rounded(y, y_step), had[0], had[1], had[2], (first, second), lines, steps=(x_step, y_step))
+    y, steps = number.rounded(y, y_step), (x_step, y_step)
+    return Table(x, y, *had, slopes=(first, second), straight=lines, steps=steps)
 
 
 def fewest_points(target: Target, of: CamProfile) -> int:
@@ -208,7 +210,8 @@ def search_table(tries: Tries, tolerance: Mapping[str, float]) -> CertifiedTable
     best: CertifiedTable | None = None
     before, idle = 0, 0
     for certified in candidates(tries, tolerance):
-        if certified.excess(tolerance) <= 1.0:  # between it and that before, to a hundredth of the points
+        # between it and that before, to a hundredth of the points
+        if certified.excess(tolerance) <= 1.0:
             low, high = max(before, fewest_points(target, tries.axis.profile) - 1), certified.points
             while high - low > max(1, high // COARSE) and not target.counts and (middle := tries.of((low + high) // 2)):
                 if middle.excess(tolerance) <= 1.0:
@@ -219,7 +222,8 @@ def search_table(tries: Tries, tolerance: Mapping[str, float]) -> CertifiedTable
         idle += 1
         if best is None or certified.excess(tolerance) < BETTER * best.excess(tolerance):
             best, idle = certified, 0
-        if idle == IDLE and target.spacing != "equal":  # equal steps miss the breaks by luck: each try may be better
+        # equal steps miss the breaks by luck: each try may be better
+        if idle == IDLE and target.spacing != "equal":
             break
         before = certified.points
     if best is None:

@@ -23,13 +23,15 @@ from workbook.text_files import read_text
 CALLED = re.compile(r"^(?:// |# )?track (\d{1,4}): ([^\r\n]{1,80})", re.MULTILINE)
 MOST_OFF = 1e-2  # of an edge, in degrees: numbers of 32 bits hold it to 1e-5
 LAYOUTS = Loader(str(Path(__file__).with_name("targets")), autoescape=None, whitespace="all")
-Spacing = Literal["free", "equal", "breaks"]  # of points: anywhere, at equal steps alone, or on the breaks at least
+# of points: anywhere, at equal steps alone, or on the breaks at least
+Spacing = Literal["free", "equal", "breaks"]
 NEVER = " (never on)"
 CYCLE = 360.0  # degrees
 MOST_TRACKS, MOST_TIMES = 1000, 10_000
 MOST = 8_000_000  # bytes: a tag of 25,000 points
 LARGEST = 1e12  # of x, y and derivatives
-NARROWEST, SHORTEST = 1e-9, 1e-12  # of the whole of x, and of its unit: the smallest step from point to point
+# of the whole of x, and of its unit: the smallest step from point to point
+NARROWEST, SHORTEST = 1e-9, 1e-12
 COUNTED = re.compile(r"; ([0-9]{1,9}) points(?: at equal steps)?; between them")
 
 
@@ -147,7 +149,8 @@ class Target(ClaimedFormat):
     title: str
     suffix: str
     columns: tuple[str, ...]  # what a point has
-    rules: tuple[str, ...]  # what may be between points; of several, where no document tells, the worst is a bound
+    # what may be between points; of several, where no document tells, the worst is a bound
+    rules: tuple[str, ...]
     write: Callable[[CamExport], str]
     read: Callable[[str], Table]
     number: Number = LREAL
@@ -155,13 +158,16 @@ class Target(ClaimedFormat):
     counts: tuple[int, ...] = ()  # all that there may be where these are few
     signs: tuple[str, ...] = ()  # which of separator and decimal may be asked for
     spacing: Spacing = "free"
-    plain: tuple[str, ...] = ()  # the rules for a table of x and y only, where a file may have no more
-    tolerance: Sequence[tuple[str, float]] = (("y", 1e-4), ("a", 0.01))  # of which order, unless given otherwise
+    # the rules for a table of x and y only, where a file may have no more
+    plain: tuple[str, ...] = ()
+    # of which order, unless given otherwise
+    tolerance: Sequence[tuple[str, float]] = (("y", 1e-4), ("a", 0.01))
     exact: Callable[[CamProfile], NDArray[np.bool_]] = lambda of: np.zeros(len(of.origins), dtype=np.bool_)
     """which stretches of a motion need no points within"""
     built: Callable[[CamProfile, Array, tuple[float, float]], Table] | None = None
     """makes a table of polynomials of a motion, between places, in steps of x and y"""
-    tappets: Tappets | None = None  # how it takes switches; None where its format has none, or no document tells how
+    # how it takes switches; None where its format has none, or no document tells how
+    tappets: Tappets | None = None
 
 
 def tracks(given: Sequence[CamSwitch], tappets: Tappets) -> list[Track]:
@@ -199,7 +205,8 @@ def tracks_of_rows(text: str, rows: Iterable[Sequence[float]]) -> list[Track]:
     listed = []
     for number, times in sorted(spans.items()):
         on = sorted(times)
-        if len(on) > 1 and on[0][0] == 0.0 and on[-1][1] == CYCLE:  # a time that goes on past the end of the cycle
+        # a time that goes on past the end of the cycle
+        if len(on) > 1 and on[0][0] == 0.0 and on[-1][1] == CYCLE:
             on = [*on[1:-1], (on[-1][0], on[0][1])]
         name = names.get(number, f"Track {number}").removesuffix(NEVER)
         try:
@@ -246,7 +253,8 @@ def parse_table(text: str, target: Target) -> Table:
     if steps.min() < least:
         k = int(steps.argmin())
         raise TargetError(f"point {k + 2}: x rises by {steps[k]:.3g}; expected a step of at least {least:.3g}")
-    if table.profile is not None:  # a stretch's largest term: of its polynomial, or a sine's amplitude, angle or phase
+    # a stretch's largest term: of its polynomial, or a sine's amplitude, angle or phase
+    if table.profile is not None:
         of = table.profile
         far = np.maximum(np.abs(of.edges[:-1] - of.origins), np.abs(of.edges[1:] - of.origins))[:, None]
         with np.errstate(over="ignore", invalid="ignore", under="ignore"):

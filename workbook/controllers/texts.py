@@ -18,7 +18,8 @@ LARGEST = 1e9  # of a step
 TOLD = re.compile(r"one step is (\S{1,30}) (?:\S{1,30}) of x and (\S{1,30}) (?:\S{1,30}) of y")
 FIELD = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
 STARTS = re.compile(r"[+-]?[.,]?[0-9]|[+-]?(?:nan|inf)", re.IGNORECASE)
-WORDS = re.compile(r"(?!nan|inf)[^\W\d_]{2}", re.IGNORECASE)  # what titles have, also a title that begins with a digit
+# what titles have, also a title that begins with a digit
+WORDS = re.compile(r"(?!nan|inf)[^\W\d_]{2}", re.IGNORECASE)
 ZEROS = re.compile(r"[+-]?0[0-9]+")
 SIGNS = str.maketrans({"\u2212": "-", '"': None})
 WHOLE = re.compile(r"[0-9]+")
@@ -41,7 +42,8 @@ class Number:
         """Return values as the controller holds them, whole ones in steps of ``step``; raise TargetError beyond it."""
         size = np.abs(values / step if self.whole else values)
         if not np.all(size <= self.largest):
-            at = tuple(np.argwhere(~(size <= self.largest))[0])  # of a polynomial, its row and coefficient
+            # of a polynomial, its row and coefficient
+            at = tuple(np.argwhere(~(size <= self.largest))[0])
             message = f"{values[at]:.6g} is beyond what {self.name} holds; expected smaller ones"
             raise TargetError(f"point {at[0] + 1}: {message}")
         if self.whole:

@@ -12,7 +12,8 @@ from workbook.templates import AnyTemplate
 
 WIDTH, COLUMN = 116, 32
 AXES = 2
-RARE = ("clearances", "sizes", "switches")  # what an example of a machine has and a first machine does not need
+# what an example of a machine has and a first machine does not need
+RARE = ("clearances", "sizes", "switches")
 HEAD = "A machine to begin with: change what differs. What is rarely needed stands below, in comments."
 REST = (
     "Rarely needed. Move a line up into its table and take the # away. A table of several kinds takes the keys of its "

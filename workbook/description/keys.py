@@ -116,7 +116,8 @@ class ModelWalk:
 
     def _of_kind(self, kind: str, model: type[BaseModel], common: Container[str], path: str) -> Section:
         """Return the section of what a table of a kind has beside what is common to all kinds."""
-        facts, own = facts_of(model), [entry for entry in model.model_fields.items() if entry[0] not in common]
+        facts = facts_of(model)
+        own = [entry for entry in model.model_fields.items() if entry[0] not in common]
         keys = tuple(self._key(join(path, name), field, facts.get(name), kind) for name, field in own)
         return Section(path, doc_line(model), (model,), keys, kind)
 
@@ -132,7 +133,8 @@ class ModelWalk:
     def _laws(self, path: str) -> Iterator[Section]:
         for code, model in ENTRIES.items():
             for section in self.sections((model,), join(path, code), FAMILY[code].title):
-                own = tuple(key for key in section.keys if key.name != "family")  # which its name says already
+                # which its name says already
+                own = tuple(key for key in section.keys if key.name != "family")
                 yield section._replace(keys=own)
 
     def _key(self, path: str, field: FieldInfo, facts: CellWords | None, of: str = "", listed_in: Any = None) -> Key:

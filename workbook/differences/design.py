@@ -27,7 +27,8 @@ from workbook.witnesses.agreement import agreed_values, same_value
 
 LONG = 40  # rows of a table of samples or points: those are compared by the results built from them
 NAMES = ("name", "axis", "sheet")  # the columns by which the rows of a table are called
-NUMBERED = re.compile(r"(axis|cycle|drive)(\d+)(?=_|$)")  # with what names of blocks begin where each axis has its own
+# with what names of blocks begin where each axis has its own
+NUMBERED = re.compile(r"(axis|cycle|drive)(\d+)(?=_|$)")
 # what identifies a figure in another book: its axis, its block without the axis' number, column and row
 Key = tuple[str, str, str, str]
 
@@ -49,7 +50,8 @@ class Design:
     path: Path
     machine: Machine
     book: Book
-    edited: list[str] = field(default_factory=list)  # of a workbook, the formulas and texts that are not as generated
+    # of a workbook, the formulas and texts that are not as generated
+    edited: list[str] = field(default_factory=list)
     own: list[str] = field(default_factory=list)  # and what was added to them
 
     @cached_property
@@ -135,7 +137,8 @@ def read_design(path: Path) -> Design:
 
 
 EMPTY = (None, "")
-SMALLEST = 1e-12  # difference of two numbers that are the same: rounding in a file changes the last digits
+# difference of two numbers that are the same: rounding in a file changes the last digits
+SMALLEST = 1e-12
 SHOWN = 0.005  # per cent, below which the difference of a result is shown as 0.00 %
 
 

@@ -17,14 +17,16 @@ from workbook.reading.contents import Contents
 LIKE = frozenset(
     ("ABS AVERAGE CEILING FLOOR IFERROR IFNA INT LARGE MAX MEDIAN MIN MOD MROUND N SMALL STDEV SUM TRUNC").split()
 )
-FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])  # those whose result has that of the first
+# those whose result has that of the first
+FIRST = frozenset(["ROUND", "ROUNDDOWN", "ROUNDUP", "INDEX", "SUMIF"])
 NUMBERS = frozenset(
     ("ACOS ACOSH ASIN ASINH ATAN ATANH COS COSH DEGREES EXP LN LOG LOG10 RADIANS SIN SINH TAN TANH").split()
 )  # functions of numbers and angles
 COUNTS = frozenset(
     ("AND COUNT COUNTA COUNTIF COLUMN COLUMNS FALSE ISBLANK ISERROR ISNUMBER MATCH NOT OR ROW ROWS SIGN TRUE").split()
 )
-COMPUTED = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv, "^": operator.pow}
+COMPUTED = {"+": operator.add, "-": operator.sub, "*": operator.mul}
+COMPUTED |= {"/": operator.truediv, "^": operator.pow}
 
 
 @dataclass(frozen=True)

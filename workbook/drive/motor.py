@@ -12,9 +12,11 @@ from workbook.fields.units import RPM, shown
 
 CELLS = cell_tables(__file__)
 
-RMS_POINT, PEAK, CONTINUOUS = "374151", "991B1B", "6B7280"  # colours of the RMS torque, and of limits, in charts
+# colours of the RMS torque, and of limits, in charts
+RMS_POINT, PEAK, CONTINUOUS = "374151", "991B1B", "6B7280"
 PEAKS = "MAX(@tmax,0-@tmin)"
-ReducerLimit = tuple[str, str, str, bool, float, float]  # what, both its cells, whether it is met, value and limit
+# what, both its cells, whether it is met, value and limit
+ReducerLimit = tuple[str, str, str, bool, float, float]
 
 
 def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> list[Quantity]:

@@ -45,7 +45,8 @@ class Abscissa:
     column: str = "theta"  # of the tables over the cycle: what charts are drawn over
     format: str = "0.0##"
     length: float = TURN
-    upper_limit: float = 360  # the largest place that a cell takes: as a cycle is as long as is entered, any there
+    # the largest place that a cell takes: as a cycle is as long as is entered, any there
+    upper_limit: float = 360
     measured: bool = False  # with a length that is entered, in its unit
     timed: bool = True  # whether rates are over time: in s, or in degrees of a shaft at a rate
     symbols: tuple[str, str, str, str] = ("y", "ẏ", "ÿ", "j")  # of a position and its rates
@@ -109,7 +110,8 @@ ANGLE = Abscissa()
 NAMED = {  # how each is written behind a figure, its symbol and name
     "s": (" s", "t", "time"), "°": ("°", "θ", "angle"), "rad": (" rad", "θ", "angle"), "mm": (" mm", "x", "travel"),
 }  # fmt: skip
-BY_X = ("y", "y'", "y''", "y'''")  # symbols of a position and its rates by another abscissa than time
+# symbols of a position and its rates by another abscissa than time
+BY_X = ("y", "y'", "y''", "y'''")
 MARKS = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}
 
 

@@ -73,12 +73,14 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
         return [of_rule(key, error) for error in cause.faults]
     if key.startswith("sizes") or fault["type"] == "extra_forbidden":
         return None
-    (kind, constraints), value, beyond = rules.field_at(model, rule), fault["input"], fault["type"] in BEYOND
+    (kind, constraints), value = rules.field_at(model, rule), fault["input"]
+    beyond = fault["type"] in BEYOND
     if not is_mendable(fault, kind, constraints):
         return None
     is_read_as_0 = not beyond and kind is float and Ge(0) in constraints  # as an empty cell is
     fits = 0.0 if is_read_as_0 else rules.within(kind, constraints)
-    return [Fault(key, key, "", f"expected {rules.expectation(kind, constraints)}", value if beyond else None, fits)]
+    message = f"expected {rules.expectation(kind, constraints)}"
+    return [Fault(key, key, "", message, value if beyond else None, fits)]
 
 
 def is_mendable(fault: Any, kind: Any, constraints: list[Any]) -> bool:

@@ -23,14 +23,16 @@ class Sizes(Model):
     rotors: Annotated[int, Field(ge=2, le=60)] = 6
     pieces: Annotated[int, Field(ge=2, le=60)] = 8
     points: Annotated[int, Field(ge=8, le=ROOM)] = 12
-    motion_pieces: Annotated[int, Field(ge=10, le=800)] | None = None  # None: a few more than the motion has
+    # None: a few more than the motion has
+    motion_pieces: Annotated[int, Field(ge=10, le=800)] | None = None
 
 
 class Fault(NamedTuple):
     """A fault in the numbers of a design: the entry to blame, and the rule that it breaks."""
 
     key: str
-    where: str  # the place of the entries that the rule is about; the entry itself for its own limits
+    # the place of the entries that the rule is about; the entry itself for its own limits
+    where: str
     rule: str  # empty for its own limits
     message: str
     value: Any = None

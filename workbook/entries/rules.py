@@ -95,12 +95,14 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
         rule = DataValidation("decimal", operator="between", formula1=repr(low), formula2=repr(high))
         if ">" in ends and high == 1e300:
             rule = DataValidation("decimal", operator="greaterThan", formula1=repr(ends[">"]))
-    rule.showErrorMessage = rule.showInputMessage = True  # off by default, and then nothing is enforced
+    # off by default, and then nothing is enforced
+    rule.showErrorMessage = rule.showInputMessage = True
     may_be_empty = not must_be_there(model, q.key)
     rule.allow_blank = may_be_empty or "*" in q.key
     rule.promptTitle = rule.errorTitle = clip(q.label, 32)
     unit = f" [{q.unit}]" if q.unit else ""
-    expected, empty = f"{expected}{unit}", (", or leave empty", ", or nothing") if may_be_empty else ("", "")
+    expected = f"{expected}{unit}"
+    empty = (", or leave empty", ", or nothing") if may_be_empty else ("", "")
     rule.prompt, rule.error = f"Enter {clip(expected, 225)}{empty[0]}.", f"Expected {clip(expected, 225)}{empty[1]}."
     return rule
 

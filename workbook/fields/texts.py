@@ -11,7 +11,8 @@ from pydantic import AfterValidator, Field
 from workbook.fields.types import EntryError
 
 NO_FORMULA = r"^[^=]"
-ERROR = re.compile(r"#[\w/]+[!?]|#N/A|#NV|#GETTING_DATA", re.IGNORECASE)  # what a program takes for an error value
+# what a program takes for an error value
+ERROR = re.compile(r"#[\w/]+[!?]|#N/A|#NV|#GETTING_DATA", re.IGNORECASE)
 NO_NAME = re.compile(
     r"TRUE|FALSE|[+-]?[0-9.,]+(?:E[+-]?[0-9]+)?\s?%?"
     r"|[0-9]+(?:\s?[-/.:\s]\s?[0-9]+)*[-/.:]?(?:\s[AP]M?)?"
@@ -29,10 +30,8 @@ def one_line(text: str) -> str:
         number = ord(character)  # of some it is none of a character (Unicode 15, 23.7)
         none = number & 0xFFFE == 0xFFFE or 0xFDD0 <= number <= 0xFDEF
         if none or category(character) in ("Cc", "Cs", "Zl", "Zp"):
-            raise EntryError(
-                "",
-                f"holds the character U+{number:04X}; expected a text in one line, of characters that a cell can show",
-            )
+            expected = "expected a text in one line, of characters that a cell can show"
+            raise EntryError("", f"holds the character U+{number:04X}; {expected}")
     if ERROR.fullmatch(text):
         raise EntryError("", f"{text!r} reads as an error value; expected a text")
     return text
@@ -83,7 +82,7 @@ def require_distinct(names: Iterable[str], kind: str, key: str) -> None:
 
 
 LONGEST = 31  # characters of a sheet's title, as UTF-16 counts them; Excel's limit
-RESERVED = ("Summary", "Cycle", "Drive cycle", "Pieces", "Laws", "Export", "Names", "Checks", "History")
+RESERVED = ("Drive cycle", *"Summary Cycle Pieces Laws Export Names Checks History".split())
 """sheets that come later, and a title that Excel keeps for itself"""
 
 

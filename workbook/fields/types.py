@@ -6,7 +6,8 @@ from typing import Annotated, Any, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
-LARGEST, SMALLEST = 1e12, 1e-12  # of what must be more than 0: beyond, squares leave what a cell can hold
+# of what must be more than 0: beyond, squares leave what a cell can hold
+LARGEST, SMALLEST = 1e12, 1e-12
 TINIEST = 1e-30  # of all else but 0: less than rounding leaves of a formula that gives 0
 SUM_TOLERANCE = 1e-9
 ANGLE_TOLERANCE = 1e-9  # degrees

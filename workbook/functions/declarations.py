@@ -22,7 +22,8 @@ TEXTS = tomllib.loads(Path(__file__).with_name("functions.toml").read_text(encod
 CODES: tuple[str, ...] = tuple(code for code, page in FAMILY.items() if page.functions)
 """codes of the laws that the functions know: of every family but points, which are a table of their own"""
 SAID = {code: Text(*entry["says"]) for entry in TEXTS["takes"] for code in entry["codes"]}
-TAKES = {code: SAID[code] for code in (*LAWS, "OWN") if code in SAID}  # what each law takes that takes anything
+# what each law takes that takes anything
+TAKES = {code: SAID[code] for code in (*LAWS, "OWN") if code in SAID}
 
 
 class Argument(NamedTuple):

@@ -23,12 +23,11 @@ from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm
 from workbook.functions.declarations import FUNCTIONS
 
 SOURCE = Path(__file__).with_name("formulas.txt")
-LATER = ("DROP", "HSTACK", "ISOMITTED", "LAMBDA", "LET", "MAKEARRAY", "MAP", "REDUCE", "SCAN", "SEQUENCE", "TAKE",
-         "TOCOL", "VSTACK")  # fmt: skip
+LATER = "DROP HSTACK ISOMITTED LAMBDA LET MAKEARRAY MAP REDUCE SCAN SEQUENCE TAKE TOCOL VSTACK".split()
 FUTURE = {name: f"_xlfn.{name}" for name in LATER} | {"FILTER": "_xlfn._xlws.FILTER"}
 PREFIX = re.compile(r"_xl(?:fn|ws|pm|op)\.")
 HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
-PIECE = ("duration", *(f"c{i}" for i in range(6)), "amplitude", "omega", "phase", "amplitude2", "omega2", "phase2")
+PIECE = "duration c0 c1 c2 c3 c4 c5 amplitude omega phase amplitude2 omega2 phase2".split()
 """the columns of a piece; behind them stands the velocity with which the first begins"""
 LARGEST = 1000  # denominator of a number of a law
 PI = ("", "PI()", "PI() ^ 2")
@@ -48,7 +47,8 @@ class Definition(NamedTuple):
         for kind, part in words(self.formula):
             variable = kind == "name" and part not in ("TRUE", "FALSE")
             name = part.removesuffix("(") if kind == "function" else ""
-            parts.append(part.replace(name, FUTURE.get(name, name)) if name else f"_xlpm.{part}" if variable else part)
+            marked = f"_xlpm.{part}" if variable else part
+            parts.append(part.replace(name, FUTURE.get(name, name)) if name else marked)
         return "".join(parts).replace("[_xlpm.", "[_xlop.").replace("[", "").replace("]", "")
 
 
@@ -209,26 +209,24 @@ def by_law(text: Callable[[LawForm], str], otherwise: str, **more: str) -> str:
 def tables() -> dict[str, str]:
     """Return the names of ``formulas.txt``: of each law its parameters, pieces, stages, and its ends' derivatives."""
     stages = "_MOTION.STAGES(_MOTION.SEVEN(code, p), {})"
+
+    def built(law: LawForm) -> str:
+        if law.stages:
+            return stages.format(str(law.straight).upper())
+        return polynomial_formula(law) if law.half else pieces_formula(law)
+
+    def seven(law: LawForm) -> str:
+        return of_parameters(law.stages, lambda d: f"VSTACK({spelled(*d)})") if law.stages else ""
+
+    def meets(law: LawForm) -> str:
+        unstaged = "1" if law.stages else "0"
+        return f"IF(INDEX(p, 1) = 1 / 2, {len(law.half) // 2}, 0)" if law.half else unstaged
+
     return {
         "delivered": by_law(lambda law: array(law.delivered) if law.delivered else "", "0", OWN=array(OWN[0])),
         "count": by_law(lambda law: str(len(law.delivered)), "#VALUE!"),
         "fits": by_law(domain_condition, "FALSE"),
-        "built": by_law(
-            lambda law: (
-                stages.format(str(law.straight).upper())
-                if law.stages
-                else polynomial_formula(law)
-                if law.half
-                else pieces_formula(law)
-            ),
-            "#VALUE!",
-            OWN="_MOTION.FULL(p)",
-        ),
-        "seven": by_law(
-            lambda law: of_parameters(law.stages, lambda d: f"VSTACK({spelled(*d)})") if law.stages else "", "#VALUE!"
-        ),
-        "meets": by_law(
-            lambda law: f"IF(INDEX(p, 1) = 1 / 2, {len(law.half) // 2}, 0)" if law.half else "1" if law.stages else "0",
-            "0",
-        ),
+        "built": by_law(built, "#VALUE!", OWN="_MOTION.FULL(p)"),
+        "seven": by_law(seven, "#VALUE!"),
+        "meets": by_law(meets, "0"),
     }

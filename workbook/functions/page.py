@@ -35,7 +35,8 @@ if TYPE_CHECKING:
     RowCode = str
 else:
     LawCode = Annotated[Literal[CODES], BeforeValidator(as_listed)]  # a law that the functions know
-    RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]  # or what prescribes a velocity
+    # or what prescribes a velocity
+    RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]
 LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
 RANGES = {
     code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]"
@@ -259,7 +260,8 @@ def samples(sheet: Sheet, shown: PageInputs) -> None:
         *CELLS["arguments"].of_rows(arguments.values(), takes="help.en"),
     )
     sheet.heading("The sampled law and the sampled motion")
-    xi, x = np.arange(LAW_STEPS + 1) / LAW_STEPS, np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
+    xi = np.arange(LAW_STEPS + 1) / LAW_STEPS
+    x = np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
     law = [(name, words, name, name.upper()) for name, words in DERIVATIVES.items()]
     sampled(sheet, "law", "xi", xi, f"{LAW},[xi],{P}", zip(law, shown.chosen_law.evaluate(xi), strict=True))
     sampled(sheet, "motion", "x", x, f"[x],{PHASES}", zip(RATES, shown.motion.at(x)[:3], strict=True))

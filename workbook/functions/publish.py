@@ -41,7 +41,8 @@ PACKAGE = resources.files("workbook.functions") / "addin"
 def write_book(path: Path, shown: PageInputs = EXAMPLE) -> None:
     """Write the workbook of the names; the cell that says whether they compute has no saved value."""
     names = [DefinedName(term.name, comment=term.note[:NOTE], attr_text=term.stored) for term in definitions()]
-    pieces = parts(declare(shown), PageInputs, names, f"{NAMESPACE}.")  # a copied sheet brings along these names alone
+    # a copied sheet brings along these names alone
+    pieces = parts(declare(shown), PageInputs, names, f"{NAMESPACE}.")
     pack(archive.with_dynamic_arrays(pieces | {SHEET: WHETHER.sub(rb"\1\2", pieces[SHEET])}), path, overwrite=True)
 
 

@@ -182,7 +182,8 @@ def workbooks_in(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
 def hidden(path: Path) -> bool:
     """Whether a file or folder is hidden, in the way of Unix or of Windows."""
     with suppress(OSError):
-        if getattr(path.stat(), "st_file_attributes", 0) & stat.FILE_ATTRIBUTE_HIDDEN:  # Windows only
+        # Windows only
+        if getattr(path.stat(), "st_file_attributes", 0) & stat.FILE_ATTRIBUTE_HIDDEN:
             return True
     return path.name.startswith(".")
 
@@ -212,7 +213,8 @@ def verify_by_pool(
     targets: Sequence[Target], witnesses: Sequence[str], pool: Pool, keep: Callable[[Target, Outcome], object]
 ) -> list[Target]:
     """Verify by a pool, and keep what came of each; return those whose worker died."""
-    books, here = map(packed_book, targets), collecting_between(targets) if pool is THIS_PROCESS else targets
+    books = map(packed_book, targets)
+    here = collecting_between(targets) if pool is THIS_PROCESS else targets
     each = pool.each(verify_sent, books, witnesses) if pool.distant else pool.each(verify_one, here, witnesses)
     died = []
     for book, outcome in each:

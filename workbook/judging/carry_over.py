@@ -91,7 +91,8 @@ def sheet_additions(match: Match, declared: Sheet, title: str) -> dict[str, list
 
 def find_additions(match: Match, fresh: Book) -> Additions:
     """Return the additions of a matched file that a fresh book takes along, with their places, and what it lacks."""
-    ours, titles = {pair.address.sheet for pair in match.pairs}, {sheet.title.casefold() for sheet in fresh.sheets}
+    ours = {pair.address.sheet for pair in match.pairs}
+    titles = {sheet.title.casefold() for sheet in fresh.sheets}
     sheets = match.file.workbook.worksheets
     own = [sheet for sheet in sheets if sheet.title not in ours and sheet.title.casefold() not in titles]
     moves = Moves(match, fresh, {sheet.title for sheet in own})
@@ -149,8 +150,9 @@ def carried_names(match: Match, moves: Moves) -> Iterator[DefinedName]:
 
 def taken_cells(fresh: Book) -> set[Address]:
     """Return the cells in which a fresh book has something."""
-    texts = {Address(sheet.title, text.row, text.column) for sheet in fresh.sheets for text in sheet.texts if text.text}
-    return texts | {Address(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
+    texts = ((sheet.title, text) for sheet in fresh.sheets for text in sheet.texts if text.text)
+    cells = {Address(cell.block.sheet.title, cell.row, cell.column) for cell in fresh.cells()}
+    return cells | {Address(title, text.row, text.column) for title, text in texts}
 
 
 def carried_content(moves: Moves, cell: Cell, at: Address, sheet: str) -> Any:
@@ -165,5 +167,6 @@ def carried_content(moves: Moves, cell: Cell, at: Address, sheet: str) -> Any:
 
 def own_names(match: Match) -> list[DefinedName]:
     """Return the names that are someone's own."""
-    declared, held = {name.casefold() for name, _ in match.declared.names()}, match.file.workbook.defined_names.items()
+    declared = {name.casefold() for name, _ in match.declared.names()}
+    held = match.file.workbook.defined_names.items()
     return [own for name, own in held if name.casefold() not in declared and not name.startswith("_xl")]

@@ -43,8 +43,10 @@ class ExpectedValues:
 
     def __init__(self, match: Match, declared: Book) -> None:
         self._match = match
-        self.values: list[Any] = []  # the engine's, what was entered in inputs, what is declared in constants
-        self.peaks: list[float] = []  # the greatest sizes of columns, or declared scales where these are greater
+        # the engine's, what was entered in inputs, what is declared in constants
+        self.values: list[Any] = []
+        # the greatest sizes of columns, or declared scales where these are greater
+        self.peaks: list[float] = []
         for pairs in match.columns:
             block = declared.blocks[pairs[0].cell.block.name]
             q = block.quantities[pairs[0].cell.column - pairs[0].cell.block.column]
@@ -63,7 +65,8 @@ class ExpectedValues:
         return self.peaks[self._match.numbers[address]]
 
 
-LONG, SPREAD = 12, 6  # of tables of so many rows, a row in so many is looked at, at any of the other inputs
+# of tables of so many rows, a row in so many is looked at, at any of the other inputs
+LONG, SPREAD = 12, 6
 SHARE = 3  # of shorter tables and single cells, every cell at each in so many of the other inputs
 NO_EVIDENCE = "as built: no evidence of its own"
 
@@ -72,7 +75,8 @@ class Comparison:
     """A matched file, what it should hold, and ``bare``: the file, or a copy without own cells, for the witnesses."""
 
     def __init__(self, match: Match, bare: BookFile, single: CellWitness, model: Model, report: Report) -> None:
-        self.match, self.bare, self.single, self.model, self.report = match, bare, single, model, report
+        self.match, self.bare, self.single, self.model = match, bare, single, model
+        self.report = report
         self.right = ExpectedValues(match, match.declared)
         formulas = set(match.file.contents.formula_cells)
         self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}

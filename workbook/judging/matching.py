@@ -112,7 +112,8 @@ class Match:
 
     def _same_cell(self, declared: Address, held: Address) -> bool:
         """Whether two cells have the same place in a block; a heading's is every text or gap just above its column."""
-        ours, theirs = self._declared_index.get(declared, declared), self._held_index.get(held, held)
+        ours = self._declared_index.get(declared, declared)
+        theirs = self._held_index.get(held, held)
         if ours == theirs or isinstance(ours, Address) or ours[1] != HEADING or ours[0] not in self.file.places:
             return ours == theirs
         top = self.file.places[ours[0]].cell(0, ours[2])

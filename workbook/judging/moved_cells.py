@@ -18,7 +18,8 @@ from workbook.book.rows import as_rows
 from workbook.fields.texts import lookup_key
 from workbook.judging.matching import Match
 
-NAMED = {"axis": "axes", "drive": "axes", "cycle": "axes", "clear": "clearances", "switch": "switches", "tool": "tools"}
+NAMED = dict.fromkeys(("axis", "drive", "cycle"), "axes")
+NAMED |= {"clear": "clearances", "switch": "switches", "tool": "tools"}
 """by what the names of the cells of a part begin with, before its number, the table that names the parts"""
 PART = re.compile(rf"({'|'.join(NAMED)})([1-9][0-9]*)(?![0-9])")
 HEAD = re.compile(r"(status|block)([1-9][0-9]*)(?![0-9])")  # of a sheet, by its number
@@ -40,7 +41,8 @@ class Moves:
         self.own_sheets, self.own_names = own_sheets, set[str]()
         self.renamed: dict[str, str] = {}  # public names that formulas have, by those that they had
         self.other_units: dict[str, str] = {}  # by public names, what changed
-        self.changed_rows: set[str] = set()  # rows to which formulas refer, and which hold other entries now
+        # rows to which formulas refer, and which hold other entries now
+        self.changed_rows: set[str] = set()
         self._rows: dict[str, list[int | None]] = {}
 
     @cached_property
@@ -107,7 +109,8 @@ class Moves:
         names = [row_names(block) for block in (old, new)]
         rows = names if all(names) else [row_entries(block) for block in (old, new)]
         held: dict[Any, int] = {row: i for i, row in reversed([*enumerate(rows[1])])}
-        same = [i if i < new.size else None for i in range(old.size)]  # of rows whose entries are others now
+        # of rows whose entries are others now
+        same = [i if i < new.size else None for i in range(old.size)]
         return [held.get(row, None if all(names) and row else same[i]) for i, row in enumerate(rows[0])]
 
     def cell(self, at: Address) -> Address:

@@ -42,7 +42,8 @@ def repair_names(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterat
         expected = f"{name!r}, without blanks around it" if trimmed else f"a name that look-ups find, such as {name!r}"
         for at in (at for at, held in texts.items() if held == text):
             set_value(file, at, name)
-            yield Finding(at.sheet, at.a1, kind, repr(text), expected, cells[at].title or cells[at].quantities[0].label)
+            what = cells[at].title or cells[at].quantities[0].label
+            yield Finding(at.sheet, at.a1, kind, repr(text), expected, what)
         file.saved |= {at: v.replace(text, name) for at, v in file.saved.items() if isinstance(v, str)}
 
 

@@ -12,11 +12,14 @@ from workbook.template_outputs import ExactJudgement
 
 LAYOUT = "layout"  # the kind of rows and columns that were put into tables, or are gone
 # the kinds of findings, causes before what follows from them
-ORDER = (LAYOUT, "entry", "missing", "replaced", "formula", "changed", "name", "setting", "function", "unread", "error",
-    "value", "follows", "saved", "shown", "witness")  # fmt: skip
+ORDER = (
+    f"{LAYOUT} entry missing replaced formula changed name setting "
+    "function unread error value follows saved shown witness"
+).split()
 CAUSES = ORDER[:8]  # the kinds from which wrong values follow elsewhere
 FOLLOWS = "follows"  # the kind of what is wrong only because of other cells
-SHOWN, NOTICE = "shown", "notice"  # what may be read otherwise; what is reworded or gone and misleads nobody
+# what may be read otherwise; what is reworded or gone and misleads nobody
+SHOWN, NOTICE = "shown", "notice"
 
 
 @dataclass(frozen=True)
@@ -94,7 +97,8 @@ class Report:
     compared: int = 0
     declared: int = 0
     findings: list[Finding] = field(default_factory=list)
-    following: list[Finding] = field(default_factory=list)  # from rows and columns inserted or gone; none by itself
+    # from rows and columns inserted or gone; none by itself
+    following: list[Finding] = field(default_factory=list)
     notices: list[Finding] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet

@@ -39,7 +39,8 @@ def check_structure(match: Match, report: Report) -> set[Address]:
         elif pair.held is None:
             report.add(pair, "missing", None, pair.cell.expected)
         elif isinstance(pair.held, LiteralText):
-            report.add(pair, "replaced", f'"{pair.held}"', pair.cell.content, why="a text is never computed")
+            held = f'"{pair.held}"'
+            report.add(pair, "replaced", held, pair.cell.content, why="a text is never computed")
         elif not is_formula(pair.held):
             report.add(pair, "replaced", pair.held, pair.cell.expected)
         elif not match.same_shape(pair):
@@ -71,8 +72,8 @@ COMPUTED = "how the program computes"
 
 def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     """Yield what is wrong with formulas, names, inputs and settings of a matched workbook."""
-    own = (function_findings, sheet_name_findings, column_name_findings, stray_blocks, mislabelled_cells)
-    for findings in (*own, displaced_texts, exchanged_tables):
+    of_names = (function_findings, sheet_name_findings, column_name_findings)
+    for findings in (*of_names, stray_blocks, mislabelled_cells, displaced_texts, exchanged_tables):
         yield from findings(match)
     inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
     read = match.file.contents.read([pair.address for pair in inputs])
@@ -85,7 +86,8 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
 
 def sheet_name_findings(match: Match) -> Iterator[Finding]:
     """Yield names of a sheet that its formulas take for the book's of the same name."""
-    declared, ours = {name.casefold() for name, _ in match.declared.names()}, {p.address.sheet for p in match.pairs}
+    declared = {name.casefold() for name, _ in match.declared.names()}
+    ours = {p.address.sheet for p in match.pairs}
     for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
         for name, defined in sheet.defined_names.items():
             if name.casefold() in declared:
@@ -105,13 +107,15 @@ def function_findings(match: Match) -> Iterator[Finding]:
 def setting_findings(workbook: Workbook) -> Iterator[Finding]:
     """Yield the settings of a file that let formulas go stale, round them, or read them by other rules."""
     held = workbook.calculation
-    for wrong, setting, expected in (
-        (held and held.calcMode == "manual", "manual", "automatic: else what is shown is not what was entered"),
-        (held and held.iterate, "iterative", "not iterative: else a cell that depends on itself has a value"),
-        (held and held.fullPrecision is False, "with the precision as displayed", "with full precision"),
-    ):
-        if wrong:
-            yield Finding("", "calculation", "setting", setting, expected, COMPUTED)
+    settings: list[tuple[str, str]] = []
+    if held and held.calcMode == "manual":
+        settings.append(("manual", "automatic: else what is shown is not what was entered"))
+    if held and held.iterate:
+        settings.append(("iterative", "not iterative: else a cell that depends on itself has a value"))
+    if held and held.fullPrecision is False:
+        settings.append(("with the precision as displayed", "with full precision"))
+    for setting in settings:
+        yield Finding("", "calculation", "setting", *setting, COMPUTED)
     for sheet in workbook.worksheets:
         if sheet.sheet_properties.transitionEvaluation or sheet.sheet_properties.transitionEntry:
             rules = "by the rules of Lotus 1-2-3", "by those of Excel"
@@ -161,7 +165,8 @@ def stray_blocks(match: Match) -> Iterator[Finding]:
         away.pop(counted[0][0] if counted else "", None)
         for title, ((first, place), *more) in away.items():
             others = f"the sheet {title}" + (f", and so do {len(more)} more" if more else "")
-            yield finding(place, first.name, others, f"the sheet {counted[0][0]}, with the others: move it back")
+            expected = f"the sheet {counted[0][0]}, with the others: move it back"
+            yield finding(place, first.name, others, expected)
 
 
 def mislabelled_cells(match: Match) -> Iterator[Finding]:
@@ -197,7 +202,8 @@ def displaced_texts(match: Match) -> Iterator[Finding]:
                 continue
             usual = max((place for place in columns if place[0] == block.column), key=columns.__getitem__)[1]
             if place.column != usual or not texts_beside(match, place):
-                yield finding(place, block.name, range_of(place), f"the cell of {q.label!r}, below or above the others")
+                expected = f"the cell of {q.label!r}, below or above the others"
+                yield finding(place, block.name, range_of(place), expected)
 
 
 def texts_beside(match: Match, place: Place) -> list[str]:
@@ -215,7 +221,8 @@ def exchanged_tables(match: Match) -> Iterator[Finding]:
             alike[sheet.title, *what].append((block, place))
     for blocks in alike.values():
         for (before, first), (after, second) in pairwise(blocks):
-            in_order = first.sheet != second.sheet or first[:3] < second[:3]  # another sheet is what strays() tells
+            # another sheet is what strays() tells
+            in_order = first.sheet != second.sheet or first[:3] < second[:3]
             if not in_order and not (has_own_heading(match, before, first) and has_own_heading(match, after, second)):
                 yield finding(second, after.name, f"above or left of {before.name}", f"below {before.name}")
 

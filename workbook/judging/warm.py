@@ -34,7 +34,8 @@ from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.registry import WITNESSES
 from workbook.witnesses.witness import CellWitness, Model
 
-NAMING = frozenset({"workbookPr", "sheet", "definedName"})  # elements of the workbook's part on which values rest
+# elements of the workbook's part on which values rest
+NAMING = frozenset({"workbookPr", "sheet", "definedName"})
 
 
 class OtherBookError(MotionbookError):
@@ -61,7 +62,8 @@ class WarmBook:
 
     def judge_values(self, path: Path) -> Judged:
         """Return what comes of the values of a save; raise MotionbookError where only ``verify`` can judge it."""
-        file, self._file = self._file, None  # a save that raises an error leaves nothing to the next
+        # a save that raises an error leaves nothing to the next
+        file, self._file = self._file, None
         inspected = guard(path, self._scans)
         cells = changed_cells(file, inspected) if file else None
         if file is None or cells is None:

@@ -109,7 +109,8 @@ def summary(sheet: Sheet, of: BookLaws) -> None:
         return result(name, label, symbol, "", formulas, values, format="0.0000")
 
     def stated(name: str, label: str, symbol: str, field: str, values: Sequence[float], **more: Any) -> Quantity:
-        return calc(name, label, symbol, "", [law.own(getattr(law.page, field)) for law in laws], values, **more)
+        formulas = [law.own(getattr(law.page, field)) for law in laws]
+        return calc(name, label, symbol, "", formulas, values, **more)
 
     def end(d: str, label: str, at: str) -> Quantity:
         cell = CELLS["end"]
@@ -152,7 +153,8 @@ SECOND_TERMS = {
     "ds": "-[ps2]*SIN([omega2]*[d]+[phi2])",
 }
 """what a second sine adds to formulas of the stack"""
-WITH_SECOND = (*SECOND, "ps2", "pv2", "pj2")  # columns of the stack that are there with a second sine alone
+# columns of the stack that are there with a second sine alone
+WITH_SECOND = (*SECOND, "ps2", "pv2", "pj2")
 PLACED = "xi ps pv pj pj2 ps2 pv2 v dv s ds key".split()
 COLUMNS = ("d", "s0", "s1", *POWERS, *SINE, *SECOND, *PLACED)
 FIRST_POWERS = {"piece_y": "s0", "piece_dy": "s1", "piece_ddy": "c0", "piece_dddy": "c1"}
@@ -172,7 +174,8 @@ def stack(sheet: Sheet, rows: list[Row], stacked: Pieces) -> None:
 
     always = [name for name in COLUMNS if name not in WITH_SECOND]
     keys = cell.of_rows(rows, law="law", number="number", k="k")
-    sheet.table("pieces", "Pieces of all laws", len(rows), *keys, *map(column, COLUMNS if second else always))
+    columns = map(column, COLUMNS if second else always)
+    sheet.table("pieces", "Pieces of all laws", len(rows), *keys, *columns)
     sheet.book.name(
         "pieces",
         **{f"piece_{name}": name for name in ("law", "number", "k", *always)},

@@ -113,7 +113,8 @@ def results(sheet: Sheet, named: NamedLaw, rise: Phase) -> None:
     for name, label, symbol in COEFFICIENTS:
         formula, words = page.coefficients[name]
         value = finite(getattr(law.coefficients, name))
-        sheet.rows(cell("@{name}", value, name=name, label=label, symbol=symbol, formula=formula, source=words))
+        texts = {"name": name, "label": label, "symbol": symbol, "formula": formula}
+        sheet.rows(cell("@{name}", value, source=words, **texts))
     if workings := page.workings(law):
         sheet.heading("Workings")
         sheet.rows(*workings)

@@ -28,7 +28,8 @@ class Form(NamedTuple):
     travel: str  # travel from rest, over A d²
     square: str  # ∫a², over A² d
     jerk: str  # largest jerk, over A/d
-    early: Mapping[str, str]  # the entries of the piece in the first pulse: H stands for its height, D its duration
+    # the entries of the piece in the first pulse: H stands for its height, D its duration
+    early: Mapping[str, str]
     late: Mapping[str, str]  # and in the second, in the order of time
 
 
@@ -36,8 +37,10 @@ QUARTER = "IF(D>0,PI()/(2*D),0)"
 SLOPE = "IF(D>0,H/D,0)"
 SINE = {"P": "H", "omega": QUARTER, "equation": "a = H sin(πu / 2D)"}
 COSINE = {"P": "H", "omega": QUARTER, "phi": "PI()/2", "equation": "a = H cos(πu / 2D)"}
-UP, DOWN = {"c1": SLOPE, "equation": "a = H u/D"}, {"c0": "H", "c1": f"0-{SLOPE}", "equation": "a = H (1 − u/D)"}
-LEVEL, WAVE = {"c0": "H", "equation": "a = H"}, {"P": "H", "omega": "PI()/D", "equation": "a = H sin(πu / D)"}
+UP = {"c1": SLOPE, "equation": "a = H u/D"}
+DOWN = {"c0": "H", "c1": f"0-{SLOPE}", "equation": "a = H (1 − u/D)"}
+LEVEL = {"c0": "H", "equation": "a = H"}
+WAVE = {"P": "H", "omega": "PI()/D", "equation": "a = H sin(πu / D)"}
 FLAT = Form("constant", "1", "1/2", "1", "", LEVEL, LEVEL)
 SINE_OUT = Form("quarter sine from the dwell", "@k", "@k*(1-@k)", "1/2", "PI()/2", SINE, COSINE)
 SINE_IN = Form("quarter sine inside", "@k", "@k^2", "1/2", "PI()/2", COSINE, SINE)
@@ -160,7 +163,8 @@ class Stages:
         for (name, side, stages, height), edge in zip(sides, law.inner_edges, strict=True):
             k, form = self.forms(stages)[-1]
             if form.word in SEARCHED:
-                cell, before = partial(SEARCHED[form.word], name=name, side=side), self.total(stages[:-1], "gain")
+                cell = partial(SEARCHED[form.word], name=name, side=side)
+                before = self.total(stages[:-1], "gain")
                 rows += [
                     cell("{name}_v", edge.velocity, height=height, before=before),
                     cell("{name}_g", edge.gain, height=height, gain=times(form.gain, f"@d{k}")),

@@ -37,7 +37,8 @@ def as_listed(name: Any) -> Any:
 
 
 NAME = Field(min_length=1, max_length=LONGEST, pattern=NO_FORMULA)
-LawName = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw()]  # the name of any law of the book
+# the name of any law of the book
+LawName = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw()]
 RisingLaw = Annotated[str, NAME, LOOKED_UP, BeforeValidator(as_listed), TakesLaw(moves=True)]
 """the name of a law that moves"""
 
@@ -204,4 +205,5 @@ def resolve(entries: Model, laws: Laws) -> None:
             takes = f"add [laws.{code}], or take" if code else "expected"
             alike = ", ".join(near for near in nearest_laws(reference.name, laws.names) if near != code)
             raise EntryError(reference.key, f"no law is named {quoted(reference.name)}; {takes} one of {alike}")
-        object.__setattr__(reference.entries, reference.field, name)  # entries are frozen once they are whole
+        # entries are frozen once they are whole
+        object.__setattr__(reference.entries, reference.field, name)

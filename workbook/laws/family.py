@@ -36,7 +36,8 @@ LABELS = {  # label and symbol of each
     "P": ("amplitude", "P"), "omega": ("frequency", "ω"), "phi": ("phase", "φ"),
     "P2": ("second amplitude", "P₂"), "omega2": ("its frequency", "ω₂"), "phi2": ("its phase", "φ₂"),
 }  # fmt: skip
-BEHIND = 20  # the column behind the charts of a law's sheet, where workings of its entries may stand
+# the column behind the charts of a law's sheet, where workings of its entries may stand
+BEHIND = 20
 REACHES = "ABS([@samples.s.last]-1)<check_zero"
 RESTS = f"AND({REACHES},ABS([@samples.v.last])<check_zero)"
 
@@ -97,7 +98,8 @@ class Page:
     source: str
     entries: type[Model] | None = LawSheet
     pieces: tuple[PieceRow, ...]
-    coefficients: Mapping[str, tuple[str, str]]  # formula of each coefficient, and the equation in words
+    # formula of each coefficient, and the equation in words
+    coefficients: Mapping[str, tuple[str, str]]
     fastest: str  # the formula of the first ξ at which v is largest
     parameters: tuple[Parameter, ...] = ()
     variations: tuple[Mapping[str, Any], ...] = ()
@@ -105,19 +107,23 @@ class Page:
     workings: Callable[[Any], list[Quantity]] = lambda law: []
     checks: tuple[LawCheck, ...] = ()
     rests: bool = True  # whether it begins and ends at rest
-    single: bool = True  # whether it speeds up once, from rest, and comes to rest, whatever its parameters
+    # whether it speeds up once, from rest, and comes to rest, whatever its parameters
+    single: bool = True
     start: str = "=0"  # the formula of the velocity with which it begins
     lowest: str = "=0"  # the formula of its lowest velocity
     wrong_step: str = "=0"  # the formula of the greatest step of v the wrong way: down before its peak, up after it
     end_mode: str = "=0"
     """the formula of how it meets neighbours that hand velocity over: :func:`engine.motion.handover.end_mode`"""
     early: int = 0  # pieces of its first pulse, of a law of two pulses
-    has_sheet: bool = True  # whether its formulas stand in cells of its own, which other sheets refer to
+    # whether its formulas stand in cells of its own, which other sheets refer to
+    has_sheet: bool = True
     functions: bool = True  # whether the functions MOTION.* take it
     named: str = ""  # the formula of its name in words, where it is entered
     low: str = "=MIN(0,[s1])"
-    high: str = "=MAX(0,[s1])"  # the formulas of its lowest and its highest s: a law that turns has others
-    of_pieces: Sequence[str] = ()  # the entries that its pieces may have, where it has no table of them
+    # the formulas of its lowest and its highest s: a law that turns has others
+    high: str = "=MAX(0,[s1])"
+    # the entries that its pieces may have, where it has no table of them
+    of_pieces: Sequence[str] = ()
 
     @property
     def title(self) -> str:

@@ -29,7 +29,8 @@ FAMILY: dict[str, Page] = {law.code: page_of(law, PAGES) for law in CATALOGUE}
 CODES: tuple[str, ...] = ("DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 """the basic laws, which every book has, in the order of their numbers: each named by the code of its family"""
 RISING: tuple[str, ...] = CODES[1:]  # those of them that move
-NAMES = tuple(name for law in CATALOGUE for name in (law.code, law.name, *law.aliases))  # of all families
+# of all families
+NAMES = tuple(name for law in CATALOGUE for name in (law.code, law.name, *law.aliases))
 
 
 def code_named(name: str) -> str | None:

@@ -23,7 +23,8 @@ from workbook.laws.family import ENTRIES
 
 CELLS = cell_tables(__file__)
 
-SINES = {"x": "P", "z": "P2"}  # of each sine: the column of its argument, and the entry of its amplitude
+# of each sine: the column of its argument, and the entry of its amplitude
+SINES = {"x": "P", "z": "P2"}
 SPELLED = {  # of each derivative: the block of its coefficients, and what a sine adds
     "s": ("piece_y", "-INDEX(piece_ps{0},[q])*SIN([{1}])"),
     "v": ("piece_dy", "-INDEX(piece_pv{0},[q])*COS([{1}])"),

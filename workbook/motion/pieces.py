@@ -29,9 +29,11 @@ NAMES = ("position", "slope", "quadratic", "cubic", "quartic", "quintic", "of si
 ROOM = "as sizes.motion_pieces says"
 POSITION = "c0 + c1 u + … + A sin ζ"
 FROM_START = "from its start; never 0, so that u⁰ is 1"
-SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"  # the same by the amplitude of each derivative
+# the same by the amplitude of each derivative
+SINES = "+{}*SIN({})", "+{}*COS({})", "-{}*SIN({})", "-{}*COS({})"
 
-Sizes = Callable[[int], float]  # of the n-th derivative of the motion: what deviations are measured by at least
+# of the n-th derivative of the motion: what deviations are measured by at least
+Sizes = Callable[[int], float]
 
 
 def phase_columns(rows: PieceRows) -> list[Quantity]:
@@ -122,7 +124,8 @@ def piece_columns(rows: PieceRows, room: int) -> list[Quantity]:
 def scaled(rows: PieceRows, pieces: Sequence[MotionPiece]) -> list[Quantity]:
     """Return the columns of what a piece of the law is scaled by: lift and 1/δ of its phase."""
     cell, phases = sharing(CELLS["scaled"], at=rows.at), [piece.phase for piece in pieces]
-    lift, rate = cell("hp", [rows.lifts[k] for k in phases]), cell("per", [rows.rates[k] for k in phases])
+    lift = cell("hp", [rows.lifts[k] for k in phases])
+    rate = cell("per", [rows.rates[k] for k in phases])
     return [rate] if rows.at.ends else [lift, rate]
 
 
@@ -133,7 +136,8 @@ def from_power(order: int) -> str:
 
 def power(rows: PieceRows, i: int, pieces: Sequence[MotionPiece], sizes: Sizes) -> Quantity:
     """Return a coefficient of the polynomial."""
-    at, table, values = rows.at, sharing(CELLS["power"], at=rows.at), [piece.c[i] for piece in pieces]
+    at, table = rows.at, sharing(CELLS["power"], at=rows.at)
+    values = [piece.c[i] for piece in pieces]
 
     def cell(name: str, **parts: Any) -> Quantity:
         return table(name, values, unit=at.unit(i), scale=sizes(i), **parts)

@@ -38,10 +38,14 @@ class RequiredSmoothness:
     of: tuple[str, str] = ("", "")  # the motion's name
     wraps: str = ""  # the condition under which the motion repeats
     periodic: bool = True  # whether it does
-    names: tuple[str, ...] = ()  # of its phases, in the column ``what`` of their table, where sentences give them
-    speed: tuple[str, float] | None = None  # of a motion in degrees shown over time: the cell of its speed, and rad/s
-    lift: tuple[str, float] = ("", 1.0)  # the end of a formula of a lift in another unit, and what that is in it
-    units: tuple[str, ...] = ()  # of the derivatives, where sentences have others than the motion's own
+    # of its phases, in the column ``what`` of their table, where sentences give them
+    names: tuple[str, ...] = ()
+    # of a motion in degrees shown over time: the cell of its speed, and rad/s
+    speed: tuple[str, float] | None = None
+    # the end of a formula of a lift in another unit, and what that is in it
+    lift: tuple[str, float] = ("", 1.0)
+    # of the derivatives, where sentences have others than the motion's own
+    units: tuple[str, ...] = ()
     quickest: str = ""  # the formula of the greatest 1/δ by which jerks are measured: by default that of all phases
 
 

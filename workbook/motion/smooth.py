@@ -54,7 +54,8 @@ class Joints:
 
     def order(self) -> list[Quantity]:
         """Return the rows that say how many derivatives must be continuous, and which jumps of each are rounding."""
-        scales, quickest = self.scales, self.required.quickest or f"MAX([{self.rows.at.phases}.rate])"
+        scales = self.scales
+        quickest = self.required.quickest or f"MAX([{self.rows.at.phases}.rate])"
         cell = sharing(CELLS["order"], order=self.required.order)
         return [
             cell("{order}", ORDERS.index(self.required.smooth) + 1, entry=self.required.entry),
@@ -105,7 +106,8 @@ class Joints:
         """Return the columns of each piece's end, with its powers; of its begin if a motion opens within."""
         at, room = self.rows.at, len(pieces)
         if not at.opens:
-            return place_columns(self.rows, "1", "end", "=[d]", np.array([piece.duration for piece in pieces]), pieces)
+            durations = np.array([piece.duration for piece in pieces])
+            return place_columns(self.rows, "1", "end", "=[d]", durations, pieces)
         nexts = filled((piece.begin for piece in self.rows.pieces[1:]), room, self.rows.end)
         ends = [after - piece.origin if piece.duration else 0.0 for piece, after in zip(pieces, nexts, strict=True)]
         begins, begin = [opening(piece) for piece in pieces], f"[{at.pieces}.begin.same]"
@@ -118,7 +120,8 @@ class Joints:
 
     def _rates(self, pieces: list[MotionPiece], joints: list[Joint]) -> list[Quantity]:
         """Return y', y'' and y''' at both ends of each piece."""
-        cell, rows, at_begins = CELLS["rates"], self.rows, [np.array(opening(piece)) for piece in pieces]
+        cell, rows = CELLS["rates"], self.rows
+        at_begins = [np.array(opening(piece)) for piece in pieces]
 
         def begun(name: str, n: int) -> Quantity:
             values = [float(piece.curves[n].at(u)) for piece, u in zip(pieces, at_begins, strict=True)]
@@ -147,7 +150,8 @@ class Joints:
             (k if joint.piece_count > 1 else wrapped) * (piece.duration > 0.0)
             for k, (joint, piece) in enumerate(zip(joints, pieces, strict=True))
         ]
-        cell, scales = sharing(CELLS["jumps"], joints=self.name, order=self.required.order), self.scales
+        cell = sharing(CELLS["jumps"], joints=self.name, order=self.required.order)
+        scales = self.scales
         return [
             cell("met", met, last=last),
             cell("dv", [joint.jump.v for joint in joints], scale=scales.v),
@@ -224,7 +228,8 @@ class Joints:
         who = f"{names[joint.before]}{'' if within else f' to {names[piece.phase]}'} " if names else ""
         degrees = self.rows.at.degrees and required.speed is None
         at, size = jump_values(required, piece.begin, abs(joint.size), joint.order)
-        x, jump, slopes = shown(at, DEGREE) if degrees else at, figure(size), self._slopes(piece, joint)
+        x, jump = shown(at, DEGREE) if degrees else at, figure(size)
+        slopes = self._slopes(piece, joint)
         lines = f": straight lines of {' and '.join(figure(slope) for slope in slopes)}" if slopes else ""
         what, unit = ORDERS[joint.order - 1], self.units[joint.order - 1]
         says = f"{who}at {figure(x)}{required.place}: {what} jumps by {jump} {unit}{lines}"

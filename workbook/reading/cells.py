@@ -18,7 +18,8 @@ from workbook.reading.guard import Inspected
 from workbook.reading.rows import MAIN, RawCell, Rows
 
 MOST_DIGITS = 300  # of a whole number; a number of more may be larger than any that a cell can hold
-TEXTS = {"str": "s", "inlineStr": "s"}  # types of values that openpyxl has as one, that of shared texts
+# types of values that openpyxl has as one, that of shared texts
+TEXTS = {"str": "s", "inlineStr": "s"}
 
 
 def fill_sheet(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
@@ -31,9 +32,11 @@ def fill_sheet(sheet: Worksheet, rows: Rows, texts: Sequence[str]) -> None:
         cell: Any = cells.get(place)  # a cell of a comment, a link, or a range that is merged
         if isinstance(cell, MergedCell):
             continue
-        if cell is None:  # built in a third of the time of its initializer, which copies the style: nobody changes it
+        # built in a third of the time of its initializer, which copies the style: nobody changes it
+        if cell is None:
             cell = cells[place] = Cell.__new__(Cell)
-            cell.parent, (cell.row, cell.column), cell._hyperlink, cell._comment = sheet, place, None, None
+            cell.parent, (cell.row, cell.column), cell._hyperlink = sheet, place, None
+            cell._comment = None
         cell._style = styles[held.style]
         if held.how is None:
             cell._value, cell.data_type = cell_content(held, texts), TEXTS.get(held.kind, held.kind)

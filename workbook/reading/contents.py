@@ -18,7 +18,8 @@ from workbook.book.columns import Formulas, Moved, Moving, Pattern
 from workbook.book.formula import REFERENCE, Area, Formula, FormulaError, anchored, reference
 
 Cells = dict[Address, Any]
-Patterns = tuple[list[tuple[Pattern, list[int]]], list[Formula]]  # formulas by patterns, in which rows; those with none
+# formulas by patterns, in which rows; those with none
+Patterns = tuple[list[tuple[Pattern, list[int]]], list[Formula]]
 
 
 class Contents:
@@ -29,7 +30,8 @@ class Contents:
         self.formulas: dict[Address, Formula | Moved] = {}
         self.failed: Cells = {}  # the error values that formulas stand for which cannot be taken apart
         self.problems: dict[Address, str] = {}  # why, in a line
-        self.arrays: dict[Address, str] = {}  # the text of a formula over several cells, or of another kind, in each
+        # the text of a formula over several cells, or of another kind, in each
+        self.arrays: dict[Address, str] = {}
         self._titles = {title.casefold(): title for title in workbook.sheetnames}
         self._names = name_texts(workbook)
         self._epoch = workbook.epoch

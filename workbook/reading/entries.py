@@ -20,7 +20,8 @@ from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
 """takes the formula cells that will be asked for, and returns a function that gives the value of each"""
-Repair = Callable[[BookFile, Book, type[BaseModel]], list[Any]]  # repairs entries, and returns findings on them
+# repairs entries, and returns findings on them
+Repair = Callable[[BookFile, Book, type[BaseModel]], list[Any]]
 
 UNDO = "undo the change, or take that cell from a copy of the book"
 
@@ -36,7 +37,8 @@ class Entries:
         self.computed: dict[Address, Any] = {}
         self.template = self._template()
         self.data = self._layout()
-        self.beyond: list[str] = []  # of each table of entries the cells under its last row, which nothing reads
+        # of each table of entries the cells under its last row, which nothing reads
+        self.beyond: list[str] = []
         self._between: list[str] = []
         self._laws = {key: law["family"] for key, law in self.data["laws"].items()}
         layout = self._declare_empty(self.data.pop(INPUTS, None))

@@ -53,9 +53,12 @@ class BookFile:
     workbook: Workbook
     places: dict[str, Place]
     notes: list[str] = field(default_factory=list)
-    saved: Cells = field(default_factory=dict)  # with formula cells; nothing of a workbook that is no file yet
-    inserted: dict[str, tuple[int, ...]] = field(default_factory=dict)  # the rows of the sheet put into each table
-    torn: dict[str, str] = field(default_factory=dict)  # where and how each table is torn that is not whole
+    # with formula cells; nothing of a workbook that is no file yet
+    saved: Cells = field(default_factory=dict)
+    # the rows of the sheet put into each table
+    inserted: dict[str, tuple[int, ...]] = field(default_factory=dict)
+    # where and how each table is torn that is not whole
+    torn: dict[str, str] = field(default_factory=dict)
     mended: bool = False  # whether entries were put in order, so that it is not as the file is
     inspected: Inspected | None = None  # what openpyxl does not read
     bare: bool = False  # whether it is a copy of contents and names alone
@@ -118,7 +121,8 @@ def load_workbook(path: Path, inspected: Inspected) -> Workbook:
     part = ""
     try:
         with warnings.catch_warnings(), redirect_stdout(io.StringIO()):  # it prints a complaint
-            warnings.simplefilter("ignore")  # parts that openpyxl leaves aside are of no concern here
+            # parts that openpyxl leaves aside are of no concern here
+            warnings.simplefilter("ignore")
             reader = ExcelReader(str(path), keep_links=False)
             reader.archive.close()
             reader.archive = StrippedArchive(path, inspected.parts)
@@ -195,7 +199,8 @@ def place_of(sheet: str, cells: str) -> Place | None:
 
 
 MOST_READ = 500_000_000  # cells that all formulas read together: in committed books 3, in the largest 160 million
-MOST_COLUMNS = 50_000_000  # columns that all formulas of a file read together, an engineer's own among them
+# columns that all formulas of a file read together, an engineer's own among them
+MOST_COLUMNS = 50_000_000
 
 
 def require_narrow(file: BookFile) -> None:

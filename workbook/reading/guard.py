@@ -21,7 +21,8 @@ MOST_RATIO = 200  # of a part above one megabyte; Excel's own stay below 50
 OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 OTHER_KINDS = {"content.xml": "an OpenDocument file", "xl/workbook.bin": "a binary workbook (.xlsb)"}
 """kinds of file by a part that only they have"""
-DRAWN = {"pic": "pictures", "sp": "shapes and text boxes"}  # of drawings besides charts (ISO/IEC 29500-1, 20.5.2)
+# of drawings besides charts (ISO/IEC 29500-1, 20.5.2)
+DRAWN = {"pic": "pictures", "sp": "shapes and text boxes"}
 NOTES = {
     "xl/vbaProject.bin": "holds macros; they were neither read nor run",
     "xl/externalLinks/": "links to other workbooks; the links were not followed",
@@ -38,7 +39,8 @@ class Inspected(NamedTuple):
     pages: dict[str, Element]  # all of a sheet but its rows
     parts: dict[str, Element]  # the same by the names of their parts
     strings: Element  # the part with the texts that several cells share
-    fonts: dict[int, list[Element]]  # of those of these texts that have any, by number (ISO/IEC 29500-1, 18.4.7)
+    # of those of these texts that have any, by number (ISO/IEC 29500-1, 18.4.7)
+    fonts: dict[int, list[Element]]
     drawings: dict[str, list[Anchor]]  # of each sheet
     drawn: dict[str, int]  # how much drawings hold besides charts
     book: Element  # the workbook's own part
@@ -135,7 +137,8 @@ def refuse_other_kinds(file: IO[bytes]) -> None:
     data = file.read(512)
     if data.startswith(OLE):
         data += file.read(MEGABYTE)
-        file.seek(max(0, file.seek(0, 2) - MEGABYTE))  # the end, where the directory of an OLE container mostly lies
+        # the end, where the directory of an OLE container mostly lies
+        file.seek(max(0, file.seek(0, 2) - MEGABYTE))
         if "EncryptedPackage".encode("utf-16-le") in data + file.read():
             raise Refusal("protected by a password; remove the password (Excel: File > Info > Protect Workbook)")
         raise Refusal(f"an old .xls workbook; {SAVE_AS}")

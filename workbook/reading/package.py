@@ -21,7 +21,8 @@ CHART = re.compile(r"/?xl/charts/[^/]*\.xml")
 DRAWING = re.compile(r"/?xl/drawings/[^/]*\.xml")
 NOTHING_DRAWN = b'<d:wsDr xmlns:d="http://schemas.openxmlformats.org/drawingml/2006/spreadsheetDrawing"/>'
 POINT = re.compile(rb"<((?:\w+:)?)pt [^<>]*><\1v>[^<>]*</\1v></\1pt>")
-OPAQUE = ("graphicFrame", "pic", "sp")  # what an anchor may hold that hides cells (ISO/IEC 29500-1, 20.5.2)
+# what an anchor may hold that hides cells (ISO/IEC 29500-1, 20.5.2)
+OPAQUE = ("graphicFrame", "pic", "sp")
 PIXEL = 9525  # EMU
 NOTHING = Element("nothing")
 

@@ -12,7 +12,8 @@ MOST_CELLS = 1_500_000  # that openpyxl makes
 MOST_IN_ROWS = 7 * MOST_CELLS  # elements and attributes inside of rows
 MOST_OUTSIDE = 1_000_000  # elements, attributes and ranges outside of rows
 MOST_OF = {"definedName": 20_000, "si": 200_000, "sheet": 250}
-MOST_LONG = {"f": 8_192, "definedName": 8_192, "v": 32_767, "t": 32_767}  # characters; Excel's limits
+# characters; Excel's limits
+MOST_LONG = {"f": 8_192, "definedName": 8_192, "v": 32_767, "t": 32_767}
 MOST_FORMULAS = 400_000_000  # characters of all formulas and names, the shared ones written out
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 LAST_ROW, LAST_COLUMN = 1_048_576, 16_384
@@ -225,7 +226,8 @@ class Rows:
         refuse_two_texts(element, self.name)
         if fonts := list(element.iter(f"{MAIN}rPr")):
             self.fonts[self.row, self.column] = fonts
-        runs = [part for child in element for part in (child, *child) if tag(part) == "t" and tag(child) in ("t", "r")]
+        runs = [part for child in element if tag(child) in ("t", "r") for part in (child, *child)]
+        runs = [part for part in runs if tag(part) == "t"]
         return (before or "") + "".join(text_of(run, "t", self.name) for run in runs) if runs else before
 
     def _formula(self, element: Element) -> str:

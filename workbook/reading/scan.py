@@ -29,7 +29,8 @@ DATA, ROW, CELL = f"{MAIN}sheetData", f"{MAIN}row", f"{MAIN}c"
 STRICT = "{http://purl.oclc.org/ooxml/spreadsheetml/main}"  # ISO/IEC 29500-1; Excel writes the other by default
 PLACES = {DATA: [f"{MAIN}worksheet"], ROW: [f"{MAIN}worksheet", DATA], CELL: [f"{MAIN}worksheet", DATA, ROW]}
 """the elements of a worksheet that stand in a single place only, and what they stand in"""
-FILLED = frozenset({"mergeCell", "hyperlink", "comment"})  # openpyxl visits every cell of their ranges
+# openpyxl visits every cell of their ranges
+FILLED = frozenset({"mergeCell", "hyperlink", "comment"})
 # openpyxl parses a part anew for each reference to it, and pivot caches anew for each sheet
 REFERRING = frozenset({"sheet", "chart", "tablePart"})
 RELATIONS = re.compile(r".*/(?:worksheet|chartsheet|drawing|chart|comments|table|pivotTable|sharedStrings|styles)")
@@ -54,7 +55,8 @@ def refuse_doctype(data: bytes, part: str) -> None:
 
     parser = expat.ParserCreate()
     parser.StartDoctypeDeclHandler, parser.StartElementHandler = declared, begun
-    with suppress(StopIteration, expat.ExpatError, LookupError, ValueError):  # what else is wrong, reading tells
+    # what else is wrong, reading tells
+    with suppress(StopIteration, expat.ExpatError, LookupError, ValueError):
         parser.Parse(data, True)
 
 

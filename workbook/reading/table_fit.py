@@ -52,7 +52,8 @@ def fit_rows(file: BookFile, blocks: list[Block]) -> None:
     missing, row = size - len(own), place.row + first_other_row(file, blocks, own)
     for block in blocks:
         if missing:
-            count, state = abs(missing), f"gone above row {row}" if missing > 0 else f"too many at row {row}"
+            count = abs(missing)
+            state = f"gone above row {row}" if missing > 0 else f"too many at row {row}"
             file.torn[block.name] = f"{place.sheet}: {'a row is' if count == 1 else f'{count} rows are'} {state}"
         else:
             file.places[block.name] = file.places[block.name]._replace(rows=len(own), rows_at=tuple(own))
@@ -95,7 +96,8 @@ def fit_columns(file: BookFile, block: Block) -> None:
     elif added < 0:
         here = (j for j, (label, texts) in enumerate(zip(labels, above, strict=False)) if label not in texts)
         at = next(here, place.columns)
-        letter, gone = get_column_letter(place.column + at), ", ".join(map(repr, labels[at : at - added]))
+        letter = get_column_letter(place.column + at)
+        gone = ", ".join(map(repr, labels[at : at - added]))
         file.torn[block.name] = f"{place.sheet}: a column is gone before column {letter}: {gone}"
     elif len(inserted) == place.columns:
         file.torn[block.name] = f"{place.cell(0, 0)}: no headings stand above the table"

@@ -39,9 +39,8 @@ def excess(certified: CertifiedTable, tolerance: Mapping[str, float]) -> str:
 def show(axis: CamAxis, certified: CertifiedTable, target: Target) -> None:
     """Print the certificate of each rule that may be the target's."""
     for name, certificate in certified.certificates.items():
-        bound = (
-            f", one of {len(certified.certificates)} rules that may be its" if len(certified.certificates) > 1 else ""
-        )
+        count = len(certified.certificates)
+        bound = f", one of {count} rules that may be its" if count > 1 else ""
         title = shown(f"{axis.name} to {target.name}: {certified.points} points, {name}{bound}")
         headings = [*HEADINGS[:4], f"at x ({axis.x_unit})", HEADINGS[5]]
         show_table(OUT, headings, rows(axis, certificate), (1, 3, 4, 5), title)
@@ -68,7 +67,8 @@ def rows(axis: CamAxis, of: Certificate) -> list[list[str]]:
     lines = []
     for k, error in enumerate(of.deviations):
         jump = f"{max(of.jumps[k], abs(of.closure[k])):.3g}" if k < len(of.jumps) else ""
-        lines.append([WORDS[k], f"{error.largest:.3g}", axis.units[k], percent(error.share), f"{error.x:.6g}", jump])
+        largest, x = f"{error.largest:.3g}", f"{error.x:.6g}"
+        lines.append([WORDS[k], largest, axis.units[k], percent(error.share), x, jump])
     return lines
 
 
@@ -79,18 +79,13 @@ def certificate_data(axis: CamAxis, certified: CertifiedTable, target: Target, p
         figures = rules[name] = dict[str, Any]()
         for k, (word, unit, error) in enumerate(zip(WORDS, axis.units, of.deviations, strict=True)):
             share = error.share if math.isfinite(error.share) else None
-            figures[word] = {"unit": unit, "largest": error.largest, "share": share, "at": error.x, "peak": error.peak}
+            figures[word] = {"unit": unit, "largest": error.largest, "share": share}
+            figures[word] |= {"at": error.x, "peak": error.peak}
             if k < len(of.jumps):
                 figures[word] |= {"jump": of.jumps[k], "closure": of.closure[k]}
-    return {
-        "axis": axis.name,
-        "target": target.name,
-        "file": path,
-        "points": certified.points,
-        "x_unit": axis.x_unit,
-        "rules": rules,
-        "untested": [claim.what for claim in target.untested],
-    }
+    data = {"axis": axis.name, "target": target.name, "file": path, "points": certified.points}
+    untested = [claim.what for claim in target.untested]
+    return data | {"x_unit": axis.x_unit, "rules": rules, "untested": untested}
 
 
 def page(

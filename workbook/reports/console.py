@@ -28,7 +28,8 @@ WITNESS = ("name", "version", "absent", "compared", "at_fault", "unfinished", "w
 LONG = 50  # characters: a shorter formula is shown whole
 AROUND = 12  # characters before and after the difference
 WORD = re.compile(r"[\w.$!']")
-FIGURES = {"C_v": "cv", "C_a+": "ca_max", "C_a−": "ca_min", "C_a,rms": "ca_rms", "C_j": "cj", "max(v·a)": "va_max"}
+FIGURES = {"C_v": "cv", "C_a+": "ca_max", "C_a−": "ca_min", "C_a,rms": "ca_rms", "C_j": "cj"}
+FIGURES |= {"max(v·a)": "va_max"}
 COSTS = {"min(v·a)": "va_min", "C_a,rms²/12": "loss"}
 SMOOTH = ("smooth_at_ends", "smooth_inside")
 VENDORS = {"siemens": "Siemens LCamHdl", "twincat": "TwinCAT", "codesys": "CODESYS", "sew": "SEW"}
@@ -110,11 +111,12 @@ def verdict(report: Report) -> list[str]:
 def show_findings(report: Report, console: Console, everything: bool) -> None:
     """Print the findings; what only follows from others is counted by sheet, unless ``everything`` is asked for."""
     listed = report.findings if everything else report.causes
-    headings = ["Cell", "What", "Kind", "Computes", "Expected", *(["By"] if len(report.witnesses) > 1 else [])]
+    headings = "Cell What Kind Computes Expected By".split()[: 6 if len(report.witnesses) > 1 else 5]
     first, rows = listed if everything else listed[:MOST], []
     for f in first:
         computed, expected = map(figure, differing(f.computed, f.expected))
-        row = (where(f), f.what, f.kind, f"{computed} ({f.why})" if f.why else computed, expected, f.witness)
+        value = f"{computed} ({f.why})" if f.why else computed
+        row = (where(f), f.what, f.kind, value, expected, f.witness)
         rows.append(row[: len(headings)])
     show_table(console, headings, rows, title="Findings, causes first")
     if len(listed) > len(first):
@@ -150,14 +152,8 @@ def alike(text: str, other: str) -> int:
 @contextmanager
 def progress(console: Console, words: str, total: int) -> Iterator[Callable[[int, str], None]]:
     """Show a bar, on a terminal only; give a function that takes how many more are done, and the words beside it."""
-    columns = (
-        SpinnerColumn(),
-        TextColumn(words),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TextColumn("{task.description}"),
-        TimeRemainingColumn(),
-    )
+    told = TextColumn(words), BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}")
+    columns = (SpinnerColumn(), *told, TimeRemainingColumn())
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task("", total=total)
         yield lambda count, text: bar.update(task, advance=count, description=escape(visible(text)))
@@ -224,8 +220,9 @@ def catalogue() -> list[dict[str, Any]]:
         figures = {name: plain(getattr(law.coefficients, field)) for name, field in (FIGURES | COSTS).items()}
         orders = continuity(law_joints(law, law.as_pieces()))
         smooth = dict(zip(SMOOTH, (DERIVATIVES[order] for order in orders), strict=True))
-        facts = {"code": law.code, "name": law.name, "aliases": list(law.aliases), "source": law.source}
-        rows.append(facts | figures | smooth | {"names": law.vendors._asdict()})
+        facts = {"code": law.code, "name": law.name, "aliases": list(law.aliases)}
+        facts |= {"source": law.source} | figures | smooth
+        rows.append(facts | {"names": law.vendors._asdict()})
     return rows
 
 

@@ -34,15 +34,19 @@ def data(differences: Differences) -> dict[str, Any]:
 
 def row(change: Change) -> list[str]:
     """Return the cells of a table for a difference."""
-    apart = "" if change.difference is None else f"{change.difference:+.6g}"  # of numbers of which the old is 0
+    # of numbers of which the old is 0
+    apart = "" if change.difference is None else f"{change.difference:+.6g}"
     apart = apart if change.per_cent is None else f"{change.per_cent:+.2f} %"
     note = change.says or ("worse" if change.worse else "")
-    return [change.place, change.label, figure(change.old), figure(change.new), change.unit, apart, note]
+    both = figure(change.old), figure(change.new)
+    return [change.place, change.label, *both, change.unit, apart, note]
 
 
 def figure(value: Any) -> str:
     """Return a value as people write it; a dash for an empty value and for what is no number."""
-    return "–" if value in (None, "") or value != value else f"{value:.7g}" if isinstance(value, float) else str(value)
+    if value in (None, "") or value != value:
+        return "–"
+    return f"{value:.7g}" if isinstance(value, float) else str(value)
 
 
 def show(console: Console, differences: Differences, everything: bool = False) -> None:

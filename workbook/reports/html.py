@@ -198,8 +198,9 @@ def path(x: Array, y: Array) -> str:
 
 def picture(title: str, labels: tuple[str, str], across: Scale, up: Scale, **drawn: Any) -> str:
     """Return a picture of what is drawn between two axes; no numbers stand at an axis without a name."""
-    given = {"title": title, "labels": labels, "across": across, "up": up, "width": WIDTH, "height": HEIGHT}
-    return rendered("reports/picture.svg", **given, **({"curves": (), "handles": {}, "dragged": ()} | drawn))
+    given = {"title": title, "labels": labels, "across": across, "up": up}
+    given |= {"width": WIDTH, "height": HEIGHT, "curves": (), "handles": {}, "dragged": ()}
+    return rendered("reports/picture.svg", **given | drawn)
 
 
 def figure(value: float) -> str:
@@ -216,7 +217,8 @@ def front_picture(
     """
     margins = MARGIN * np.ptp(values, axis=1, keepdims=True)
     x, y = np.hstack([values - margins, values + margins])
-    across, up = scale(x, LEFT, WIDTH - ROOM, powers=False), scale(y, HEIGHT - BOTTOM, TOP, powers=False)
+    across = scale(x, LEFT, WIDTH - ROOM, powers=False)
+    up = scale(y, HEIGHT - BOTTOM, TOP, powers=False)
     places = np.array([across.at(values[0]), up.at(values[1])]).T.tolist()
     taken = [(px - RADIUS, py - RADIUS, px + RADIUS, py + RADIUS) for px, py in places]
     written = []

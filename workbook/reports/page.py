@@ -94,7 +94,8 @@ def witness(ran: WitnessRun) -> str:
     """Return in words what came of a witness."""
     if ran.absent:
         return f"{ran.name}: absent from this machine, not asked"
-    counts = ((ran.at_fault, "at fault"), (ran.unfinished, "unfinished"))  # each declared cell is counted once
+    # each declared cell is counted once
+    counts = ((ran.at_fault, "at fault"), (ran.unfinished, "unfinished"))
     counted = ", ".join([f"{ran.compared:,} cells compared", *(f"{n:,} {words}" for n, words in counts if n)])
     return f"{ran.name} {ran.version}: {ran.why or counted}"
 
@@ -127,7 +128,9 @@ def where(finding: Finding) -> str:
 
 def figure(value: Any, digits: int = 10) -> str:
     """Return a value for a table; a spreadsheet keeps 15 digits."""
-    return f"{value:.{digits}g}" if isinstance(value, float) else "empty" if value is None else str(value)
+    if isinstance(value, float):
+        return f"{value:.{digits}g}"
+    return "empty" if value is None else str(value)
 
 
 def deviation(value: float | None) -> str:
@@ -177,14 +180,16 @@ def cases(outcome: Outcome) -> list[Case]:
     """Return a case for each sheet of a workbook and for its own checks, or a case for a book that was not read."""
     report, case_list = outcome.report, list[Case]()
     if report is None:
-        tag = "skipped" if outcome.verdict == "no machine" else "error"  # it was rightly passed over
+        # it was rightly passed over
+        tag = "skipped" if outcome.verdict == "no machine" else "error"
         return [Case("open", tag, outcome.reason.partition("\n")[0], outcome.verdict, outcome.reason)]
     for sheet, some in by_sheet(report).items():
         more = f" (and {len(some) - 1} more)" if len(some) > 1 else ""
         failed = ("failure", line(some[0]) + more, some[0].kind, "\n".join(map(line, some))) if some else ()
         case_list.append(Case(sheet, *failed))
     lines = "\n".join(check.line for check in report.failing)
-    return [*case_list, Case(DESIGN) if report.holds else Case(DESIGN, "failure", own_verdict(report), "design", lines)]
+    failed = () if report.holds else ("failure", own_verdict(report), "design", lines)
+    return [*case_list, Case(DESIGN, *failed)]
 
 
 def line(finding: Finding) -> str:
@@ -208,7 +213,8 @@ def sarif(outcomes: Sequence[Outcome]) -> str:
         for check in outcome.report.failing if outcome.report else ():
             results.append(result(outcome, "design", "warning", check.line, f"{check.sheet}!{check.cell}"))
     run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
-    return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, ensure_ascii=False, indent=1) + "\n"
+    log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
+    return json.dumps(log, ensure_ascii=False, indent=1) + "\n"
 
 
 def result(outcome: Outcome, rule: str, level: str, text: str, cell: str = "") -> dict[str, Any]:

@@ -24,15 +24,14 @@ MOST = 200  # designs that the page lists
 
 def page(plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None, when: datetime) -> str:
     """Return the page."""
-    versions = (
-        f"{when:%Y-%m-%d %H:%M:%S %z}, motionbook {workbook.__version__}, Python {platform.python_version()}, "
-        f"NumPy {np.__version__}"
-    )
+    versions = f"motionbook {workbook.__version__}, Python {platform.python_version()}"
+    versions = f"{when:%Y-%m-%d %H:%M:%S %z}, {versions}, NumPy {np.__version__}"
     varied = {path for dimension in plan.space.dimensions for path in dimension.paths}
     data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
     fixed = [(path, value) for path, value in leaves(data) if path not in varied and value != {}]
-    more: dict[str, Any] = {"versions": versions, "fixed": fixed, "varied": varied_words, "spell": spell}
-    return document(plan.study.title, front(plan, summary, named, judged, plan_page=True, **more))
+    more: dict[str, Any] = {"versions": versions, "fixed": fixed, "plan_page": True}
+    more |= {"varied": varied_words, "spell": spell}
+    return document(plan.study.title, front(plan, summary, named, judged, **more))
 
 
 def front(
@@ -94,7 +93,8 @@ def picture(study: Study, designs: Sequence[Design], named: Labels, links: Seque
     """Return the front by the first two objectives; its points are links where these are given."""
     first, second = list(study.goals)[:2]
     values = np.array([[design.results[goal] for design in designs] for goal in (first, second)])
-    return front_picture(study.title, (heading(first, named), heading(second, named)), names_of(designs), values, links)
+    labels = heading(first, named), heading(second, named)
+    return front_picture(study.title, labels, names_of(designs), values, links)
 
 
 def names_of(designs: Sequence[Design]) -> list[str]:

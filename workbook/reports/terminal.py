@@ -32,7 +32,8 @@ def say(console: Console, text: str, style: str = "") -> None:
 
 def say_data(text: str) -> None:
     r"""Print lines of JSON or TOML, with escapes that both know, such as ``\u009b``, for what a terminal may obey."""
-    plain = (c == "\n" or c.isprintable() or ord(c) > 0xFFFF for c in text)  # none is obeyed beyond U+FFFF
+    # none is obeyed beyond U+FFFF
+    plain = (c == "\n" or c.isprintable() or ord(c) > 0xFFFF for c in text)
     print("".join(c if shown else f"\\u{ord(c):04x}" for c, shown in zip(text, plain, strict=True)), end="")
 
 

@@ -80,7 +80,8 @@ def figures(view: PairSelection) -> list[Quantity]:
     scale = max([*(abs(pair.peak) for pair in view.listed), *map(abs, asked), 1e-3])
     motors, reducers = (list(rows) for rows in zip(*pairs, strict=True)) if pairs else ([], [])
     mixed, square = view.load.mixed(view.bare)[reducers], view.load.square(view.bare)[reducers]
-    rms, torque = rms_of("[j]", "[i]", "[mixed]", "[square]"), torque_of("[j]", "[i]", "[out]", "[back]", "[own]")
+    rms = rms_of("[j]", "[i]", "[mixed]", "[square]")
+    torque = torque_of("[j]", "[i]", "[out]", "[back]", "[own]")
     return [
         cell("j", filled([pair.inertia for pair in each], BEST)),
         cell("i", filled([pair.ratio for pair in each], BEST)),

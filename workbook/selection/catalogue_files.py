@@ -17,7 +17,8 @@ from workbook.text_files import FOLDER, read_text
 Row = TypeVar("Row", MotorRow, ReducerRow)
 Product = dict[str, Any]  # what a line of a catalogue says of a product, by entry
 TEXTS = ("name", "source")
-NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")  # Python takes 1_000 and ١٢ too
+# Python takes 1_000 and ١٢ too
+NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 MOTOR_COLUMNS = {
     "name": "name",
     "inertia_kgcm2": "inertia",
@@ -133,6 +134,7 @@ def committed(model: type[Row], columns: dict[str, str], name: str) -> list[Row]
     return [model.model_validate(product) for product in read(model, columns, FOLDER / name)]
 
 
-read_motors, read_reducers = partial(read, MotorRow, MOTOR_COLUMNS), partial(read, ReducerRow, REDUCER_COLUMNS)
+read_motors = partial(read, MotorRow, MOTOR_COLUMNS)
+read_reducers = partial(read, ReducerRow, REDUCER_COLUMNS)
 committed_motors = cache(partial(committed, MotorRow, MOTOR_COLUMNS, "motors.csv"))
 committed_reducers = cache(partial(committed, ReducerRow, REDUCER_COLUMNS, "reducers.csv"))

@@ -24,7 +24,8 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
     cell = CELLS["named_drive"]
     several = len(view.shafts) > 1
     number = "MATCH(@axis,[@drives.axis],0)" if several else "COUNT([@drives.k])"
-    taken = "INDEX([@drives.{}],@no)" if several else "[@drives.{}.1]"  # no single cell is looked up alike
+    # no single cell is looked up alike
+    taken = "INDEX([@drives.{}],@no)" if several else "[@drives.{}.1]"
     columns = list(zip(*(shaft.figures for shaft in view.shafts), strict=True))
     scales = [max(figure.scale for figure in column) for column in columns]
     mixed, square = view.means_behind_own

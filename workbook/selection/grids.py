@@ -77,7 +77,8 @@ def grid(
 def grid_heads(sheet: Sheet, view: PairSelection, name: str) -> None:
     """Declare the names and reductions of the reducers above a table of the pairs."""
     cell, across = CELLS["reducers of a grid"], view.rooms[1]
-    names, reductions = filled(view.reducers.names, across, ""), filled(view.reducers.reduction, across)
+    names = filled(view.reducers.names, across, "")
+    reductions = filled(view.reducers.reduction, across)
     words = cell("what", ["name", "reduction"]), cell("k", [1, 2])
     heads = sheet.table(f"@{name}_heads", "Reducers: name, reduction", 2, *words)
     for c, both in enumerate(zip(names, reductions, strict=True), 1):

@@ -47,7 +47,8 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
     if axis:
         book.column_names["sel_axes"] = ("sel_drives", "axis")
     pairs = book.sheet("Pairs", "Every motor of the catalogue with every reducer: which can do it, what others fail.")
-    pairs.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}  # to read a page
+    # to read a page
+    pairs.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}
     with pairs.scoped("sel_"):
         grids(pairs, view)
         products(pairs, view)

@@ -22,7 +22,8 @@ from workbook.selection.entries import Limits, Ranked, SelectionSizes
 
 BEST = 15  # rows of the list of the best pairs
 AS_ENTERED = "as entered"
-FIGURES = cell_tables(__file__)["figures"]  # of a shaft and of the pair that drives it, in the order of the sheet
+# of a shaft and of the pair that drives it, in the order of the sheet
+FIGURES = cell_tables(__file__)["figures"]
 MIXED = "@product/{eta}+@product_back*{eta}+{i}*{own}*@way_turning"
 """the mean of ω̇ S, of the shaft's acceleration and the load's torque before the reducer's losses, with its own"""
 SQUARE = "(@square/{eta}^2+@square_back*{eta}^2)/{i}^2+2*{own}*(@way_behind/{eta}+@way_back*{eta})/{i}+{own}^2*@way"
@@ -101,7 +102,8 @@ class Shaft:
     figures: Sequence[Figure]
 
     def __post_init__(self) -> None:
-        self.values = {figure.name: figure.value for figure in self.figures}  # the engine's, by the names of figures
+        # the engine's, by the names of figures
+        self.values = {figure.name: figure.value for figure in self.figures}
         self.product = self.turning * self.torque  # the scale of means of ω̇ S (W/s)
 
 
@@ -179,7 +181,8 @@ class PairSelection:
         self.given, self.sizes, self.shafts, self.number = given, sizes, shafts, number
         self.shaft = shafts[number]
         self.load = self.shaft.load
-        self.point_rows = max(shaft.rows for shaft in shafts) * POINTS  # of whichever shaft is named
+        # of whichever shaft is named
+        self.point_rows = max(shaft.rows for shaft in shafts) * POINTS
         self.is_ragged = any(shaft.rows * POINTS < self.point_rows for shaft in shafts)
         self.rooms, self.pairs = (sizes.motors, sizes.reducers), sizes.motors * sizes.reducers
         self.rank = RANKS.index(given.rank) + 1
@@ -194,11 +197,13 @@ class PairSelection:
         )
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
-        self.bare = PairArrays(0.0 * r.reduction, r.reduction, r.efficiency, r.no_load)  # before any motor
+        # before any motor
+        self.bare = PairArrays(0.0 * r.reduction, r.reduction, r.efficiency, r.no_load)
         self.grid = PairMatrix(self.load, self.motors, r, own["beside"], self.requirements, si(own["cycles"], PER_HOUR))
         scores = self.grid.rounded(given.rank)
         motor, reducer = np.indices(scores.shape)
-        self.keys = scores * self.pairs + motor * sizes.reducers + reducer  # what pairs are sorted by; NaN: not ranked
+        # what pairs are sorted by; NaN: not ranked
+        self.keys = scores * self.pairs + motor * sizes.reducers + reducer
         self.ranked = self.grid.best(given.rank)  # motor and reducer, best first
 
     def by_point(self, values: Array) -> list[float]:
@@ -271,7 +276,8 @@ class PairSelection:
         rms = float(self.load.rms(Pair(inertia, ratio, figure("eta"), figure("no_load")).arrays)[0])
         inertias = (inertia - motor + self.load.inertia / ratio**2) / motor if motor else 0.0
         margin = figure("rated") / rms if rms else 0.0
-        return PairFigures(rms, margin, figure("top"), shown(ratio * self.load.speed, RPM), inertias, figure("spare"))
+        speed = shown(ratio * self.load.speed, RPM)
+        return PairFigures(rms, margin, figure("top"), speed, inertias, figure("spare"))
 
     def whole(self, table: str) -> str:
         """Return the range of a table of all pairs."""

@@ -24,7 +24,8 @@ from workbook.api import (
     summary_sheet,
 )
 
-RAMPS, LEVELS = [0, 1, 1, 1, 1, 2], [0, 0, 0, 1, 1, 1]  # how many of each have passed at a corner of the trapezoid
+# how many of each have passed at a corner of the trapezoid
+RAMPS, LEVELS = [0, 1, 1, 1, 1, 2], [0, 0, 0, 1, 1, 1]
 SIGNS, MOVING, ON_LEVEL = [1, 1, 0, 0, -1, -1], [0, 1, 1, 1, 1, 0], [0, 0, 1, 1, 0, 0]
 
 
@@ -47,7 +48,8 @@ def torque(hoist: Hoist, acceleration: float) -> float:
     """Return the motor's torque (Nm) at an acceleration of the load (m/s²), while it is lifted."""
     radius = hoist.drum / 2000  # m
     lifted = hoist.mass * (9.81 + acceleration) * radius / (hoist.ratio * hoist.efficiency)
-    return lifted + hoist.inertia * 1e-4 * acceleration * hoist.ratio / radius  # with the motor's own inertia
+    # with the motor's own inertia
+    return lifted + hoist.inertia * 1e-4 * acceleration * hoist.ratio / radius
 
 
 def declare(hoist: Hoist) -> Book:
@@ -55,7 +57,8 @@ def declare(hoist: Hoist) -> Book:
     ramp, speed = hoist.ramp * hoist.time, hoist.height / (hoist.time * (1 - hoist.ramp))
     torques = [torque(hoist, sign * speed / ramp) for sign in SIGNS]
     shares = [(1 - 2 * hoist.ramp if level else hoist.ramp) / 2 for level in ON_LEVEL]
-    peak, rms = max(map(abs, torques)), math.sqrt(math.fsum(t**2 * s for t, s in zip(torques, shares, strict=True)))
+    peak = max(map(abs, torques))
+    rms = math.sqrt(math.fsum(t**2 * s for t, s in zip(torques, shares, strict=True)))
     book = Book("hoist", hoist.title, limit=limits(Hoist))
     about = result("about_peak", "Peak torque of the motor", "T_max", "Nm", "=peak+0", peak)
     summary_sheet(book, hoist, "A hoist, and what its motor has to give.", [about])

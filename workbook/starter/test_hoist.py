@@ -17,7 +17,8 @@ def test_the_motor_s_work_lifts_the_mass():
     hoist = read_machine(TEMPLATE.description)
     ramp = hoist.ramp * hoist.time
     speed = hoist.height / (hoist.time - ramp)
-    ways = [speed * ramp / 2, speed * (hoist.time - 2 * ramp), speed * ramp / 2]  # m: speeding up, level, slowing down
+    # m: speeding up, level, slowing down
+    ways = [speed * ramp / 2, speed * (hoist.time - 2 * ramp), speed * ramp / 2]
     turned = [way * 2000 / hoist.drum * hoist.ratio for way in ways]  # rad of the motor
     work = sum(torque(hoist, sign * speed / ramp) * phi for sign, phi in zip(SIGNS[::2], turned, strict=True))
     assert work == pytest.approx(hoist.mass * 9.81 * hoist.height / hoist.efficiency, rel=1e-12)

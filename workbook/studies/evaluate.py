@@ -78,7 +78,8 @@ class Evaluator:
 
     def __init__(self, plan: Plan, thorough: bool = False) -> None:
         self.plan, self.names, self.thorough = plan, plan.study.names, thorough
-        self.usual = results_without_book(plan.base)  # the results of the base that come without a book
+        # the results of the base that come without a book
+        self.usual = results_without_book(plan.base)
         self.asked = list(dict.fromkeys([*self.names, *plan.study.bounds]))
         self.from_books = [name for name in self.asked if name not in self.usual.named]
         self.swift = plan.template.scaling is not None and not self.from_books
@@ -90,7 +91,8 @@ class Evaluator:
         """Return the results of designs that are numbered from ``begin``."""
         count = len(columns[0].places)
         places = np.array([columns[k].places for k in self._outer], dtype=np.intp).reshape(-1, count)
-        cuts = np.flatnonzero((places[:, 1:] != places[:, :-1]).any(axis=0)) + 1  # others follow in an outer dimension
+        # others follow in an outer dimension
+        cuts = np.flatnonzero((places[:, 1:] != places[:, :-1]).any(axis=0)) + 1
         groups: list[tuple[GroupResults, int]] = []
         for first, last in pairwise([0, *cuts.tolist(), count]):
             some = [Column(entry.values, entry.places[first:last]) for entry in columns]
@@ -142,7 +144,8 @@ class Evaluator:
                 broken[name] = np.asarray(values[name]) != bound
             else:
                 numbers = np.asarray(values[name]).astype(np.float64)
-                low, high = -np.inf if bound.min is None else bound.min, np.inf if bound.max is None else bound.max
+                low = -np.inf if bound.min is None else bound.min
+                high = np.inf if bound.max is None else bound.max
                 broken[name] = ~((numbers >= low) & (numbers <= high))
         return broken
 
@@ -201,7 +204,8 @@ def quantity_of(book: Book, block: str, column: str) -> Quantity:
 
 def require_names(plan: Plan, where: str) -> Labels:
     """Return the labels of results and constraints; raise InputError for a name that there is not."""
-    book, usual, study = plan.template.declare(plan.base), results_without_book(plan.base), plan.study
+    book, usual = plan.template.declare(plan.base), results_without_book(plan.base)
+    study = plan.study
     known = dict.fromkeys([*usual.named, *book_names(book)])
     checks = [q.name for _, q in book.checks]
     lines = []

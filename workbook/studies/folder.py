@@ -198,7 +198,8 @@ def part_bytes(labels: list[str], table: Table, suffix: str) -> bytes:
         columns[label] = np.array(list(column.values), dtype=object)[column.places].tolist()
     for name, values in table.results.items():
         columns[name] = [None if value != value else value for value in values.tolist()]
-    failing = np.full(len(table), "", dtype=object)  # the names of the constraints that a design does not keep to
+    # the names of the constraints that a design does not keep to
+    failing = np.full(len(table), "", dtype=object)
     for name, fails in table.fails.items():
         failing[fails] += f" {name}"
     ends = np.where(table.feasible, "yes", "no").tolist(), [n.lstrip() for n in failing], table.reasons.tolist()

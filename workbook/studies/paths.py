@@ -45,7 +45,8 @@ def path_of(machine: Machine, key: str, where: str, table: bool = False) -> Plac
 def row_of(rows: Sequence[Any], part: str, is_number: bool) -> str:
     """Return the number, from 0, of the row that has a name or a number from 1; empty where no row has the name."""
     names = [getattr(row, "name", None) for row in rows]
-    if is_number or (part not in names and part.isdecimal()):  # axes.2.phases.1, as messages have it
+    # axes.2.phases.1, as messages have it
+    if is_number or (part not in names and part.isdecimal()):
         return str(int(part) - 1)
     return str(names.index(part)) if part in names else ""
 
@@ -57,7 +58,8 @@ def children(entry: Any) -> list[str]:
     if isinstance(entry, BaseModel):
         return list(type(entry).model_fields)
     if isinstance(entry, list):
-        names = [str(row.name) for row in entry if getattr(row, "name", None)]  # in quotes those with a sign of a path
+        # in quotes those with a sign of a path
+        names = [str(row.name) for row in entry if getattr(row, "name", None)]
         quoted = [f'"{name}"' if re.search(r"[.\[\]]", name) else name for name in names]
         return quoted or [f"[{i}]" for i in range(1, len(entry) + 1)]
     return []

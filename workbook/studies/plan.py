@@ -79,10 +79,8 @@ class Plan:
             if own[-1] == "law":  # perhaps of a new family
                 known: dict[str, Any] = {name: {} for name in self.base.laws.names}
                 named = with_laws_by_code({"law": value, "laws": known})
-                value, changes = (
-                    named["law"],
-                    changes | {("laws", law): {} for law in named["laws"] if law not in known},
-                )
+                value = named["law"]
+                changes |= {("laws", law): {} for law in named["laws"] if law not in known}
             changes |= dict.fromkeys(dimension.paths, value)
         return followed(self.links, self.data, changes)
 
@@ -103,9 +101,8 @@ def changed_machine(base: Machine, data: dict[str, Any], changes: Mapping[Place,
         sentences = (fault.message if isinstance(fault, Fault) else str(fault["msg"]) for fault in error.faults)
         return Impossible("; ".join(line.removeprefix("Value error, ") for line in sentences))
     if machine is None:  # a rule's sentence, or the entry and its limits
-        sentences = (
-            fault.message if fault.rule else f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults
-        )
+        keys = ["" if fault.rule else f"{counted_from_1(fault.key)}: " for fault in faults]
+        sentences = (f"{key}{fault.message}" for key, fault in zip(keys, faults, strict=True))
         return "; ".join(dict.fromkeys(sentences))
     return machine
 
@@ -137,7 +134,8 @@ def lines_of(error: ValidationError, where: str) -> list[str]:
     """Return a line for each of pydantic's faults; of an entry of several kinds, for the kind that was meant."""
     faults: list[tuple[list[str], Any]] = []
     for fault in error.errors(include_url=False):
-        place = [str(part + 1) if isinstance(part, int) else part for part in fault["loc"]]  # rows counted from 1
+        # rows counted from 1
+        place = [str(part + 1) if isinstance(part, int) else part for part in fault["loc"]]
         named = [part for part in place if part not in INNER and not part.startswith(("function-", "list["))]
         faults.append((named, fault))
     lines: dict[str, str] = {}

@@ -82,7 +82,8 @@ def pieces(designs: range, number: int = 0, shares: Shares | None = None) -> Ite
     """Yield the parts of designs, as many each as the range has for its step, numbered from ``number`` on."""
     for n, begin in enumerate(designs, number):
         end = min(begin + designs.step, designs.stop)
-        yield Piece(n, begin, end, None if shares is None else shares[begin - designs.start : end - designs.start])
+        some = None if shares is None else shares[begin - designs.start : end - designs.start]
+        yield Piece(n, begin, end, some)
 
 
 @lru_cache(maxsize=2)
@@ -207,7 +208,8 @@ def build_design(plan: Plan, design: Design, path: Path, overwrite: bool) -> Boo
     exact = plan.template.judge(machine)
     failing = tuple(q.name for _, q in book.checks if exact.judge(q.name, q.value, "")[0] != OK)
     unasked = tuple(filter(plan.study.is_off, failing))
-    return BookCheck(max(apart.values(), default=0.0), differing, failing, unasked, report.compared, report.agrees)
+    most = max(apart.values(), default=0.0)
+    return BookCheck(most, differing, failing, unasked, report.compared, report.agrees)
 
 
 def deviation(value: Any, other: Any) -> float:

@@ -35,7 +35,8 @@ class Vary(Model):
     values: Annotated[list[Any], Field(min_length=1)] | None = None
     low: Number | None = Field(default=None, alias="from")
     high: Number | None = Field(default=None, alias="to")
-    steps: Annotated[int, Field(ge=2, le=1_000_000_000)] | None = None  # values of a range, both ends among them
+    # values of a range, both ends among them
+    steps: Annotated[int, Field(ge=2, le=1_000_000_000)] | None = None
     all: Literal["laws", "catalogue"] | None = None
     takes: Name | None = None
 
@@ -237,7 +238,8 @@ class Space:
         drawn = qmc.Sobol(len(self.dimensions), scramble=True, seed=self.way.seed)
         if begin:
             drawn.fast_forward(begin)
-        with warnings.catch_warnings():  # a part need not be a power of two: whether all designs are, is for the study
+        # a part need not be a power of two: whether all designs are, is for the study
+        with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)
             return np.asarray(drawn.random(end - begin))
 

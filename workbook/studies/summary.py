@@ -117,7 +117,8 @@ def merge(study: Study, summaries: Iterable[Summary]) -> Summary:
             sums.update(getattr(summary, part))  # names that count nothing stay
             setattr(whole, part, dict(sums))
         whole.reasons = dict(sorted(whole.reasons.items(), key=lambda each: -each[1])[:MOST_REASONS])
-        ranked = sorted([*whole.best, *summary.best], key=lambda each: each.number)  # equals go by their numbers
+        # equals go by their numbers
+        ranked = sorted([*whole.best, *summary.best], key=lambda each: each.number)
         points = np.array([[way * each.results[name] for name, way in study.goals.items()] for each in ranked], float)
         whole.best = [ranked[k] for k in best_points(points.reshape(len(ranked), len(study.goals)))]
     return whole

@@ -24,10 +24,7 @@ from openpyxl.utils import get_column_letter
 
 EPOCH = (2020, 1, 1, 0, 0, 0)  # written into the file instead of the time of day
 MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
-FONT_ORDER = (
-    "b", "i", "strike", "condense", "extend", "outline", "shadow", "u", "vertAlign",
-    "sz", "color", "name", "family", "charset", "scheme",
-)  # fmt: skip
+FONT_ORDER = ("b i strike condense extend outline shadow u vertAlign sz color name family charset scheme").split()
 CACHED = re.compile(rb'(</f>|<pt idx="\d+">)<v>([^<]*)</v>')
 LAST_PLACES = 1e-12  # of saved results and points of charts: another machine may round the last digit differently
 TYPE = (
@@ -57,7 +54,8 @@ def complete_parts(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[s
     complete[core] = re.sub(rb"\d{4}-\d\d-\d\dT[\d:]+Z", b"%04d-%02d-%02dT%02d:%02d:%02dZ" % EPOCH, complete[core])
     ElementTree.register_namespace("", MAIN)
     styles = ElementTree.fromstring(complete["xl/styles.xml"])
-    for font in styles.iter(f"{{{MAIN}}}font"):  # in the order of the standard (ISO/IEC 29500-1, 18.8.22)
+    # in the order of the standard (ISO/IEC 29500-1, 18.8.22)
+    for font in styles.iter(f"{{{MAIN}}}font"):
         font[:] = sorted(font, key=lambda child: FONT_ORDER.index(child.tag.rpartition("}")[2]))
     complete["xl/styles.xml"] = ElementTree.tostring(styles)
     named = (f'name="{escape(title)}" descr="{escape(about)}"'.encode() for title, about in abouts)
@@ -221,7 +219,8 @@ class Cells:
 
 def value_xml(value: Any) -> tuple[str, str]:
     """Return the type attribute and the element of a value; neither where there is none: None, not a finite number."""
-    if isinstance(value, float):  # all its digits: openpyxl writes 16, and some need 17 to come back; no cell has −0
+    # all its digits: openpyxl writes 16, and some need 17 to come back; no cell has −0
+    if isinstance(value, float):
         return "", f"<v>{repr(float(value) + 0.0).removesuffix('.0')}</v>" if math.isfinite(value) else ""
     if isinstance(value, str):
         return (' t="e"' if value in ERROR_CODES else ' t="str"'), element("v", value)

@@ -139,7 +139,8 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     if chart.lanes:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
     below = BELOW + (LEGEND if drawn.legend else 0.0)
-    room, left = 0.88 - below / drawn.height, max(0.13, NAMES / drawn.width) if chart.lanes else 0.13
+    room = 0.88 - below / drawn.height
+    left = max(0.13, NAMES / drawn.width) if chart.lanes else 0.13
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=0.12, w=0.95 - left, h=room))
 
 

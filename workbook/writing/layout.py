@@ -26,7 +26,8 @@ GAP = 0.75  # digits beside a text, so that it does not touch what stands next t
 WORD, NAME = re.compile(r'"((?:[^"]|"")*)"'), re.compile(r"\w+")
 NARROW, SLIM, BROAD = "ilj.,:;'|()[] ", "tfr", "mwMW%ω"
 EMS = {**dict.fromkeys(NARROW, 0.3), **dict.fromkeys(SLIM, 0.37), **dict.fromkeys(BROAD, 0.84)}
-CAPITAL, LETTER, DIGIT = 0.62, 0.545, 0.507  # of the em, rather more than less: a text must not be cut
+# of the em, rather more than less: a text must not be cut
+CAPITAL, LETTER, DIGIT = 0.62, 0.545, 0.507
 HEAD = 10.0  # points of a table's heads
 FULL = 11.0  # points in which a column's width is counted
 BOLD = 1.06  # how much wider than others bold letters are
@@ -161,7 +162,8 @@ TALL = {"title": 24.0, "heading": 18.0}
 LEAST_SCALE, STEP = 0.71, 0.02  # of a print: texts of 10 points become 7; what is tried between
 ASIDE = 0.98  # share of a page's width that is filled at most
 SPARE = 0.96  # share of a page that is filled at most: programs differ in how high rows are
-PAGE, SECTION, FIGURES, TABLE, CHART = 20, 4, 3, 60, 200  # costs of a further page, and of cutting any of these
+# costs of a further page, and of cutting any of these
+PAGE, SECTION, FIGURES, TABLE, CHART = 20, 4, 3, 60, 200
 CLOSE = 3  # rows of a section, and of a table, that its heading keeps to
 
 
@@ -198,7 +200,8 @@ def breaks(sheet: Sheet, last: int, scale: float, high: Mapping[int, float]) -> 
     for first, end, cost in unbroken_spans(sheet, last, ends):
         for row in range(first, min(end, last + 1)):
             costs[row] += cost
-    best: dict[int, tuple[int, int]] = {start: (0, 0)}  # by the row that a page ends with: cost, page before
+    # by the row that a page ends with: cost, page before
+    best: dict[int, tuple[int, int]] = {start: (0, 0)}
     for row in range(start + 1, last + 1):
         possible = [
             (cost + PAGE + (costs[row] if row < last else 0), before)

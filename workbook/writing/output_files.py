@@ -66,7 +66,8 @@ def replace(path: Path, write: Callable[[Path], object], overwrite: bool = False
         path.parent.mkdir(parents=True, exist_ok=True)
         target = Path(os.path.realpath(path)) if path.is_symlink() else path
         draft = target.parent / f".motionbook-{secrets.token_hex(8)}.part"  # a name of no book
-        os.close(os.open(draft, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))  # with the permissions of any new file
+        # with the permissions of any new file
+        os.close(os.open(draft, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
     except OSError as error:
         raise write_error(path, error) from error
     try:

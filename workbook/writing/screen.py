@@ -35,7 +35,8 @@ def entries_of(sheet: Sheet) -> Iterator[tuple[int, int]]:
 
 def add_validations(block: Block, q: Quantity, page: Worksheet, model: type[BaseModel]) -> None:
     """Add the rule of an entry's cells; a prompt is beside the first cell of a group alone, where it covers none."""
-    first, last = block.reference(q.name, ".first").replace("$", ""), block.reference(q.name, ".last").replace("$", "")
+    first = block.reference(q.name, ".first").replace("$", "")
+    last = block.reference(q.name, ".last").replace("$", "")
     prompting, silent = rules.validation(model, q), rules.validation(model, q)
     silent.prompt = silent.promptTitle = silent.showInputMessage = None
     begins = begins_group(block, q)

@@ -19,7 +19,8 @@ from workbook.book.quantity import MOST, ROUNDED
 INK, GREY, RULE, GRID = "1F2937", "6B7280", "D1D5DB", "E5E7EB"
 ENTRY, FIGURE, DOTS = "FFF8E1", "0B57A4", "D9B65C"
 PAPER, BAR = "FFFFFF", "BFD7EA"
-NOTHING, NOTHING_ID = ";;;", 900  # a number format that shows nothing; its number is beyond those that programs give
+# a number format that shows nothing; its number is beyond those that programs give
+NOTHING, NOTHING_ID = ";;;", 900
 BEYOND = "991B1B"
 TABS = {"enter": DOTS, "result": INK, "working": RULE}  # colours of sheets' tabs
 VERDICTS = (("OK", "166534", "DCFCE7"), ("FAIL", BEYOND, "FEE2E2"))

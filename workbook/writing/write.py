@@ -53,7 +53,8 @@ class Additions(NamedTuple):
     notes: tuple[tuple[Cell, Address], ...] = ()
     names: tuple[DefinedName, ...] = ()
     remarks: tuple[str, ...] = ()  # lines on what formulas have in place of what they had
-    lost: Mapping[Address, str] = MappingProxyType({})  # the cells that stay behind, each with the reason
+    # the cells that stay behind, each with the reason
+    lost: Mapping[Address, str] = MappingProxyType({})
 
 
 NO_ADDITIONS = Additions()
@@ -115,14 +116,17 @@ def write_additions(own: Additions, workbook: Workbook, cells: dict[str, Cells],
         cells[sheet.title], new = Cells(strings), workbook.create_sheet(sheet.title)
         for letter, column in sheet.column_dimensions.items():
             ours = new.column_dimensions[letter]
-            ours.min, ours.max, ours.width, ours.hidden = column.min, column.max, column.width, column.hidden
+            ours.min, ours.max, ours.width = column.min, column.max, column.width
+            ours.hidden = column.hidden
         for number, row in sheet.row_dimensions.items():
             new.row_dimensions[number].height = row.height
         for merged in sheet.merged_cells.ranges:
             new.merge_cells(merged.coord)
         new.freeze_panes = sheet.freeze_panes
-        new.conditional_formatting, new.data_validations = sheet.conditional_formatting, sheet.data_validations
-        new.sheet_state, new.sheet_properties.tabColor = sheet.sheet_state, sheet.sheet_properties.tabColor
+        new.conditional_formatting = sheet.conditional_formatting
+        new.data_validations = sheet.data_validations
+        new.sheet_state = sheet.sheet_state
+        new.sheet_properties.tabColor = sheet.sheet_properties.tabColor
     for cell, at, content in own.cells:
         twin = workbook[at.sheet].cell(at.row, at.column)
         for look in LOOKS if cell.has_style else ():
@@ -177,7 +181,8 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
     """Write titles, labels and headers."""
     for text in sheet.texts:
         aside = text.style == "units" and 0 < sheet.folded <= text.column
-        cells.put(text.row, text.column, styles.text("folded units" if aside else text.style), text.text or None)
+        look = styles.text("folded units" if aside else text.style)
+        cells.put(text.row, text.column, look, text.text or None)
         if text.link:
             target = f"{quote_sheetname(text.link)}!{text.linked_cell}"
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
@@ -235,7 +240,8 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], cells: Ce
     page.freeze_panes = f"A{sheet.head + 1}"
     set_up_screen(sheet, page)
     page.protection.sheet = True
-    page.protection.formatColumns = page.protection.formatRows = False  # widths stay the engineer's own
+    # widths stay the engineer's own
+    page.protection.formatColumns = page.protection.formatRows = False
     for begin, end in ((widest + 1, HIDDEN - 1), (HIDDEN + 1, LAST_COLUMN)):
         rest = page.column_dimensions[get_column_letter(begin)]
         rest.min, rest.max, rest.width = begin, end, COLUMN_WIDTH
@@ -247,9 +253,12 @@ def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], cells: Ce
 
 def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float], high: dict[int, float]) -> None:
     """Set what is printed, and where its pages end."""
-    columns, last = sheet.print_columns or max(used, LEAST_COLUMNS), sheet.print_rows or max(sheet.row, 30)
-    goes_on = any(block.row <= last < block.row + block.size - 1 for block in sheet.blocks)  # below what is printed
-    page.page_setup.orientation, page.page_setup.paperSize = "portrait" if sheet.portrait else "landscape", 9
+    columns = sheet.print_columns or max(used, LEAST_COLUMNS)
+    last = sheet.print_rows or max(sheet.row, 30)
+    # below what is printed
+    goes_on = any(block.row <= last < block.row + block.size - 1 for block in sheet.blocks)
+    page.page_setup.orientation = "portrait" if sheet.portrait else "landscape"
+    page.page_setup.paperSize = 9
     page.page_margins = PageMargins(**layout.MARGINS)
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))
     page.HeaderFooter.oddFooter = HeaderFooterItem(left=left, center=middle, right=number)
@@ -259,14 +268,16 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
         page.column_dimensions[nowhere].hidden = True
         return
     page.print_title_rows = f"1:{sheet.head}"
-    has_workings = sheet.page_end and not sheet.folded_rows  # as wide as they are, over as many pages as it takes
+    # as wide as they are, over as many pages as it takes
+    has_workings = sheet.page_end and not sheet.folded_rows
     page.print_area = f"A1:{get_column_letter(used if has_workings else columns)}{last}"
     pages = layout.pages(sheet, last, columns, wide, high)
     if sheet.one_page or goes_on or not pages.breaks:
         page.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
         page.page_setup.fitToWidth = page.page_setup.fitToHeight = 1
         return
-    page.page_setup.scale = int(100 * pages.scale)  # a program that fits pages to paper heeds no breaks
+    # a program that fits pages to paper heeds no breaks
+    page.page_setup.scale = int(100 * pages.scale)
     for row in pages.breaks:
         page.row_breaks.append(Break(id=row))
 

@@ -13,7 +13,8 @@ class Kind:
 
     name: str
     element: str  # name of its last element
-    turns: Callable[[float], float] | None = None  # size -> speed of the element over the load's (rad/m); None: 1
+    # size -> speed of the element over the load's (rad/m); None: 1
+    turns: Callable[[float], float] | None = None
     belt: bool = False  # whether a belt moves with the load
 
     def of(

@@ -96,7 +96,8 @@ class Parabolas(NamedTuple):
     second: Array  # φ'' by y
     widths: tuple[Array, Array]  # Δy of the parts before and after the point
     flat: Array  # the smaller Δφ/Δy of the two parts
-    calm: NDArray[np.bool_]  # whether Bernstein's coefficients of both parts rise with this slope and curvature
+    # whether Bernstein's coefficients of both parts rise with this slope and curvature
+    calm: NDArray[np.bool_]
 
     @classmethod
     def of(cls, angle: Array, y: Array) -> "Parabolas":
@@ -201,7 +202,8 @@ class PositionTable(Linkage):
         t, c = (y - self.columns[1][k]) / h, np.moveaxis(self.powers[k], -1, 0)
         angle, first, second = (np.zeros_like(t) for _ in range(3))
         for coefficient in c[::-1]:
-            second, first, angle = second * t + 2.0 * first, first * t + angle, angle * t + coefficient
+            second, first = second * t + 2.0 * first, first * t + angle
+            angle = angle * t + coefficient
         return ShaftAngles(angle, first / h, second / h**2)
 
 

@@ -11,7 +11,8 @@ from workbook.controllers.texts import indexed, points
 from workbook.errors import TargetError
 
 BASIC = ("leadingValue", "followingValue", "velocityRatio", "accelerationRatio")
-SEGMENT = ("xmin", "xmax", *(f"a{k}" for k in range(HIGHEST + 1)), "sineAmplitude", "sinePeriod", "sinePhase")
+POWERS = [f"a{k}" for k in range(HIGHEST + 1)]
+SEGMENT = ("xmin", "xmax", *POWERS, "sineAmplitude", "sinePeriod", "sinePhase")
 JOINT = 1e-4  # a gap that the controller pulls together
 
 

@@ -27,8 +27,10 @@ WHITE, BLACK = "#FFFFFF", "#000000"
 OVERALL = ("overall", "status")  # verdicts of the book and of each sheet, always to be in sight
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 NO_RULE, IN_SIGHT = "no such rule", "in sight"
-LIKE_CELLS = {"font name val": "Calibri", "font sz val": "11", "font color": BLACK}  # as .ods has it in each rule
-OF_BARS = {"minLength": "10", "maxLength": "90", "showValue": "1"}  # defaults, which LibreOffice writes
+# as .ods has it in each rule
+LIKE_CELLS = {"font name val": "Calibri", "font sz val": "11", "font color": BLACK}
+# defaults, which LibreOffice writes
+OF_BARS = {"minLength": "10", "maxLength": "90", "showValue": "1"}
 UNSHOWN = ("priority", "dxfId", "sqref")  # attributes of rules
 DEFAULTS = ("0", "between", "stop")  # values of attributes of rules, which some programs write
 
@@ -96,12 +98,14 @@ class BookLooks:
     def look(self, style: Any, is_text: bool, unit: str) -> Flat:
         """Return the attributes of a style of openpyxl's, with its number format as it shows a text or a quantity."""
         code = format_by_number(self.workbook, style.numFmtId)
-        look = Flat({"number format": Shown(text_section(code) if is_text else plain_number(code, unit), code)})
+        meaning = text_section(code) if is_text else plain_number(code, unit)
+        look = Flat({"number format": Shown(meaning, code)})
         look |= {} if is_text else {"decimals": Shown(format_sections(code)[:3], code)}
         for name in ("font", "fill", "border", "alignment", "protection"):
             parts = getattr(self.workbook, f"_{name}s")
             look |= flatten(parts[getattr(style, f"{name}Id")].to_tree(name), name)
-        pattern, ground = look.get("fill patternFill patternType"), look.get("fill patternFill fgColor", BLACK)
+        pattern = look.get("fill patternFill patternType")
+        ground = look.get("fill patternFill fgColor", BLACK)
         if pattern == "solid":
             look.pop("fill patternFill bgColor", None)
         ink = look.get("font color") or BLACK
@@ -153,7 +157,8 @@ def compare_cells(
     """Enter which declared cells look otherwise than in a fresh build, are out of sight, or have another validation."""
     fonts, known = text_fonts(match), dict[tuple[Any, ...], Flat]()
     for spot in spots:
-        at, subject, cell, style = spot.at, spot.subject, match.file.cell(spot.at), fresh.style(spot.fresh)
+        at, subject, cell = spot.at, spot.subject, match.file.cell(spot.at)
+        style = fresh.style(spot.fresh)
         theirs: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
         how = isinstance(spot.value, str), spot.quantity.unit if spot.quantity else ""
         key = (tuple(style), tuple(theirs), *how)
@@ -224,7 +229,8 @@ def is_same_condition(match: Match, rule: Any, held: Overlay, block: Block) -> b
     if rule.type != "expression" or not held.rule.formula:
         return bool(rule.formula == held.rule.formula)
     place, declared = match.file.places[block.name], f"={rule.formula[0]}"
-    first = f"A{min(top for _, top, *_ in held.ranges)}"  # the cell for which its formulas are written
+    # the cell for which its formulas are written
+    first = f"A{min(top for _, top, *_ in held.ranges)}"
     text = str(held.rule.formula[0]).removeprefix("=")
     moved = Translator(f"={text}", first).translate_formula(f"A{place.row}")
     return moved == declared or match.same_formula(declared, block, moved, place.sheet)

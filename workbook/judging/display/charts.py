@@ -18,7 +18,8 @@ T = TypeVar("T")
 U = TypeVar("U")
 CM = 360_000  # EMU
 SMALL = 0.4  # of the width or height of a fresh build, below which a chart can hardly be read
-SOURCES = {"xVal": "x", "cat": "x", "yVal": "y", "val": "y", "plus": "strokes", "tx": "text"}  # elements with cells
+# elements with cells
+SOURCES = {"xVal": "x", "cat": "x", "yVal": "y", "val": "y", "plus": "strokes", "tx": "text"}
 DRAWN = ("x", "y", "errBars strokes")
 TEXTS = ("t", "f", "v")  # elements that hold texts and references, which are read apart
 COPIED = re.compile(r"(label )?[0-9]+")  # in place of a reference
@@ -78,7 +79,8 @@ class ChartReader(NamedTuple):
         groups = [part for part in parts if tag(part).endswith("Chart")]
         looks = self.attributes(root, leaving=("ser", *map(tag, axes)))
         looks |= {"kind": ", ".join(sorted({*map(tag, groups)})), "title": looks.pop("chart title text", "")}
-        ids = [axis.get("val") for axis in root.findall(".//{*}plotArea/*/{*}axId")][:2]  # of the first group
+        # of the first group
+        ids = [axis.get("val") for axis in root.findall(".//{*}plotArea/*/{*}axId")][:2]
         for axis in axes:
             own = next((part.get("val") for part in axis.findall("{*}axId")), None)
             looks |= self.attributes(axis, f"axis {'xy'[ids.index(own)]}" if own in ids else "another axis")
@@ -189,8 +191,8 @@ def compare_sight(
         differences.add(held.at, subject, "size", "as built", f"{share:.0%} of it")
     if any(area.has(*middle) for area in areas[held.number + 1 :]):
         differences.add(held.at, subject, "sight", "in sight", "behind another drawing")
-    columns = [value.meaning for line in held.lines for value in (line["x"], line["y"]) if isinstance(value, Shown)]
-    drawn = [area for area in columns if area.sheet in views]
+    columns = [line[name] for line in held.lines for name in ("x", "y")]
+    drawn = [x.meaning for x in columns if isinstance(x, Shown) and x.meaning.sheet in views]
     rows = [(views[area.sheet].rows, range(area.top, area.bottom + 1)) for area in drawn]
     hidden = [sum(not heights[row] for row in numbers) for heights, numbers in rows]
     if any(hidden) and held.looks.get("chart plotVisOnly val", "1") == "1":

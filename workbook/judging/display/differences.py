@@ -108,6 +108,7 @@ def is_unit(text: str) -> bool:
 @cache
 def unit_size(text: str) -> tuple[Any, float] | None:
     """Return dimension and size of a unit in SI; None for words that are no unit."""
-    from workbook.dimensions.units import size_of  # here, since pint takes a third of a second to load
+    # here, since pint takes a third of a second to load
+    from workbook.dimensions.units import size_of
 
     return size_of(TURNS.sub("1/min", text))

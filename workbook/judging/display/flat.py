@@ -27,7 +27,8 @@ UNTOLD = re.compile(
     r"|xmlns|bodyPr|numCache|strCache|ptCount|noEndCap|autoTitleDeleted)"
 )
 EMPTY = frozenset(["left", "right", "top", "bottom", "diagonal", "lstStyle", "round", "t", "r", "cap"])
-FACES = frozenset(["calibri", "dejavu sans", "liberation sans", "arial", "+mn-lt", "+mj-lt"])  # of charts' texts
+# of charts' texts
+FACES = frozenset(["calibri", "dejavu sans", "liberation sans", "arial", "+mn-lt", "+mj-lt"])
 USUAL = {  # what programs take where it is not given, by the last names of its path
     "alignment vertical": "bottom",
     "charset val": "1",
@@ -47,7 +48,8 @@ USUAL = {  # what programs take where it is not given, by the last names of its 
     "zoomScale": "100",
     "zoomScaleNormal": "100",
 }
-PLACE = re.compile(r".*manualLayout . val")  # of a plot: with its labels or without, as programs like it
+# of a plot: with its labels or without, as programs like it
+PLACE = re.compile(r".*manualLayout . val")
 SHARE = 0.2  # of a chart's width or height, to which places of plots are the same
 
 

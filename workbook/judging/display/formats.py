@@ -11,9 +11,11 @@ TOKEN = re.compile(r"""(?xs)
     | (?P<end>;) | (?P<text>@|(?i:General|Standard)) | (?P<code>E[+-]|[0?\#.,%/])
     | (?P<date>AM/PM|A/P|[yYmMdDhHsSbBgGeE]) | (?P<plain>.)
 """)
-NUMBER = re.compile(r"@|(?=[#?,.]*0)(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?")  # a 0 shows in place of a zero
+# a 0 shows in place of a zero
+NUMBER = re.compile(r"@|(?=[#?,.]*0)(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?")
 INK = re.compile(r"\[(?:black|red|green|blue|magenta|color ?(?:[13-57-9]|[1-4][0-9]|5[0-6]))\]", re.IGNORECASE)
-LANGUAGE = re.compile(r"\$([^-\]]*)(?:-(?!F800|F400)(?:0?[01])?[0-9A-F]{0,6})?", re.IGNORECASE)  # of our digits
+# of our digits
+LANGUAGE = re.compile(r"\$([^-\]]*)(?:-(?!F800|F400)(?:0?[01])?[0-9A-F]{0,6})?", re.IGNORECASE)
 
 
 def format_by_number(workbook: Any, number: int) -> str:

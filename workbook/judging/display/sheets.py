@@ -21,10 +21,12 @@ from workbook.reading.package import PIXEL, Anchor
 from workbook.reading.rows import LAST_ROW, tag
 
 POINT = 12_700  # EMU
-WIDTH, HEIGHT = 8.43, 15.0  # of a column, in characters of 7 pixels, and of a row, in points, where none is given
+# of a column, in characters of 7 pixels, and of a row, in points, where none is given
+WIDTH, HEIGHT = 8.43, 15.0
 MOST = 409.5  # of both, in the same units
 LAST_SEEN = 1_000  # columns: nothing that is declared lies beyond
-NARROW, LOW = 250_000, 76_000  # EMU, 26 pixels and 6 points: below it a column or row is as good as hidden
+# EMU, 26 pixels and 6 points: below it a column or row is as good as hidden
+NARROW, LOW = 250_000, 76_000
 CELL = re.compile("([A-Z]{1,3})([1-9][0-9]{0,6})")
 CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|K[0-9A-F]{6}|[BIUEXYS])')  # of fonts in headers and footers
 SETTINGS = re.compile(  # of a book and its windows; all others, such as which cell is selected, are of a moment
@@ -94,7 +96,8 @@ class SheetView:
     def __init__(self, sheet: Worksheet, anchors: Iterable[Anchor] = ()) -> None:
         self.is_hidden = sheet.sheet_state != "visible"
         self.rows, self.columns = row_heights(sheet), column_widths(sheet)
-        self._first = (1, 1)  # row and column that can be scrolled to: nothing leads before those that are frozen
+        # row and column that can be scrolled to: nothing leads before those that are frozen
+        self._first = (1, 1)
         view = sheet.sheet_view
         if (pane := view.pane) is not None and str(pane.state).startswith("frozen") and view.topLeftCell:
             cell = CELL.fullmatch(str(view.topLeftCell))
@@ -139,12 +142,14 @@ def compare_sheets(match: Match, fresh: Workbook, differences: Differences) -> N
     for sheet, title in match.sheets:
         at, subject, page = Address(title, 1, 1), Subject(title), match.file.workbook[title]
         if title.casefold() != sheet.title.casefold():
-            differences.add(at, subject, f"sheet name{' of another' if title in titles else ''}", sheet.title, title)
+            what = "sheet name of another" if title in titles else "sheet name"
+            differences.add(at, subject, what, sheet.title, title)
         ours, theirs = page_attributes(fresh[sheet.title]), page_attributes(page)
         if inspected:
             theirs |= settings(inspected.pages[title]) | additions(inspected.pages[title])
             usual = settings([fresh[sheet.title].views.to_tree("sheetViews")])
-            ours |= {name: value for name, value in usual.items() if name in theirs}  # frozen panes may go
+            # frozen panes may go
+            ours |= {name: value for name, value in usual.items() if name in theirs}
         differences.compare(at, subject, ours, theirs)
         compare_links(match, sheet, title, differences)
         compare_print_area(match, sheet, page, differences)
@@ -186,7 +191,8 @@ def compare_links(match: Match, sheet: Sheet, title: str, differences: Differenc
     """Enter links of declared cells and texts that lead elsewhere."""
     titles = {declared.title: held for declared, held in match.sheets}
     links = [text for text in sheet.texts if text.link]
-    declared = defaultdict[str, list[str]](list)  # of texts: those of the same words lead on in the order of their rows
+    # of texts: those of the same words lead on in the order of their rows
+    declared = defaultdict[str, list[str]](list)
     for text in sorted((text for text in links if text.text), key=lambda text: (text.row, text.column)):
         declared[" ".join(text.text.split())].append(titles.get(text.link, ""))
     of_cells = {(text.row, text.column): titles.get(text.link, "") for text in links if not text.text}

@@ -89,7 +89,8 @@ class Parts(family.Staged):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield shares that do not fill the rise, and a law that cannot start or stop."""
         *curved, straight = (getattr(self, part) for part in PARTS)
-        total, fits = math.fsum([*curved, straight]), self.model_dump() | {part: self.usual[part] for part in PARTS}
+        total = math.fsum([*curved, straight])
+        fits = self.model_dump() | {part: self.usual[part] for part in PARTS}
         if abs(total - 1) > SUM_TOLERANCE:
             yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
         if not max(curved):

@@ -88,7 +88,8 @@ VARIATIONS = ({"pieces": [POLYNOMIAL_345]}, {"pieces": MIXED}, {"pieces": TWO_SI
 
 
 WITHIN = "Against the exact law, peaks of s, v, a and j are right to 1 %, of v·a to 4 %, the RMS to 0.0001 %."
-MOST_TURN = math.tau  # rad, of a sine on its piece: with more, nine points do not tell its extremes to the bound
+# rad, of a sine on its piece: with more, nine points do not tell its extremes to the bound
+MOST_TURN = math.tau
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -150,7 +151,8 @@ class OwnPage(Page):
     def verdicts(self, named: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the own law."""
         cell = CELLS["verdicts"]
-        turn, end = max(piece.omega * piece.duration for piece in named.law.as_pieces()), named.law.end
+        turn = max(piece.omega * piece.duration for piece in named.law.as_pieces())
+        end = named.law.end
         reached = amount("[@samples.s.last]", end.s, "s(1) = ", "")
         left = amount("[@samples.v.last]", end.v, "v(1) = ", "")
         turns = amount("MAX([@worked.turn])", turn, "a sine turns by ", " rad over its piece")
@@ -200,7 +202,8 @@ def pieces_entered(sheet: Sheet, own: OwnLaw, key: str, n: int) -> None:
 
 def worked(own: OwnLaw, n: int) -> list[Quantity]:
     """Return the columns of the pieces' begins, and of the acceleration at both their ends."""
-    cell, pieces = CELLS["worked"], filled([piece.engine_piece for piece in own.pieces], n, engine.Piece(0.0))
+    cell = CELLS["worked"]
+    pieces = filled([piece.engine_piece for piece in own.pieces], n, engine.Piece(0.0))
     at = piece_ends(pieces)
     return [
         cell("xi", begins(pieces)),

@@ -137,8 +137,10 @@ class SplinePage(Page):
 UNIT = 1.0  # rise and time: what rounding of accelerations is measured by
 
 
-ACCELERATIONS = {"rhs", "right", "back"}  # columns of the elimination that are as large as accelerations
-SHARES = {"k", "xi", "d", "y", "y1", "s_low", "s_high", "fast"}  # columns of the intervals that are not
+# columns of the elimination that are as large as accelerations
+ACCELERATIONS = {"rhs", "right", "back"}
+# columns of the intervals that are not
+SHARES = frozenset("k xi d y y1 s_low s_high fast".split())
 
 
 def solution(at: SplineTable) -> list[Quantity]:

@@ -124,7 +124,8 @@ def parameters(code: str, given: Cells) -> Rows:
     if code != "OWN":
         return rows(given, TURNS)
     filled = rows(given)
-    return tuple(row for row in filled if any(row)) or filled[:1]  # blank rows are no pieces, and would fill the cache
+    # blank rows are no pieces, and would fill the cache
+    return tuple(row for row in filled if any(row)) or filled[:1]
 
 
 def named(name: Cell, given: Cells) -> Law:

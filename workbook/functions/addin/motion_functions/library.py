@@ -14,7 +14,8 @@ from .law import NUM, VALUE, Law, Piece, Refused, Stage
 
 SUM_TOLERANCE = 1e-9  # of the durations of a law
 OWN_WIDTH = 8
-OWN = ((1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0),)  # the pieces of the own law where none are given
+# the pieces of the own law where none are given
+OWN = ((1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0),)
 Rows = Tuple[Tuple[float, ...], ...]
 End = Tuple[float, float, float]
 REST: End = (0.0, 0.0, 0.0)  # velocity, acceleration and jerk at an end of a law, per unit of ξ
@@ -48,7 +49,8 @@ class LawForm(NamedTuple):
     half: tuple[float, ...] = ()
     pieces: Callable[..., Sequence[Mapping[str, Any]]] | None = None
     begin: float = 0.0
-    domains: Mapping[int, Domain] = {}  # of parameters by place, where the durations do not tell what is impossible
+    # of parameters by place, where the durations do not tell what is impossible
+    domains: Mapping[int, Domain] = {}
 
 
 def turning(turn: Any, end: float, then: Any, other: Any) -> Any:
@@ -92,8 +94,10 @@ def two_sines(turn: Any) -> Sequence[Mapping[str, Any]]:
     ]
 
 
-FLAT, HALVES, EDGE, QUARTERS = (0.0, 1.0, 0.0), (0.5, 0.0, 0.5), (0.0, 0.0, 1.0), (0.25, 0.5, 0.25)  # stages of a pulse
-ENDS, ANYWHERE, PART, SHARED = Domain((-1.0, 1.0)), Domain((-1.0, 0.0, 1.0)), Domain(), {0: Domain(open=True)}
+# stages of a pulse
+FLAT, HALVES, EDGE, QUARTERS = (0.0, 1.0, 0.0), (0.5, 0.0, 0.5), (0.0, 0.0, 1.0), (0.25, 0.5, 0.25)
+ENDS, ANYWHERE, PART = Domain((-1.0, 1.0)), Domain((-1.0, 0.0, 1.0)), Domain()
+SHARED = {0: Domain(open=True)}
 LAWS: dict[str, LawForm] = {
     "DWL": LawForm(pieces=lambda: [{"duration": 1.0}]),
     "LIN": LawForm(pieces=lambda: [{"duration": 1.0}], begin=1.0),
