@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.laws.base import Array
+from engine.laws.base import Array, Flags
 from engine.motion.profile import SAME, CamProfile
 
 DEGREE = 15  # of every polynomial here; a sine over one rad about its middle is one to 1e-13 of its third derivative
@@ -175,7 +175,7 @@ def subdivided(x: Array, parts: int) -> Array:
     return np.append((x[:-1, None] + np.diff(x)[:, None] * steps).ravel(), x[-1])
 
 
-def spread(of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: NDArray[np.bool_]) -> Array:
+def spread(of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: Flags) -> Array:
     """Return points of a profile: the breaks, and between them equal steps by the error of a rule of interpolation.
 
     A rule by polynomials of degree ``order`` − 1 between points h apart has an error of y'' in proportion to

@@ -6,13 +6,12 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, splined
 from engine.cams.least_squares import gauss_newton
 from engine.cams.moving_phases import phases_at_speed, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
-from engine.laws.base import Array
+from engine.laws.base import Array, Flags
 from engine.motion.profile import CamProfile
 
 MOST_WAYS = 24  # strokes between reversals of a movement; with more of them no law is tried
@@ -106,7 +105,7 @@ def _line_of(of: CamPoints) -> FoundPhase:
     return FoundPhase(law("LIN"), begin, end, float(of.y[0]), float(of.y[-1] - of.y[0]), known=False)
 
 
-def _dwelling(of: CamPoints) -> NDArray[np.bool_]:
+def _dwelling(of: CamPoints) -> Flags:
     """Return whether each interval is a dwell: between equal points, and next to another such or long."""
     step = 2.0 * of.precision * (1.0 + ROUNDED)
     still = np.abs(np.diff(of.y)) <= step
@@ -122,7 +121,7 @@ def _dwelling(of: CamPoints) -> NDArray[np.bool_]:
     return np.asarray(dwelling)
 
 
-def _resting(of: CamPoints) -> NDArray[np.bool_]:
+def _resting(of: CamPoints) -> Flags:
     """Return whether each interval is a dwell, of points that creep: if equal for much longer than beside."""
     level = np.abs(np.diff(of.y)) <= of.precision
     starts = np.concatenate([[0], np.flatnonzero(~level) + 1, [len(of.y) - 1]])

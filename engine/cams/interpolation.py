@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.laws.base import Array
+from engine.laws.base import Array, Flags
 from engine.motion.profile import CamProfile
 
 SplineEnds = Literal["natural", "not-a-knot", "periodic"]
@@ -124,7 +124,7 @@ def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamPro
     return _profile(x, y[:-1], c[1] + rise, *c[2:])
 
 
-def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArray[np.bool_]) -> CamProfile:
+def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: Flags) -> CamProfile:
     """Return lines, and clamped splines between them, that have the slope of the line next to them.
 
     Source: Rockwell, SegmentType.
@@ -156,12 +156,12 @@ def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: NDArr
 HIGHEST = 6  # power of a segment's polynomial
 
 
-def simple(of: CamProfile) -> NDArray[np.bool_]:
+def simple(of: CamProfile) -> Flags:
     """Return whether each piece is a polynomial of at most degree 6 with at most one sine."""
     return np.asarray((of.c[:, HIGHEST + 1 :] == 0.0).all(axis=1) & ((of.sines[:, :, 0] != 0.0).sum(axis=1) <= 1))
 
 
-def straight(of: CamProfile) -> NDArray[np.bool_]:
+def straight(of: CamProfile) -> Flags:
     """Return whether each piece is a line: a dwell, or a motion at constant velocity."""
     return np.asarray((of.c[:, 2:] == 0.0).all(axis=1) & (of.sines[:, :, 0] == 0.0).all(axis=1))
 

@@ -6,12 +6,11 @@ from itertools import pairwise, product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, splined
 from engine.cams.least_squares import gauss_newton
 from engine.laws import CATALOGUE, law
-from engine.laws.base import Array
+from engine.laws.base import Array, Flags
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
 from engine.motion.profile import CamProfile
 
@@ -29,6 +28,9 @@ class EndLine(NamedTuple):
     v: float  # y'
     a: float = 0.0  # y''
     fixed: bool = False  # whether the phase has to end at this x, as no phase is beyond
+
+
+Sides = tuple[EndLine, EndLine]  # at begin and end of a phase
 
 
 def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase], bool]:
@@ -63,9 +65,7 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
     return _settled(phases), known
 
 
-def _law_between(
-    laws: Sequence[BoundaryLaw], of: CamPoints, sides: tuple[EndLine, EndLine], near: float
-) -> FoundPhase | None:
+def _law_between(laws: Sequence[BoundaryLaw], of: CamPoints, sides: Sides, near: float) -> FoundPhase | None:
     """Return the first law that a curve between two lines follows, in their direction or from a corner, or None."""
     ends = list(product(_meeting(of, sides[0], 0), _meeting(of, sides[1], -1)))
     fits = (_fitted(law, of, both, near) for both in ends for law in laws if of.identifies(law))
@@ -175,7 +175,7 @@ def _polygon(of: CamPoints) -> list[int]:
     return corners + left[::-1]
 
 
-def true_runs(flat: NDArray[np.bool_]) -> list[tuple[int, int]]:
+def true_runs(flat: Flags) -> list[tuple[int, int]]:
     """Return the first and the last point of each run of intervals that are true."""
     edges = np.flatnonzero(np.diff(np.pad(flat.astype(np.int8), 1)))
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
@@ -210,7 +210,7 @@ def _rates(of: CamPoints, rebuilt: CamProfile, k: int) -> EndLine:
     return EndLine(x, y, float(v), float(a))
 
 
-def _made(base: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndLine]) -> FoundPhase | None:
+def _made(base: BoundaryLaw, places: Sequence[float], sides: Sides) -> FoundPhase | None:
     """Return a law between two x, with the velocities of the lines there; None if it cannot have these."""
     begin, end = places
     first, last = (s.y if s.fixed else s.y + s.v * (x - s.x) for s, x in zip(sides, places, strict=True))
@@ -225,7 +225,7 @@ def _made(base: BoundaryLaw, places: Sequence[float], sides: tuple[EndLine, EndL
     return FoundPhase(bounded, begin, end, first, last - first, 0.0)
 
 
-def _fitted(base: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], near: float) -> FoundPhase | None:
+def _fitted(base: BoundaryLaw, of: CamPoints, sides: Sides, near: float) -> FoundPhase | None:
     """Return a law whose begin and end are fitted to the points by least squares; None if it does not fit."""
     step = np.diff(of.x)[[0, -1]]
     free = np.array([not side.fixed for side in sides])
@@ -247,9 +247,7 @@ def _fitted(base: BoundaryLaw, of: CamPoints, sides: tuple[EndLine, EndLine], ne
     return replace(phase, residual=float(np.abs(phase.off(of)).max()))
 
 
-def _quintics(
-    quintic: BoundaryLaw, of: CamPoints, rebuilt: CamProfile, sides: tuple[EndLine, EndLine], most: float
-) -> list[FoundPhase]:
+def _quintics(quintic: BoundaryLaw, of: CamPoints, rebuilt: CamProfile, sides: Sides, most: float) -> list[FoundPhase]:
     """Return polynomials of degree 5 between points, each as long as ``most`` allows; none if over :data:`MOST`."""
     phases: list[FoundPhase] = []
     k, last = 0, len(of.x) - 1

@@ -17,6 +17,7 @@ Laws are right-continuous: at a break they have the value of the later stage, at
 """
 ROUNDING = 1e-12  # share of its range by which an abscissa may lie outside
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 Real = TypeVar("Real", float, Array)
 
 

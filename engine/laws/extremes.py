@@ -9,9 +9,8 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.typing import NDArray
 
-from engine.laws.base import Array, Coefficients
+from engine.laws.base import Array, Coefficients, Flags
 from engine.laws.piece import Piece, Sine, cut, gains, placed_pieces
 
 STEPS = 100  # of Newton's method, or of halving if a step leaves the bracket: to the last digit
@@ -107,7 +106,7 @@ def _of_sine(sine: Sine, d: float) -> list[float]:
 PARTS = 256  # of a bracket, in a round
 
 
-def narrowed(positive: Callable[[Array], NDArray[np.bool_]], low: Array, high: Array, rounds: int) -> Array:
+def narrowed(positive: Callable[[Array], Flags], low: Array, high: Array, rounds: int) -> Array:
     """Return the points at which a condition changes within brackets.
 
     An array of 256 samples costs hardly more than a sample, and narrows a bracket as far as eight halvings. If the
@@ -163,7 +162,7 @@ def stationary_power_points(piece: Piece, v0: float) -> list[float]:
         return zeros(Curve(tuple((p * p.integ(k=v0)).deriv().coef.tolist())), piece.duration)
     row = np.array(piece.row)[:, None]
 
-    def rises(u: Array) -> NDArray[np.bool_]:
+    def rises(u: Array) -> Flags:
         _, v, a, j = gains(u, row)
         return np.asarray(a * a + (v0 + v) * j >= 0.0)
 

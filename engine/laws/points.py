@@ -13,7 +13,7 @@ import numpy as np
 from numpy.polynomial import Legendre
 from numpy.typing import NDArray
 
-from engine.laws.base import Array, Coefficients
+from engine.laws.base import Array, Coefficients, Flags
 from engine.laws.extremes import reach_of
 from engine.laws.family import Law
 from engine.laws.inverse import velocity_extremes, velocity_peak
@@ -73,7 +73,7 @@ class Points:
         b = snap(self.u, row)  # the slope of j; g is that of v·a
         self.rates = {"s": s0 + v0 * self.u + s, "v": v, "a": a, "j": j, "b": b, "va": v * a, "g": a * a + v * j}
 
-    def crosses(self, what: str) -> NDArray[np.bool_]:
+    def crosses(self, what: str) -> Flags:
         """Return for each point whether the slope changes its sign since the point before it on the same piece."""
         slope = self.rates[SLOPES[what]]
         return np.asarray((self.share > 0.0) & (np.roll(slope, 1) * slope < 0.0) & (self.part > 0.0))

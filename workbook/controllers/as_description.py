@@ -15,6 +15,7 @@ from engine.motion.profile import CamProfile
 from workbook.controllers.table import Table
 from workbook.controllers.tabulation import rules_of
 from workbook.controllers.target import Target
+from workbook.controllers.texts import Units
 from workbook.entries.abscissa import ENTERED, measured
 from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.machine import Sizes
@@ -31,9 +32,7 @@ BETWEEN = 8  # places of a polynomial
 NEXT = 1e-9  # of the cycle: phases so near to each other meet
 
 
-def phases_of(
-    target: Target, table: Table, units: tuple[str, str] = ("", ""), share: float = THINNED
-) -> IdentifiedMotion:
+def phases_of(target: Target, table: Table, units: Units = ("", ""), share: float = THINNED) -> IdentifiedMotion:
     """Return the movements that a table was built of: laws, or splines that are off by at most a share of the reach."""
     rebuilt = next(iter(rules_of(target, table).values())).rebuild(table)
     known = precision(table.y)
@@ -54,13 +53,13 @@ def phases_of(
     return identified(points, rebuilt, turns, share)
 
 
-def units_of(text: str) -> tuple[str, str]:
+def units_of(text: str) -> Units:
     """Return the units that a header of ours tells; ° and mm where there is none."""
     match = UNITS.search(text)
     return (match[1], match[2]) if match else ("°", "mm")
 
 
-def movement_lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
+def movement_lines(read: IdentifiedMotion, units: Units) -> list[str]:
     """Return a line for each movement: its law, from where to where, its lift, and what the table is off by."""
     x, y = units
     lines = []
@@ -75,7 +74,7 @@ def movement_lines(read: IdentifiedMotion, units: tuple[str, str]) -> list[str]:
     return lines
 
 
-def require_points(read: IdentifiedMotion, table: Table, profile: CamProfile, units: tuple[str, str]) -> str:
+def require_points(read: IdentifiedMotion, table: Table, profile: CamProfile, units: Units) -> str:
     """Return a line with the largest deviation of a described motion from a table's points; raise TargetError."""
     x = table.x - table.x[0] + profile.edges[0]
     off = np.abs(profile.at(x, left=bool(x[-1] >= profile.edges[-1])).y - table.y)
@@ -101,7 +100,7 @@ def require_describable(movements: Sequence[FoundPhase], x: str, y: str) -> None
         )
 
 
-def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title: str) -> dict[str, Any]:
+def compose(read: IdentifiedMotion, table: Table, units: Units, title: str) -> dict[str, Any]:
     """Return the description of a machine of one axis, without its rate; raise TargetError for what none can have."""
     movements = read.phases
     require_describable(movements, *units)
@@ -135,7 +134,7 @@ def compose(read: IdentifiedMotion, table: Table, units: tuple[str, str], title:
 
 
 def compose_phases(
-    movements: Sequence[FoundPhase], begin: float, near: float, units: tuple[str, str]
+    movements: Sequence[FoundPhase], begin: float, near: float, units: Units
 ) -> tuple[dict[str, Any], list[dict[str, Any]]]:
     """Return the entries of laws and phases of movements in a cycle from ``begin``, joined within ``near``."""
     laws: dict[str, Any] = {} if all(p.rests for p in movements) else {"LIN": {"family": "LIN"}}
@@ -169,7 +168,7 @@ def require_end(phases: Sequence[FoundPhase], closes: bool, begin: float) -> Non
         )
 
 
-def boundary_rates(phases: Sequence[FoundPhase], k: int, near: float, units: tuple[str, str]) -> dict[str, float]:
+def boundary_rates(phases: Sequence[FoundPhase], k: int, near: float, units: Units) -> dict[str, float]:
     """Return y' and y'' of a phase where another curved phase, or none, ends: as machines have them, s in m or rad."""
     before = phases[k - 1]
     meets = k == 0 or phases[k].begin - before.end <= near

@@ -5,11 +5,10 @@ from dataclasses import dataclass
 from typing import NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from engine.cams import interpolation
 from engine.cams.cam_points import CamPoints
-from engine.laws.base import Array
+from engine.laws.base import Array, Flags
 from engine.motion.profile import CamProfile
 from workbook.errors import TargetError
 
@@ -27,7 +26,7 @@ class Table:
     a: Array | None = None
     j: Array | None = None
     slopes: tuple[float, float] | None = None  # at both ends of a clamped spline
-    straight: NDArray[np.bool_] | None = None  # which way from a point is a line
+    straight: Flags | None = None  # which way from a point is a line
     profile: CamProfile | None = None  # the motion itself where the controller is given polynomials
     steps: tuple[float, float] = (1.0, 1.0)  # what whole numbers of x and y count
 

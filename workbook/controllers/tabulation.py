@@ -14,7 +14,7 @@ from engine.laws.base import Array
 from engine.motion.profile import SAME, CamProfile
 from workbook.controllers.table import RULES, Rule, Table
 from workbook.controllers.target import Target, parse_table
-from workbook.controllers.texts import step_of
+from workbook.controllers.texts import Units, step_of
 from workbook.errors import TargetError
 from workbook.template_outputs import CamAxis
 
@@ -112,7 +112,7 @@ def steps(target: Target, of: CamProfile) -> NDArray[np.intp]:
     return np.where(target.exact(of), 1, RULES[target.rules[0]].least)
 
 
-def table_at(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -> Table:
+def table_at(target: Target, of: CamProfile, x: Array, units: Units) -> Table:
     """Return the table of a motion at places as the target holds it, the motion's breaks moved to where x is."""
     number = target.number
     x_step = step_of(units[0], float(np.abs(of.edges).max()), number.largest)
@@ -133,7 +133,7 @@ def table_at(target: Target, of: CamProfile, x: Array, units: tuple[str, str]) -
     lines = np.asarray(straight(of)[begins] & (begins == ends)) if "straight" in target.columns else None
     first, second = (v if number.whole else number.rounded(v))[[0, -1]].tolist()
     y, steps = number.rounded(y, y_step), (x_step, y_step)
-    return Table(x, y, *had, slopes=(first, second), straight=lines, steps=steps)
+    return Table(x, y, had[0], had[1], had[2], (first, second), lines, steps=steps)
 
 
 def fewest_points(target: Target, of: CamProfile) -> int:

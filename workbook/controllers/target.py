@@ -7,15 +7,14 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from tornado.template import Loader
 
-from engine.laws.base import Array
+from engine.laws.base import Array, Flags
 from engine.motion.profile import CamProfile
 from engine.timing import Switch, SwitchDifference, compare_switches
 from workbook.controllers.registry import STATED
 from workbook.controllers.table import SPLINES, Table
-from workbook.controllers.texts import LREAL, Number, literal
+from workbook.controllers.texts import LREAL, Number, Units, literal
 from workbook.errors import ReadError, TargetError, visible
 from workbook.template_outputs import CamSwitch
 from workbook.text_files import read_text
@@ -80,7 +79,7 @@ class CamExport(NamedTuple):
     table: Table
     name: str
     header: tuple[str, ...]
-    units: tuple[str, str]  # of x and y
+    units: Units  # of x and y
     repeats: bool = True  # whether the cycle follows upon itself
     separator: str = ";"  # like the decimal sign asked for where texts have columns
     decimal: str = "."
@@ -162,7 +161,7 @@ class Target(ClaimedFormat):
     plain: tuple[str, ...] = ()
     # of which order, unless given otherwise
     tolerance: Sequence[tuple[str, float]] = (("y", 1e-4), ("a", 0.01))
-    exact: Callable[[CamProfile], NDArray[np.bool_]] = lambda of: np.zeros(len(of.origins), dtype=np.bool_)
+    exact: Callable[[CamProfile], Flags] = lambda of: np.zeros(len(of.origins), dtype=np.bool_)
     """which stretches of a motion need no points within"""
     built: Callable[[CamProfile, Array, tuple[float, float]], Table] | None = None
     """makes a table of polynomials of a motion, between places, in steps of x and y"""
@@ -270,7 +269,7 @@ def parse_table(text: str, target: Target) -> Table:
     return table
 
 
-def header(points: int, between: str, equal: bool, units: tuple[str, str]) -> str:
+def header(points: int, between: str, equal: bool, units: Units) -> str:
     """Return the line of a header that tells units, points, whether at equal steps, and what is between them."""
     counted = f"{points} points{' at equal steps' if equal else ''}"
     return f"x in {units[0]}, y in {units[1]}; {counted}; between them {between}"

@@ -28,6 +28,7 @@ COMMENT = re.compile(r"//[^\n]*|\(\*.*?(?:\*\)|\Z)", re.DOTALL)
 ASSIGNED = re.compile(r"\b([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
 INDEXED = re.compile(r"\[([0-9]{1,9})\]\s{0,9}\.\s{0,9}([A-Za-z_]\w{0,60})\s{0,9}:=\s{0,9}([^,;()\[\]\s]{1,40})")
 PLAIN = re.compile(NUMBER)
+Units = tuple[str, str]  # of x and y
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,7 @@ def step_of(unit: str, reach: float = 0.0, largest: float = DINT.largest) -> flo
     return step
 
 
-def counts(steps: tuple[float, float], units: tuple[str, str]) -> str:
+def counts(steps: tuple[float, float], units: Units) -> str:
     """Return the comment that says what a whole number of x and of y counts."""
     (x, y), (first, other) = steps, (unit.replace(" ", "_") for unit in units)
     return f"one step is {LREAL.text(x)} {first} of x and {LREAL.text(y)} {other} of y"

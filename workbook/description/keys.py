@@ -30,6 +30,7 @@ PRODUCTS = {  # entries that name a product of a catalogue
     "axes.*.motor.name": "motors", "selection.motor": "motors",
     "axes.*.reducer.name": "reducers", "selection.reducer": "reducers",
 }  # fmt: skip
+Models = tuple[type[BaseModel], ...]  # of a table of several kinds
 
 
 class Key(NamedTuple):
@@ -55,7 +56,7 @@ class Section(NamedTuple):
 
     path: str
     about: str
-    models: tuple[type[BaseModel], ...]
+    models: Models
     keys: tuple[Key, ...]
     kind: str = ""
 
@@ -84,7 +85,7 @@ class ModelWalk:
     def __init__(self, cells: Mapping[str, Quantity], data: Sequence[Mapping[str, Any]]) -> None:
         self._cells, self._data = cells, data
 
-    def sections(self, models: tuple[type[BaseModel], ...], path: str, about: str) -> Iterator[Section]:
+    def sections(self, models: Models, path: str, about: str) -> Iterator[Section]:
         """Yield the section of a model, then those of the tables in it; of several, what is common first."""
         known = [model.model_fields for model in models]
         by_kind, common = kinds(models), set.intersection(*map(set, known))
@@ -102,7 +103,7 @@ class ModelWalk:
         for name, nested in below:
             yield from self._nested(nested, join(path, name), fields[name])
 
-    def _nested(self, models: tuple[type[BaseModel], ...], path: str, field: FieldInfo) -> Iterator[Section]:
+    def _nested(self, models: Models, path: str, field: FieldInfo) -> Iterator[Section]:
         """Yield the sections of a field that is a table, or a list of tables; nothing of any other field."""
         if not models:
             return
@@ -206,7 +207,7 @@ def list_meaning(path: str) -> str:
     return "; ".join(p.label for p in FAMILY[code].parameters if p.key.startswith(f"{name}.")) if code in FAMILY else ""
 
 
-def tables_of(field: FieldInfo) -> tuple[type[BaseModel], ...]:
+def tables_of(field: FieldInfo) -> Models:
     """Return the models of a table, or of a list of tables with more tables in them; none of an entry."""
     kind, _ = unwrap(field.annotation, [])
     return tables(get_args(kind)[0] if get_origin(kind) is list and not is_table(kind) else kind)

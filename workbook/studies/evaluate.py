@@ -9,8 +9,8 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from engine.laws.base import Flags
 from workbook.book.declare import Book, Quantity
 from workbook.book.quantity import OK
 from workbook.book.rows import as_rows
@@ -48,19 +48,19 @@ class Table:
     begin: int
     entries: tuple[Column, ...]
     results: Mapping[str, Values]
-    fails: Mapping[str, NDArray[np.bool_]]
+    fails: Mapping[str, Flags]
     reasons: Values
 
     def __len__(self) -> int:
         return len(self.reasons)
 
     @property
-    def possible(self) -> NDArray[np.bool_]:
+    def possible(self) -> Flags:
         """Return whether each design is possible."""
         return np.asarray(self.reasons == "")
 
     @cached_property
-    def feasible(self) -> NDArray[np.bool_]:
+    def feasible(self) -> Flags:
         """Return whether each design keeps to all constraints."""
         return np.asarray(~np.logical_or.reduce([~self.possible, *self.fails.values()]))
 
