@@ -50,8 +50,7 @@ class RateSearch:
     motor: Motor
     reducer: ReducerLimits
     rate: float  # the present rate (1/s)
-    # peak torques at the present rate, before and behind the reducer (Nm)
-    sought: tuple[float, float] | None = None
+    sought: tuple[float, float] | None = None  # peak torques now, before and behind the reducer (Nm)
 
     @cached_property
     def estimates(self) -> dict[str, Estimate]:
@@ -249,8 +248,7 @@ class RateSearch:
     def part(self, name: str) -> float:
         """Return the part of the way between both rates after which a limit is reached, or infinite."""
         share = self.share(name)
-        # the largest share is reached at once
-        return 1.0 / share - LEAST_USE if share > LEAST_USE else math.inf
+        return 1.0 / share - LEAST_USE if share > LEAST_USE else math.inf  # the largest at once
 
     def met(self, name: str) -> float:
         """Return the rate (1/s) at which a limit is reached by the line between both rates, or infinite."""

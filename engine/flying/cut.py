@@ -152,7 +152,6 @@ class Cut:
         self.speed_change = cv * self.superimposed / self.moving_time
         ends = line_speed, line_speed + self.speed_change
         self.speed_range = min(ends), max(ends)  # m/s
-        # m/s, then
         self.slowest_speed = line_speed + law.v(self.fastest) * self.superimposed / self.moving_time
         # moves against the line for part of the cycle
         self.reverses = self.speed_range[0] < -SAME_LENGTH * line_speed
@@ -161,11 +160,9 @@ class Cut:
         self.max_acceleration = ca * pace  # a_max = C_a |h|/t_R² (m/s²)
         # a_rms = C_a,rms |h|/t_R² √(t_R/t_C), over the whole cycle
         self.rms_acceleration = ca_rms * pace * share
-        # |ω_L| (rad/s)
+        # |ω_L| (rad/s), ω̇_L,max (rad/s²): eq. (12), and ω̇_L,rms (rad/s²): eq. (13)
         self.max_angular_speed = max(abs(v) for v in self.speed_range) / tool.radius
-        # ω̇_L,max (rad/s²): eq. (12)
         self.max_angular_acceleration = self.max_acceleration / tool.radius
-        # ω̇_L,rms (rad/s²): eq. (13)
         self.rms_angular_acceleration = self.rms_acceleration / tool.radius
 
     def fastest_line(self, max_speed: float, max_acceleration: float) -> float:

@@ -41,8 +41,7 @@ class Moves:
         self.own_sheets, self.own_names = own_sheets, set[str]()
         self.renamed: dict[str, str] = {}  # public names that formulas have, by those that they had
         self.other_units: dict[str, str] = {}  # by public names, what changed
-        # rows to which formulas refer, and which hold other entries now
-        self.changed_rows: set[str] = set()
+        self.changed_rows: set[str] = set()  # rows of other entries now to which formulas refer
         self._rows: dict[str, list[int | None]] = {}
 
     @cached_property
@@ -96,8 +95,7 @@ class Moves:
     def rows(self, old: Block, new: Block) -> list[int | None]:
         """Return for each row of a table its row in the fresh one, from 0; None where that lacks it."""
         if old.name not in self._rows:
-            lead, new_lead = old.lead or old, new.lead or new
-            self._rows[old.name] = self._paired(lead, new_lead)
+            self._rows[old.name] = self._paired(old.lead or old, new.lead or new)
         return self._rows[old.name]
 
     def _paired(self, old: Block, new: Block) -> list[int | None]:
@@ -109,8 +107,7 @@ class Moves:
         names = [row_names(block) for block in (old, new)]
         rows = names if all(names) else [row_entries(block) for block in (old, new)]
         held: dict[Any, int] = {row: i for i, row in reversed([*enumerate(rows[1])])}
-        # of rows whose entries are others now
-        same = [i if i < new.size else None for i in range(old.size)]
+        same = [i if i < new.size else None for i in range(old.size)]  # of rows with other entries
         return [held.get(row, None if all(names) and row else same[i]) for i, row in enumerate(rows[0])]
 
     def cell(self, at: Address) -> Address:
@@ -163,8 +160,7 @@ class Moves:
         """Return where a cell or a range is; raise LostError where it is not, or is torn."""
         ends = area.first, Address(area.sheet, area.bottom, area.right)
         first, last = self.cell(ends[0]), self.cell(ends[1])
-        whole = self._whole_columns(area)
-        if whole:
+        if whole := self._whole_columns(area):
             first, last = (end._replace(row=row) for end, row in zip((first, last), whole, strict=True))
         spans = last.row - first.row, last.column - first.column
         rows = {self.cell(Address(area.sheet, r, area.left)).row - r for r in range(area.top, area.bottom + 1)}
