@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import re
 import signal
 import subprocess
@@ -23,14 +24,14 @@ from rich.table import Table
 
 from workbook.entries.design import as_entered
 from workbook.reading.descriptions import read_machine
+from workbook.serve.design import figures
 from workbook.serve.handler import COOKIE
-from workbook.serve.live import fragment
 from workbook.serve.tables import edited
 from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 
 EDITS, BUILT = 15, 24
-GOALS = {5: 0.1, 24: 0.4}
+GOALS = {5: 0.3, 24: 1.0}
 """seconds of the median edit, by the number of axes, each with a drive"""
 
 ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")
@@ -56,12 +57,12 @@ def edits(text: str) -> dict[str, list[str]]:
     }
 
 
-async def timed(text: str, others: list[str], work: Work) -> tuple[float, int]:
+async def timed(others: list[str], work: Work) -> tuple[float, int]:
     """Return the median time of edits (s), and the size of the last answer (bytes)."""
     taken, answer = [], ""
     for other in others:
         begin = time.perf_counter()
-        answer = await work.in_worker(fragment, "machine.toml", other, text)
+        answer = json.dumps(await work.in_worker(figures, other, 0))
         taken.append(time.perf_counter() - begin)
     return median(taken), len(answer.encode())
 
@@ -105,13 +106,13 @@ def pages() -> None:
             first = time.perf_counter() - begin
             table.add_row("the first, from the command on", f"{first:.2f}", "", "")
             table.add_row("the first, from the address on", *longest([asked(server, "/") for _ in range(5)]), "1")
-            asked(server, "/live", name="small.toml", text=text)
+            asked(server, "/figures", name="small.toml", text=text, axis="0")
             build = pool.submit(asked, server, "/build", name="large.toml")
             times: dict[str, list[float]] = {"the first": [], "an edit": []}
             while not build.done():
                 times["the first"].append(asked(server, "/"))
                 changed = text.replace("rate = 200", f"rate = {200 + len(times['the first'])}", 1)
-                times["an edit"].append(asked(server, "/live", name="small.toml", text=changed))
+                times["an edit"].append(asked(server, "/figures", name="small.toml", text=changed, axis="0"))
             for what, taken in times.items():
                 table.add_row(f"{what}, while {BUILT} axes are built ({build.result():.0f} s)", *longest(taken), "")
     Console().print(table)
@@ -127,9 +128,9 @@ async def main() -> None:
     table = Table("Axes", "Edited", "Median [s]", "Goal [s]", "Answer [kB]", title="From an edit to its figures")
     for axes, goal in GOALS.items():
         work, text = Work(), description(axes)
-        await work.in_worker(fragment, "machine.toml", text, text)  # the process begins
+        await work.in_worker(figures, text, 0)  # the process begins
         for what, others in edits(text).items():
-            taken, size = await timed(text, others, work)
+            taken, size = await timed(others, work)
             table.add_row(f"{axes}", what, f"{taken:.3f}", f"{goal:g}", f"{size / 1000:.0f}")
         work.stop()
     Console().print(table)

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Generic, TypeVar
+from typing import Any, Generic, TypeVar
 
 from workbook.book.checks import checks_sheet
 from workbook.book.declare import Book
@@ -38,6 +38,7 @@ class Template(Generic[M]):
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
     improving: Improving[M] | None = None  # says what would make it faster
+    live: Callable[[M], list[dict[str, Any]]] | None = None  # the figures of its axes, in a moment, without a book
     # of its book, by the exact engine
     judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED
     # where the description to begin with lies, and its book, called as the template

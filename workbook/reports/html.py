@@ -18,8 +18,7 @@ from workbook.errors import visible
 STYLE = "\n" + Path(__file__).with_name("page.css").read_text(encoding="utf-8")
 WIDTH, HEIGHT = 720, 400
 LEFT, RIGHT, TOP, BOTTOM = 78, 170, 34, 50
-ACROSS = WIDTH - LEFT - RIGHT  # length of the axis below lines
-BEFORE, INK = "#aab2bd", "#1a1a1a"
+INK = "#1a1a1a"
 TICKS = 6
 APART = 14  # between two names
 POINT = "#1f5fa8"
@@ -54,11 +53,6 @@ def table(headings: Sequence[str], rows: Iterable[Sequence[str]], numbers: Conta
     """Return a table whose columns ``numbers`` stand to the right."""
     css = [' class="number"' if k in numbers else "" for k in range(len(headings))]
     return rendered("reports/table.html", headings=headings, rows=rows, css=css)
-
-
-def paragraphs(error: Exception) -> str:
-    """Return the lines of an error's message as HTML."""
-    return "".join(f"<p>{shown(line)}</p>" for line in str(error).splitlines())
 
 
 def xml_safe(text: str) -> str:
@@ -126,31 +120,14 @@ def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
     return Scale(low, high, begin, end, powers)
 
 
-class Handle(NamedTuple):
-    """A handle to be dragged in a picture, with its attributes: the name of a line, or a point of it at ``x``."""
-
-    line: str
-    attributes: dict[str, str]
-    x: float | None = None
-    words: str = ""
-
-
-def plot(
-    title: str,
-    labels: tuple[str, str],
-    lines: Sequence[Line],
-    powers: tuple[bool, bool] = (False, False),
-    before: Sequence[Line] = (),
-    handles: Sequence[Handle] = (),
-) -> str:
-    """Return the picture, ``before`` in grey below the lines; raise ValueError for no lines."""
+def plot(title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tuple[bool, bool] = (False, False)) -> str:
+    """Return the picture of lines; raise ValueError for none."""
     if not lines:
         raise ValueError("no lines are given; expected one or more")
-    x, y = (np.concatenate([getattr(line, name) for line in (*lines, *before)]) for name in "xy")
+    x, y = (np.concatenate([getattr(line, name) for line in lines]) for name in "xy")
     across, up = scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1])
     colours = [f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}" for k in range(len(lines))]
-    drawn = [*((line, BEFORE) for line in before), *zip(lines, colours, strict=True)]
-    of = {line.name: line for line in lines}
+    drawn = [*zip(lines, colours, strict=True)]
     return picture(
         title,
         labels,
@@ -166,12 +143,6 @@ def plot(
         names=[
             (line.name, WIDTH - RIGHT + 8, height + 4, colour)
             for line, colour, height in zip(lines, colours, name_heights(lines, up), strict=True)
-        ],
-        handles={grip.line: grip.attributes for grip in handles if grip.x is None},
-        dragged=[
-            (across.at(grip.x), up.at(np.interp(grip.x, of[grip.line].x, of[grip.line].y)), grip)
-            for grip in handles
-            if grip.x is not None
         ],
     )
 
@@ -199,7 +170,7 @@ def path(x: Array, y: Array) -> str:
 def picture(title: str, labels: tuple[str, str], across: Scale, up: Scale, **drawn: Any) -> str:
     """Return a picture of what is drawn between two axes; no numbers stand at an axis without a name."""
     given = {"title": title, "labels": labels, "across": across, "up": up}
-    given |= {"width": WIDTH, "height": HEIGHT, "curves": (), "handles": {}, "dragged": ()}
+    given |= {"width": WIDTH, "height": HEIGHT, "curves": ()}
     return rendered("reports/picture.svg", **given | drawn)
 
 

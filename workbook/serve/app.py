@@ -12,16 +12,15 @@ from tornado.web import HTTPError
 
 from workbook.build import read_inputs
 from workbook.controllers.registry import TARGETS
-from workbook.errors import InputError, WriteError
-from workbook.serve import fields, live, pages, study
+from workbook.serve import editing, pages, shown, study, tables
 from workbook.serve.handler import REPORT, Action, Folder, Page, state
 from workbook.serve.server import SVG, serving, static
-from workbook.serve.work import NOT_WRITTEN, Work, WorkError
+from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
-from workbook.writing.output_files import write_text
 
-STATIC = ("favicon.ico", "busy.js", "form.js", "home.js", "live.js", "study.js", "text.js")
+STATIC = ("favicon.ico", "busy.js", "home.js", "study.js")
+MODULES = r"/(page/(?:vendor/)?[\w-]+\.(?:js|css))"
 ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 
@@ -34,7 +33,7 @@ async def write(command: str, suffix: str, page: Page) -> str | None:
 
 async def work_out(function: Callable[[str, str], str], page: Page, name: str) -> str:
     """Return a function's result for the name and text of a description of the folder."""
-    return await page.work.in_worker(function, name, read_text(page.folder.file(name), "a description"))
+    return await page.work.in_worker(function, name, read_text(page.folder.file(name), "a description"), slow=True)
 
 
 async def home(page: Page) -> str:
@@ -65,65 +64,12 @@ async def new(page: Page) -> str | None:
     return await page.write_by("new", page.get_body_argument("template"), path)
 
 
-async def edit(page: Page, name: str) -> str:
-    """Show a description to be edited, or, unsaved, a design among the best of a study of it."""
-    path, asked = page.folder.file(name), page.get_query_argument("study", "")
-    if not asked:
-        return pages.editor(name, read_text(path, "a description"), state(path))
-    number, results = page.get_query_argument("pick"), page.folder.file(asked)
-    if not number.isdecimal():
-        raise InputError([f"{number!r}: expected the place of a design"])
-    text = await page.work.in_worker(study.picked, results, int(number))
-    note = f"Design {int(number)} of {asked}, beside the saved {name}. It is not saved yet."
-    return pages.editor(name, text, state(path), note, f"{results.stem}-{int(number)}.toml")
-
-
-async def live_panel(page: Page) -> str:
-    """Return the panel beside the text of a description that is being edited."""
-    saved = read_text(page.file(), "a description")
-    try:
-        return await page.work.in_worker(live.fragment, page.get_body_argument("name"), page.text(), saved)
-    except WorkError as error:
-        return f"<p>{error}: save and build it instead.</p>"
-
-
-async def form(page: Page) -> str:
-    """Return the form of a part of a description that is being edited."""
-    name, part = map(page.get_body_argument, ("name", "part"))
-    return await page.work.in_worker(fields.form, name, page.text(), part)
-
-
-async def enter(page: Page) -> str:
-    """Return the text of a description in which what a field says is entered."""
-    name, *asked = map(page.get_body_argument, ("name", "path", "do", "value"))
-    page.set_header("Content-Type", "text/plain; charset=utf-8")
-    return await page.work.in_worker(fields.entered, name, page.text(), *asked)
-
-
 async def picture(page: Page, name: str) -> str:
     """Send the picture of a template in the gallery."""
     if name not in TEMPLATES:
         raise HTTPError(404)
     page.set_header("Content-Type", SVG)
-    return await page.work.in_worker(live.picture, name)
-
-
-async def save(page: Page) -> str | None:
-    """Save a description unless it changed meanwhile, or under another, free name; then edit it, or build its book."""
-    name, text, path = page.get_body_argument("name"), page.text(), page.file()
-    if page.get_body_argument("as") != name:
-        path = page.folder.free(page.get_body_argument("as"))
-    elif state(path) != page.get_body_argument("state"):
-        raise WriteError(f"{name} changed since it was opened; open it again and repeat your change")
-    write_text(path, text, overwrite=True)
-    if page.get_body_argument("then") == "edit":
-        page.redirect(f"/edit/{path.name}")
-        return None
-    book = page.folder.free(f"{path.stem}.xlsx")
-    done = await page.work.run("build", path, "-o", book)
-    if done.written == NOT_WRITTEN:
-        return pages.editor(path.name, text, state(path), done.text)
-    return pages.printed(path.name, done.text, done.written, path, book)
+    return await page.work.in_worker(shown.picture, name, slow=True)
 
 
 async def verify(page: Page) -> str:
@@ -195,7 +141,7 @@ async def read(page: Page) -> str:
         done = await page.work.run("read", table, "--from", page.get_body_argument("target"), "-o", target)
     if done.code:
         return pages.printed(table.name, done.text, "not read")
-    return pages.editor(target.name, target.read_text(encoding="utf-8"), state(target), done.text)
+    return pages.printed(table.name, done.text, "read", target)
 
 
 @lru_cache
@@ -206,16 +152,17 @@ def axes(book: Path, digest: str) -> list[str]:
 
 
 GET: dict[str, Action] = {
-    r"/": home, r"/file/([^/]+)": download, r"/edit/([^/]+)": edit, r"/short/([^/]+)": partial(work_out, live.in_short),
-    r"/print/([^/]+)": partial(work_out, live.sheet), r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary,
-    r"/study/([^/]+)": study.show, r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller,
+    r"/": home, r"/file/([^/]+)": download, r"/edit/([^/]+)": editing.edit, r"/state/([^/]+)": editing.file_state,
+    r"/short/([^/]+)": partial(work_out, shown.in_short), r"/print/([^/]+)": partial(work_out, shown.sheet),
+    r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary, r"/study/([^/]+)": study.show,
+    r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller, MODULES: static,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
-    r"/(page/(?:vendor/)?[\w-]+\.(?:js|css))": static,
 }  # fmt: skip
 POST: dict[str, Action] = {
     "/build": partial(write, "build", ".xlsx"), "/inputs": partial(write, "inputs", ".toml"),
-    "/regenerate": partial(write, "regenerate", ".xlsx"), "/live": live_panel, "/fields": form, "/set": enter,
-    "/new": new, "/save": save, "/verify": verify, "/upload": upload, "/compare": compare,
+    "/regenerate": partial(write, "regenerate", ".xlsx"), "/open": editing.open_design, "/change": editing.change,
+    "/figures": editing.figures, "/verdict": editing.verdict, "/discard": editing.discard, "/theirs": editing.theirs,
+    "/new": new, "/save": editing.save, "/verify": verify, "/upload": upload, "/compare": compare,
     "/study": study.new, "/begin": study.begin, "/cancel": study.cancel, "/export": export, "/read": read,
 }  # fmt: skip
 
@@ -226,6 +173,7 @@ async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]
     shared = {"folder": Folder(path), "work": work, "verdicts": dict[str, str]()}
     try:
         async with serving(GET, POST, shared, port, browse, tell):
+            work.worker().submit(tables.warm)
             await asyncio.Event().wait()
     finally:
         work.stop()

@@ -3,6 +3,8 @@
 import base64
 import hashlib
 import hmac
+import json
+import os
 import re
 import tempfile
 from collections.abc import Awaitable, Callable, Iterator
@@ -122,6 +124,10 @@ class Page(RequestHandler):
         error = (kwargs.get("exc_info") or (None, None))[1]
         if isinstance(error, MotionbookError):
             self.set_status(400)
+            if self.request.headers.get("Accept") == "application/json":
+                self.set_header("Content-Type", "application/json")
+                self.finish({"error": str(error).replace(f"{self.folder.path}{os.sep}", "")})
+                return
             self.finish(pages.printed("This cannot be done", str(error), ""))
         else:
             self.set_header("Content-Type", "text/plain; charset=utf-8")
@@ -139,6 +145,16 @@ class Page(RequestHandler):
     def text(self) -> str:
         """Return the text that is edited, as it is: a form sends it with the line ends of Windows."""
         return self.get_body_argument("text", strip=False).replace("\r\n", "\n")
+
+    def get_json(self, field: str) -> Any:
+        """Return the list of changes that a field of the form holds as JSON."""
+        try:
+            given = json.loads(self.get_body_argument(field))
+        except ValueError:
+            given = None
+        if not isinstance(given, list) or not all(isinstance(each, dict) and "path" in each for each in given):
+            raise WriteError(f"{field}: expected a list of changes in JSON")
+        return given
 
     @contextmanager
     def upload(self, field: str, otherwise: str) -> Iterator[Path]:

@@ -21,9 +21,9 @@ def is_study(path: Path) -> bool:
     return any(line.startswith("[[vary]]") for line in path.read_text(encoding="utf-8", errors="replace").splitlines())
 
 
-def editor(name: str, words: str, state: str, note: str = "", target: str = "") -> str:
-    """Return the page on which a description is edited, with a ``note`` on it and the proposed name to save."""
-    return page(name, "edit", "form", "live", words=words, state=state, note=note, target=target or name)
+def design_page(name: str, study: str, pick: str) -> str:
+    """Return the page on which a description is designed, or a picked design of a study of it."""
+    return rendered("serve/page/design.html", name=name, study=study, pick=pick)
 
 
 def framed(report: str, *links: str) -> str:

@@ -14,6 +14,7 @@ from tornado.web import Application, HTTPError
 from workbook.serve.handler import LARGEST, Action, Page
 
 SVG = "image/svg+xml"
+TYPES = {".svg": SVG, ".css": "text/css", ".js": "text/javascript"}
 ICON = {"favicon.ico": "icon.svg"}
 TYPES = {".svg": SVG, ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}
 

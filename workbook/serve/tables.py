@@ -1,41 +1,32 @@
-"""The tables and entries of a description's text by their places, and what is changed in them; its comments stay."""
+"""The entries of a description by their places, and what is changed in its text; its comments stay."""
 
-import json
 import re
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any
 
+import numpy as np
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import Array
 
-from workbook.description.keys import Key, Section, sections, toml
+from workbook.description.keys import PRODUCTS, Key, Section, default_of, sections, toml
+from workbook.entries.abscissa import PLACE
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
-from workbook.fields.paths import Place, get, reach, split, spread
+from workbook.fields.paths import Place, get, reach
+from workbook.laws.entries import ENTRIES
+from workbook.laws.registry import FAMILY
+from workbook.selection.entries import COMMITTED
 from workbook.templates import TEMPLATES
 
 COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")  # entries, blanks, and a comment
-
-
-class Table(NamedTuple):
-    """A table of a description: where it is, what its keys are, and its entries; None where it is left out."""
-
-    place: Place
-    section: Section
-    entries: dict[str, Any] | None
-
-
-def tables_of(template: str, data: dict[str, Any]) -> list[Table]:
-    """Return the tables that a description of a template has, and those that it leaves out."""
-    tables = []
-    for section in template_sections(template):
-        for place, entries in spread(data, split(section.path)):
-            kind = entries.get(KIND) if isinstance(entries, dict) else None
-            if not section.kind or section.kind == kind:
-                tables.append(Table(place, section, entries if isinstance(entries, dict) else None))
-    return tables
+EITHER = re.compile(r", | or ")
+PHRASES = ("a ", "7 ")  # begins of the words that expect anything but a choice of texts
+SHAPE = 25  # points of the picture of a law
+OF_AXIS = ("lift", "position", "low", "high")  # entries in the unit of their axis
+BEFORE = re.compile(r"^(Motor|Reducer), as entered: |^(Arm|Brake): ")
+NOTE = re.compile(r" \((.*)\)$")
 
 
 @lru_cache
@@ -44,91 +35,111 @@ def template_sections(template: str) -> list[Section]:
     return sections(TEMPLATES[template])
 
 
-def part_of(place: Place) -> Place:
-    """Return the part of a description in which a table is shown: what its first name says, a row of it by itself."""
-    return place[:2] if place[1:] and place[1].isdigit() else place[:1]
+@lru_cache
+def schema(template: str) -> list[dict[str, Any]]:
+    """Return the tables of a template's descriptions with their entries, as the page has them."""
+    return [
+        {"path": section.path, "about": section.about, "kind": section.kind, "keys": [*map(shown_key, section.keys)]}
+        for section in template_sections(template)
+    ]
 
 
-def written(place: Place) -> str:
-    """Return a place as the page sends it."""
-    return json.dumps(place, ensure_ascii=False)
+def shown_key(key: Key) -> dict[str, Any]:
+    """Return an entry as the page has it: its label and note, its unit, the texts that are proposed."""
+    words = BEFORE.sub("", key.meaning)
+    note = NOTE.search(words)
+    label = NOTE.sub("", words)
+    rows = sorted(key.rows, key=lambda row: row.default is None and not row.required)
+    return {
+        "name": key.name,
+        "label": label[:1].upper() + label[1:],
+        "note": f"{note[1] if note else ''}",
+        "unit": key.unit,
+        "expected": key.expected,
+        "required": key.required,
+        "default": default_of(key).strip('"'),
+        "options": choices(key),
+        "rows": [*map(shown_key, rows)],
+    }
 
 
-def changed(text: str, template: str, data: dict[str, Any], place: Place, do: str, value: str) -> str:
-    """Return the text with an entry set, or a table or row added, copied or removed; raise InputError if it cannot."""
-    above = get(data, place[:-1])
-    if do == "Remove":
-        return edited(text, [(place, None)])
-    if do == "Copy":
-        return edited(text, [((*place[:-1], str(len(above))), get(data, place))])
-    tables = tables_of(template, data)
-    if do == "Add":
-        return edited(text, [(place, example(template, tables, place))])
-    key = key_of(tables, place)
-    new = value_of(key, value.strip())
-    changes: list[tuple[Place, Any]] = [(place, new)] if new is not None or get(data, place) is not None else []
-    if key.name == KIND and isinstance(new, str):  # the table becomes a table of another kind
-        keys = [
-            key for section in sections_at(template, place[:-1]) if section.kind in ("", new) for key in section.keys
-        ]
-        gone = above.keys() - {key.name for key in keys}
-        changes += [((*place[:-1], name), None) for name in above if name in gone]
-        changes += [((*place[:-1], name), value) for name, value in required(keys).items() if name not in above]
-    return edited(text, changes)
+@lru_cache
+def catalogue() -> dict[str, Any]:
+    """Return the laws that come with motionbook with their shapes, motors and reducers with their figures."""
+    shares = np.linspace(0.0, 1.0, SHAPE)
+    rising = {code: FAMILY[code].make_law(entry()).s(shares) for code, entry in ENTRIES.items()}
+    laws = [
+        {"code": code, "title": page.title, "shape": rising.get(code, 0.0 * shares).round(4).tolist()}
+        for code, page in FAMILY.items()
+    ]
+    products = {kind: [row.model_dump() for row in COMMITTED[f"{kind}s"]()] for kind in ("motor", "reducer")}
+    return {"laws": laws, "products": products}
 
 
-def key_of(tables: Sequence[Table], place: Place) -> Key:
-    """Return the key of an entry; raise InputError where no table has it."""
-    for table in tables:
-        below = place[len(table.place) :]
-        if place[: len(table.place)] != table.place or not below:
+def warm() -> None:
+    """Prepare what the first design page asks for."""
+    schema("machine")
+    catalogue()
+
+
+def choices(key: Key) -> list[str]:
+    """Return the texts that an entry may be, where these are known: products, laws, words."""
+    if key.path in PRODUCTS:
+        return [str(getattr(product, "name", "")) for product in COMMITTED[PRODUCTS[key.path]]()]
+    if key.name == "law":
+        return list(FAMILY)
+    return [] if key.expected.startswith(PHRASES) or key.rows else EITHER.split(key.expected)
+
+
+def key_at(template: str, data: Any, place: Place) -> Key:
+    """Return the key of the entry at a place; raise InputError where no table has it."""
+    for section in template_sections(template):
+        parts = section.path.split(".") if section.path else []
+        if section.kind and get(data, (*place[: len(parts)], KIND)) != section.kind:
             continue
-        key = next((key for key in table.section.keys if key.name == below[0]), None)
-        if key is not None and len(below) == 1:
+        if not fits(place, parts):
+            continue
+        name, *below = place[len(parts) :] or ("",)
+        key = next((key for key in section.keys if key.name == name), None)
+        if key is not None and not below:
             return key
-        if key is not None and len(below) == 3:  # a row of a list, by the name of its entry or by its number
-            rows = {**{str(n): row for n, row in enumerate(key.rows)}, **{row.name: row for row in key.rows}}
-            if below[2] in rows:
-                return rows[below[2]]
+        if key is not None and len(below) == 2 and below[0].isdigit():
+            rows = {row.name: row for row in key.rows} | {str(n): row for n, row in enumerate(key.rows)}
+            if below[1] in rows:
+                return rows[below[1]]
     raise InputError([f"{'.'.join(place)}: there is no such entry"])
 
 
-def value_of(key: Key, text: str) -> Any:
-    """Return a field's value in the type of its key; a text where it has another type, which the check reports."""
-    if not text:
-        return None
-    try:
-        if key.expected.startswith("a number"):
-            return float(text)
-        if key.expected.startswith("a whole number"):
-            return int(text)
-        if key.expected == "true or false" or text.startswith("["):
-            return tomlkit.value(text)
-    except ValueError:
-        pass
-    return text
+def fits(place: Place, parts: Sequence[str]) -> bool:
+    """Whether a place lies in the table of a pattern with ``*`` for any row; laws are by their names."""
+    if len(place) < len(parts):
+        return False
+    if parts[:1] == ["laws"]:
+        return place[0] == "laws"
+    return all(part == own or (part == "*" and own.isdigit()) for part, own in zip(parts, place, strict=False))
 
 
-def example(template: str, tables: Sequence[Table], place: Place) -> dict[str, Any]:
-    """Return a table or a row that is added, with what it must have."""
-    if all(table.place != place for table in tables):
-        return required(key_of(tables, place[:-1]).rows)
-    row: dict[str, Any] = {"family": place[1]} if place[0] == "laws" else {}
-    for section in sections_at(template, place):
-        if section.kind in ("", row.get(KIND)):
-            row |= required(section.keys)
-    return row
+def unit_at(key: Key, data: Any, place: Place) -> str:
+    """Return the unit of an entry: where it is the axis' or the cycle's, of those in this description."""
+    axis = str(get(data, (*place[:2], "unit"), "mm")) if place[0] == "axes" else ""
+    if axis and key.name in OF_AXIS:
+        return axis
+    if PLACE in key.unit:
+        over = get(data, ("master", "unit"), "s") if get(data, ("master", "cycle")) is not None else "°"
+        return str(over)
+    units = key.unit.split(" or ")
+    return units[-1 if axis == "°" else 0] if units[1:] else key.unit
+
+
+def required(keys: Sequence[Key]) -> dict[str, Any]:
+    """Return the entries that a table must have, as in an example."""
+    return {key.name: key.example for key in keys if key.required and key.example is not None}
 
 
 def sections_at(template: str, place: Place) -> list[Section]:
     """Return a template's sections for the table at a place, a section for each kind that it may have."""
     path = ".".join("*" if part.isdigit() else part for part in place)
     return [section for section in template_sections(template) if section.path == path]
-
-
-def required(keys: Sequence[Key]) -> dict[str, Any]:
-    """Return the entries that a table must have, as in an example."""
-    return {key.name: key.example for key in keys if key.required and key.example is not None}
 
 
 def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:

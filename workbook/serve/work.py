@@ -65,7 +65,7 @@ class Job:
 
 
 class Work:
-    """Commands, so many at once, others wait for their turn; a single study; and a process for what is edited."""
+    """Commands, so many at once, others wait for their turn; a single study; processes for edits and verdicts."""
 
     def __init__(self, most: int | None = None, patience: float = PATIENCE, temporary: str | None = None) -> None:
         self._patience, self._temporary = patience, temporary
@@ -73,27 +73,33 @@ class Work:
         self._running: set[asyncio.subprocess.Process] = set()
         self.waiting = 0
         self.jobs: dict[str, Job] = {}  # the latest work at each study, by the name of its file
-        self._editing: ProcessPoolExecutor | None = None
+        self._workers: dict[bool, ProcessPoolExecutor] = {}  # what is edited, and by True what takes longer
 
-    async def in_worker(self, function: Callable[..., T], *arguments: Any) -> T:
-        """Return the result of a function in the process beside the server; raise WorkError where it takes too long."""
-        if self._editing is None:
-            self._editing = ProcessPoolExecutor(1, get_context("spawn"), prepare_worker, (self._temporary,))
+    async def in_worker(self, function: Callable[..., T], *arguments: Any, slow: bool = False) -> T:
+        """Return the result of a function in a process beside the server; raise WorkError where it takes too long.
+
+        What is ``slow``, such as a book's verdict, has a process of its own, so that no edit waits for it.
+        """
         try:
-            future = asyncio.get_running_loop().run_in_executor(self._editing, function, *arguments)
+            future = asyncio.get_running_loop().run_in_executor(self.worker(slow), function, *arguments)
             return await asyncio.wait_for(future, self._patience)
         except (TimeoutError, BrokenProcessPool):
-            self._end_editing()
+            self._end_worker(slow)
             raise WorkError(f"Not worked out within {self._patience:.0f} s") from None
 
-    def _end_editing(self) -> None:
-        """End the process for what is edited; the next edit begins another."""
-        if self._editing is not None:
-            for process in list(self._editing._processes.values()):
+    def worker(self, slow: bool = False) -> ProcessPoolExecutor:
+        """Return the process for edits, or that for what takes longer."""
+        if slow not in self._workers:
+            self._workers[slow] = ProcessPoolExecutor(1, get_context("spawn"), prepare_worker, (self._temporary,))
+        return self._workers[slow]
+
+    def _end_worker(self, slow: bool) -> None:
+        """End a process for edits, or for what takes longer; the next begins another."""
+        if worker := self._workers.pop(slow, None):
+            for process in list(worker._processes.values()):
                 process.kill()
                 process.join()
-            self._editing.shutdown(wait=False, cancel_futures=True)
-            self._editing = None
+            worker.shutdown(wait=False, cancel_futures=True)
 
     async def run(self, *arguments: str | Path, folder: str | None = None) -> Done:
         """Run a command of motionbook, in a folder where it is given."""
@@ -130,7 +136,8 @@ class Work:
             process.kill()
         for job in self.jobs.values():
             job.kill()
-        self._end_editing()
+        for slow in (False, True):
+            self._end_worker(slow)
 
 
 async def start_command(*arguments: str | Path, **more: Any) -> asyncio.subprocess.Process:

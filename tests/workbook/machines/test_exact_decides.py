@@ -14,7 +14,7 @@ from workbook.build import build
 from workbook.judging.verify import verify
 from workbook.machines.machine.exact import drives_of, limits_of
 from workbook.reading.descriptions import write_machine
-from workbook.serve.live import design
+from workbook.serve.shown import design
 from workbook.studies.evaluate import Evaluator
 from workbook.studies.plan import make_plan
 from workbook.studies.space import Study

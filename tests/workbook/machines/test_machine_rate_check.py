@@ -12,7 +12,7 @@ from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, Rates
 from workbook.machines.machine.exact import limit_of_rate
 from workbook.machines.machine.rates_summary import RATE_CHECK, hold_at, rate_check
 from workbook.reading.descriptions import write_machine
-from workbook.serve.live import design
+from workbook.serve.shown import design
 
 WITHIN = "The rate is within the range of all drives"
 

@@ -8,16 +8,19 @@ import subprocess
 import sys
 from contextlib import contextmanager
 from functools import partial
-from urllib.parse import urlencode
+from urllib.parse import urlencode, urlsplit
 
 import pytest
 
 from tests import cutting
-from tests.workbook.serve.chromium import CHROMIUM, sync_playwright
+from tests.workbook.serve.chromium import CHROMIUM, expect, sync_playwright
 from workbook.build import build
 from workbook.reading.descriptions import write_machine
 from workbook.serve.handler import COOKIE
 from workbook.writing.output_files import write_text
+
+LONG = 60_000  # ms: a workbook is built, or verified
+WIDE = 1440
 
 BOUNDARY = "----boundary"
 ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")
@@ -93,7 +96,31 @@ def browser():
     """The system's Chromium."""
     if CHROMIUM is None and "CI" not in os.environ:
         pytest.skip("Chromium, or the Python package playwright, is not on this machine")
+    expect.set_options(timeout=LONG)
     with sync_playwright() as driver:
         one = driver.chromium.launch(executable_path=CHROMIUM)
         yield one
         one.close()
+
+
+@contextmanager
+def window(browser, server, **more):
+    """A page that opened the printed address; at the end no request has left the host, and no error was logged."""
+    context = browser.new_context(viewport={"width": WIDE, "height": 900}, **more)
+    context.set_default_timeout(LONG)
+    said, asked = [], []
+    context.on("request", lambda request: asked.append(urlsplit(request.url).netloc))
+    context.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
+    context.on("weberror", lambda error: said.append(str(error.error)))
+    one = context.new_page()
+    context.add_cookies([{"name": COOKIE, "value": server.token, "url": f"http://{server.host}"}])
+    yield one
+    context.close()
+    assert set(asked) == {server.host}
+    assert [line for line in said if "status of 400" not in line] == []
+
+
+@pytest.fixture
+def page(browser, server):
+    with window(browser, server) as one:
+        yield one

@@ -6,24 +6,22 @@ import shutil
 import subprocess
 import sys
 import time
-from html import unescape
 from xml.etree.ElementTree import fromstring
 
 import openpyxl
 import pytest
 
-from tests.cutting import TEMPLATE
-from workbook.differences.design import Design, read_design
+from workbook.differences.design import read_design
 from workbook.reading.descriptions import read_machine
 from workbook.reports.cams import percent
 from workbook.reports.differences import figure
 from workbook.reports.study import figure as figure_of
-from workbook.serve.live import design, short
+from workbook.serve.shown import short
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
 from workbook.writing.archive import same_book
 
-SAVED = {"name": "cutting.toml", "as": "cutting.toml", "then": "build"}
+SAVED = {"name": "cutting.toml", "as": "cutting.toml"}
 
 # --- a person's steps
 
@@ -132,8 +130,9 @@ def test_a_study_is_chosen_followed_and_its_best_design_edited(server, tmp_path)
     assert panel.count('<a href="/edit/live.toml?study=live-study.toml&amp;pick=') == 2 * len(known["best"])
     best = known["best"][0]
     assert figure_of(best["results"]["drive1_rms"]) in panel
-    page = server.ask("/edit/live.toml?study=live-study.toml&pick=1").body.decode()
-    (tmp_path / "picked.toml").write_text(fromstring(re.search("<textarea.*?</textarea>", page, re.S)[0]).text)
+    assert 'data-pick="1"' in server.ask("/edit/live.toml?study=live-study.toml&pick=1").body.decode()
+    opened = json.loads(server.ask("/open", server.form(name="live.toml", study="live-study.toml", pick=1)).body)
+    (tmp_path / "picked.toml").write_text(opened["text"])
     picked = read_machine(tmp_path / "picked.toml")
     assert (picked.axes[0].phases[0].law, picked.master.rate) == (best["entries"][law], best["entries"][rate])
 
@@ -192,40 +191,28 @@ def test_a_study_of_what_there_is_not_is_refused_and_not_written(server):
     assert not (server.root / "cutting-study.toml").exists()
 
 
-def test_what_is_edited_is_shown_beside_it_with_the_figures_of_its_book(server):
-    saved = (server.root / "live.toml").read_text(encoding="utf-8")
-    faster = re.sub(r"(?m)^rate = [\d.]+", "rate = 150.0", saved)
-    assert faster != saved
-    panel = unescape(server.ask("/live", server.form(name="live.toml", text=faster)).body.decode())
-    (server.root.parent / "faster.toml").write_text(faster, encoding="utf-8")
-    found = Design(path := server.root.parent / "faster.toml", machine := read_machine(path), TEMPLATE.declare(machine))
-    fails = [one for one in found.checks().values() if one.value == "FAIL"]
-    assert fails
-    assert all(one.label in panel and one.says in panel for one in fails)
-    shown = [one for one in found.results().values() if one.place.startswith("Summary")]
-    assert all(f">{figure(one.value)}<" in panel for one in shown)
-    rate = design("live.toml", saved).machine.master.rate
-    assert f">{100.0 * (150.0 / rate - 1.0):+.3g} %<" in panel
-    assert panel.count("<svg") >= 1
-    assert "#aab2bd" in panel  # the saved design's lines, in grey
-
-
-def test_what_is_no_machine_yet_is_told_beside_it_and_nothing_is_saved(server):
-    saved = (server.root / "live.toml").read_text(encoding="utf-8")
-    for text, told in (("rate = ", "not valid TOML"), (saved.replace('law = "', 'law = "X', 1), "X")):
-        panel = server.ask("/live", server.form(name="live.toml", text=text)).body.decode()
-        assert "Not yet a machine" in panel
-        assert told in panel
-    assert (server.root / "live.toml").read_text(encoding="utf-8") == saved
-    assert server.ask("/live", server.form(name="none.toml", text=saved)).code == 400
-    assert server.ask("/live", server.form(name="live.toml", text=saved), cookie="wrong").code == 403
-
-
 def test_a_file_that_changed_meanwhile_is_not_overwritten(server):
-    answer = server.ask("/save", server.form(**SAVED, state="0" * 64, text="lost"))
+    answer = server.ask("/save", server.form(**SAVED, state="0" * 64, text="lost"), Accept="application/json")
     assert answer.code == 400
-    assert "changed since it was opened" in answer.body.decode()
+    assert json.loads(answer.body)["error"] == "cutting.toml changed on disk since it was opened"
     assert (server.root / "cutting.toml").read_text(encoding="utf-8") != "lost"
+
+
+@pytest.mark.parametrize("changes", ["", "[", "{}", "[1]", '[{"do": "add"}]'])
+def test_changes_that_are_none_are_refused(server, changes):
+    answer = server.ask("/change", server.form(name="live.toml", text="", changes=changes), Accept="application/json")
+    assert (answer.code, "expected a list of changes" in json.loads(answer.body)["error"]) == (400, True)
+
+
+def test_line_ends_and_mark_of_a_file_are_kept(server):
+    text = (server.root / "live.toml").read_text(encoding="utf-8")
+    path = server.root / "windows.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + text.replace("\n", "\r\n").encode())
+    opened = json.loads(server.ask("/open", server.form(name=path.name)).body)
+    assert opened["text"] == text
+    faster = re.sub(r"(?m)^rate = .*", "rate = 55.0", text)
+    server.ask("/save", server.form(name=path.name, text=faster, state=opened["state"], **{"as": path.name}))
+    assert path.read_bytes() == b"\xef\xbb\xbf" + faster.replace("\n", "\r\n").encode()
 
 
 # --- strangers
@@ -259,6 +246,4 @@ def test_hostile_names_and_titles_are_text(server):
     home = server.ask("/")
     assert b"<b>" not in home.body
     assert "script-src 'self';" in home.headers["Content-Security-Policy"]
-    text = (server.root / "cutting.toml").read_text(encoding="utf-8").replace('title = "', 'title = "<b>bold</b> ')
-    assert b"<b>" not in server.ask("/live", server.form(name="cutting.toml", text=text)).body
     assert "default-src 'none'" in home.headers["Content-Security-Policy"]

@@ -9,6 +9,7 @@ import { held } from "./pieces.js";
 
 const MOTION = ["y", "v", "a", "j"];
 const CHOICES = ["motion", "drive", "both"];
+const FOUR = ["v", "a", "T", "Tn"]; // of both, what fits a screen
 
 /** @param {HTMLElement} box @param {() => any} shown @param {any} cursor @param {any} view what of the cycle is shown, for all charts */
 function plotIn(box, shown, cursor, view) {
@@ -112,7 +113,7 @@ export function AxisCharts({ axis, figures, saved, cursor, chosen }) {
   const figure = held(figures)?.axes?.[axis.index];
   const before = held(saved)?.axes?.[axis.index];
   const isShown = (/** @type {any} */ { key }) =>
-    chosen.value === "both" || MOTION.includes(key) === (chosen.value === "motion");
+    chosen.value === "both" ? FOUR.includes(key) : MOTION.includes(key) === (chosen.value === "motion");
   const all = (figure?.charts ?? []).filter(isShown);
   const missing =
     figure?.error ?? (all.length ? "" : figure ? `no ${chosen.value} to be shown yet` : "being worked out …");

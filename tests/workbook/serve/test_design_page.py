@@ -1,0 +1,197 @@
+"""The design page in the system's Chromium, as people type: nothing typed is lost, whatever comes back meanwhile."""
+
+import re
+import shutil
+import tomllib
+
+import pytest
+
+from tests.workbook.serve.chromium import expect
+from tests.workbook.serve.conftest import LONG, window
+from workbook.template import FOLDER
+
+TYPED = {
+    "axes.1.phases.0.start": "92.0712", "axes.1.phases.0.stop": "141.25", "axes.1.phases.1.start": "301.0712",
+    "axes.1.mechanism.lead": "21.0712", "axes.1.load.mass": "26.0712", "axes.1.load.friction": "0.0712",
+    "axes.1.motor.inertia": "12.0712", "axes.1.motor.peak_torque": "51.0712",
+}  # fmt: skip
+
+
+@pytest.fixture
+def wrapping(server):
+    """A file of the committed machine, anew for each test."""
+    path = server.root / "wrapping.toml"
+    shutil.copy(FOLDER / "machine.toml", path)
+    path.with_name("wrapping.toml.draft").unlink(missing_ok=True)
+    return path
+
+
+def opened(page, server, axis="MC02"):
+    page.goto(f"http://{server.host}/edit/wrapping.toml")
+    page.wait_for_selector("aside input")
+    page.locator("nav .card", has_text=axis).click()
+
+
+def field(page, path):
+    return page.locator(f'input[data-path="{path}"]')
+
+
+def enter(page, path, words):
+    field(page, path).fill(words)
+    field(page, path).press("Enter")
+
+
+def settled(page):
+    """Wait until the journal is answered and the machine judged."""
+    expect(page.locator(".pill.wait")).to_have_count(0)
+    page.wait_for_load_state("networkidle")
+
+
+def saved(page, path):
+    with page.expect_response("**/save"):
+        page.keyboard.press("Control+S")
+    expect(page.locator("header .file")).to_contain_text("· saved")
+    return tomllib.loads(path.read_text(encoding="utf-8"))
+
+
+def value_at(data, path):
+    for part in path.split("."):
+        data = data[int(part)] if isinstance(data, list) else data[part]
+    return data
+
+
+@pytest.mark.parametrize("is_finished", [True, False])
+@pytest.mark.parametrize("pause", [40, 90, 160, 300])
+def test_no_digit_is_lost_at_any_pace_while_figures_come_back(page, server, wrapping, pause, is_finished):
+    if not is_finished:
+        text = wrapping.read_text(encoding="utf-8")
+        wrapping.write_text(text.replace("lift = 80.0, ", ""), encoding="utf-8")
+    opened(page, server)
+    for path, words in TYPED.items():
+        field(page, path).click()
+        page.keyboard.press("Control+A")
+        page.keyboard.type(words, delay=pause)
+        page.keyboard.press("Tab")
+    data = saved(page, wrapping)
+    assert {path: value_at(data, path) for path in TYPED} == {path: float(words) for path, words in TYPED.items()}
+    for path, words in TYPED.items():
+        expect(field(page, path)).to_have_value(words)
+
+
+def test_a_save_takes_the_field_one_is_in_and_esc_restores_it(page, server, wrapping):
+    opened(page, server)
+    field(page, "axes.1.load.mass").fill("31")
+    page.keyboard.press("Escape")
+    expect(field(page, "axes.1.load.mass")).to_have_value("25")
+    field(page, "axes.1.load.mass").fill("31,5")
+    assert value_at(saved(page, wrapping), "axes.1.load.mass") == 31.5
+    assert not wrapping.with_name("wrapping.toml.draft").exists()
+
+
+def test_what_is_wrong_is_told_below_the_field_and_never_in_the_file(page, server, wrapping):
+    opened(page, server)
+    before = wrapping.read_text(encoding="utf-8")
+    enter(page, "axes.1.motor.peak_torque", "4o")
+    expect(page.locator("aside .wrong")).to_contain_text("“4o”")
+    enter(page, "axes.1.load.mass", "25000 g")
+    expect(field(page, "axes.1.load.mass")).to_have_value("25")
+    expect(field(page, "axes.1.motor.peak_torque")).to_have_value("4o")
+    settled(page)
+    saved(page, wrapping)
+    assert wrapping.read_text(encoding="utf-8") == before
+
+
+def test_an_unfinished_axis_leaves_the_others(page, server, wrapping):
+    opened(page, server)
+    enter(page, "axes.1.phases.0.stop", "")
+    card = page.locator("nav .card", has_text="MC02")
+    expect(card).to_contain_text("phase 1, to: missing")
+    expect(page.locator(".pill")).to_have_text("1 to complete")
+    expect(page.locator("nav .card", has_text="MC01").locator(".use b").first).to_have_text("95 %")
+    enter(page, "master.rate", "100")
+    expect(page.locator("nav .card", has_text="MC01").locator(".use b").first).not_to_have_text("95 %")
+    enter(page, "axes.1.phases.0.stop", "135")
+    expect(page.locator(".pill")).to_contain_text("checks OK")
+
+
+def test_changes_are_undone_from_a_field_and_redone(page, server, wrapping):
+    opened(page, server)
+    for words in ("26", "27"):
+        enter(page, "axes.1.load.mass", words)
+    settled(page)
+    for way, words in (("Control+Z", "26"), ("Control+Z", "25"), ("Control+Y", "26")):
+        page.keyboard.press(way)
+        expect(field(page, "axes.1.load.mass")).to_have_value(words)
+    field(page, "axes.1.load.mass").press("ArrowUp")
+    expect(field(page, "axes.1.load.mass")).to_have_value("27")
+    page.get_by_role("button", name="Text").click()
+    expect(page.locator("#text")).to_have_value(re.compile("mass = 27.0 {12}# kg"))
+
+
+def test_a_file_that_changed_on_disk_is_told_and_a_second_tab_cannot_overwrite_it(browser, page, server, wrapping):
+    opened(page, server)
+    with window(browser, server) as other:
+        opened(other, server)
+        enter(other, "axes.1.load.mass", "40")
+        saved(other, wrapping)
+        enter(page, "axes.1.load.mass", "50")
+        expect(page.locator(".notice")).to_contain_text("changed on disk")
+        with page.expect_response("**/save"):
+            page.keyboard.press("Control+S")
+        expect(page.locator(".notice")).to_contain_text("changed on disk")
+        assert value_at(tomllib.loads(wrapping.read_text()), "axes.1.load.mass") == 40.0
+        page.get_by_role("button", name="see the difference").click()
+        expect(page.locator(".differ")).to_contain_text("mass = 40.0")
+        page.get_by_role("button", name="keep mine").click()
+        assert value_at(saved(page, wrapping), "axes.1.load.mass") == 50.0
+        other.get_by_role("button", name="load theirs").click()
+        expect(field(other, "axes.1.load.mass")).to_have_value("50")
+
+
+def test_what_was_not_saved_is_there_again_and_can_be_thrown_away(page, server, wrapping):
+    opened(page, server)
+    enter(page, "axes.1.load.mass", "33")
+    settled(page)
+    page.on("dialog", lambda dialog: dialog.accept())
+    opened(page, server)
+    expect(field(page, "axes.1.load.mass")).to_have_value("33")
+    page.get_by_role("button", name="throw them away").click()
+    expect(field(page, "axes.1.load.mass")).to_have_value("25")
+
+
+def test_axes_and_phases_are_added_copied_and_deleted(page, server, wrapping):
+    opened(page, server)
+    page.get_by_role("button", name="+ axis").click()
+    expect(page.locator("aside h2")).to_contain_text("MC05")
+    page.get_by_role("button", name="+ phase").click()
+    expect(page.locator("aside tbody tr:not(.under)")).to_have_count(3)
+    page.get_by_role("button", name="+ mechanism and motor").click()
+    expect(page.locator("nav .card", has_text="MC05").locator(".use")).not_to_have_count(0)
+    page.get_by_role("button", name="delete").click()
+    expect(page.locator("nav .card")).to_have_count(4)
+    expect(page.locator(".pill")).to_contain_text("checks OK", timeout=LONG)
+
+
+def test_the_page_fits_a_screen_without_scrolling_and_its_text_can_be_read(page, server, wrapping):
+    opened(page, server)
+    settled(page)
+    for width, height in ((1440, 900), (1024, 768)):
+        page.set_viewport_size({"width": width, "height": height})
+        scroll = page.evaluate("[document.documentElement.scrollWidth, document.documentElement.scrollHeight]")
+        assert (scroll[0] <= width, scroll[1] <= height) == (True, True)
+        sizes = page.evaluate(
+            "[...document.querySelectorAll('#page *')].filter(e => e.textContent.trim() && e.getClientRects().length)"
+            ".map(e => parseFloat(getComputedStyle(e).fontSize))"
+        )
+        assert min(sizes) >= 12.0
+
+
+def test_any_of_the_kinds_of_machines_opens(page, server, wrapping):
+    for name in ("flying-cutter", "indexing-overlap", "motion-laws"):
+        shutil.copy(FOLDER / f"{name}.toml", server.root / f"{name}.toml")
+        page.goto(f"http://{server.host}/edit/{name}.toml")
+        page.wait_for_selector("nav .item")
+        page.locator("nav .item").first.click()
+        page.wait_for_selector("aside input")
+        expect(page.locator(".pill")).to_have_text(re.compile("check"), timeout=LONG)
+        page.wait_for_selector(".pictures svg")

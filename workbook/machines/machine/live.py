@@ -1,0 +1,152 @@
+"""The figures of a machine's axes while it is edited: pieces of the motion, charts, use of limits, the highest rate."""
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from engine.drive.motor import LimitCheck
+from engine.laws.base import Array
+from engine.motion.profile import CamProfile, profile_of_motion
+from workbook.entries.phase import TURN
+from workbook.fields.units import DEGREE, KW, RPM, shown
+from workbook.machines.machine.drive.view import DriveView, drive_of
+from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.exact import axes_of
+from workbook.machines.machine.view import MovingAxis
+from workbook.template_outputs import LIMITS, SIZES
+
+POWERS = 9  # of the polynomial that stands for a piece with sines: to a millionth of the lift
+NODES = 0.5 - 0.5 * np.cos(np.pi * (np.arange(24) + 0.5) / 24)  # at which it is fitted
+ORDERS = (("v", "velocity"), ("a", "acceleration"), ("j", "jerk"))
+USES = {  # of each limit by its name in the engine: its key and label, and the kind of its line
+    "RMS torque": ("rms", "RMS"), "peak torque": ("peak", "peak"), "motor speed": ("speed", "speed"),
+    "torque below the curve": ("curve", "curve"), "reducer peak torque": ("reducer_peak", "reducer peak"),
+    "reducer mean torque": ("reducer_mean", "reducer mean"), "reducer input speed": ("reducer_speed", "reducer speed"),
+}  # fmt: skip
+
+
+def live(machine: AnyMachine) -> list[dict[str, Any]]:
+    """Return the figures of each axis, in the units of its entries."""
+    figures = []
+    for tables in axes_of(machine):
+        axis = tables.axis
+        x = machine.over.shown(tables.machine.angles)
+        each: dict[str, Any] = {
+            "pieces": list(phase_pieces(axis)),
+            "start": shown(float(axis.at(np.zeros(1)).y[0]), axis.unit),
+            "charts": list(motion_charts(axis, x, tables.machine.samples)),
+            "use": [],
+        }
+        view = drive_of(tables)
+        figures.append(each if view is None else each | driven(view, x, each["charts"]))
+    return figures
+
+
+def phase_pieces(axis: MovingAxis) -> Iterator[list[dict[str, Any]]]:
+    """Yield for each phase as entered the pieces [from, to] of its motion in shares: s = Σ x_k u^k, u from 0 to 1."""
+    profile, edges = profile_of_motion(axis.motion), axis.motion.edges
+    for k in axis.entered:
+        begin, end, lift = float(edges[k]), float(edges[k + 1]), axis.motion.phases[k].lift
+        inside = [e for e in profile.edges.tolist() if begin + 1e-9 < e < end - 1e-9]
+        breaks = [begin, *inside, end]
+        first = float(profile.at(np.array([begin])).y[0])
+        if not lift or end <= begin:
+            yield [{"from": 0.0, "to": 1.0, "x": [0.0]}]
+            continue
+        yield [
+            {
+                "from": (low - begin) / (end - begin),
+                "to": (high - begin) / (end - begin),
+                "x": polynomial(profile, low, high, first, lift),
+            }
+            for low, high in pairwise(breaks)
+        ]
+
+
+def polynomial(profile: CamProfile, low: float, high: float, first: float, lift: float) -> list[float]:
+    """Return the coefficients of a piece in shares of its length and of the lift."""
+    y = (profile.at(low + NODES * (high - low)).y - first) / lift
+    fitted = np.polynomial.Polynomial.fit(NODES, y, POWERS, domain=[0.0, 1.0]).convert()
+    return [round(float(c), 9) for c in fitted.coef]
+
+
+def motion_charts(axis: MovingAxis, x: Array, samples: Array) -> Iterator[dict[str, Any]]:
+    """Yield the charts of velocity, acceleration and jerk over the cycle."""
+    rates = axis.at(samples)[1:]
+    units, symbols = axis.over.rates(axis.typed.unit), axis.over.symbols[1:]
+    for n, ((key, title), unit, symbol) in enumerate(zip(ORDERS, units, symbols, strict=True), 1):
+        y = axis.rate(rates[n - 1] * axis.speed**n)
+        yield chart(key, f"{title} {symbol}", unit, x, y, axis.over.unit)
+
+
+def chart(key: str, title: str, unit: str, x: Array, y: Array, x_title: str, **more: Any) -> dict[str, Any]:
+    """Return a chart as the page has it, its numbers to six digits."""
+    lines = {"x": [float(f"{v:.6g}") for v in x.tolist()], "y": [float(f"{v:.6g}") for v in y.tolist()]}
+    return {"key": key, "title": title, "quantity": key, "unit": unit, "x_title": x_title} | lines | {
+        "limits": [], "points": []} | more  # fmt: skip
+
+
+def driven(view: DriveView, x: Array, charts: list[dict[str, Any]]) -> dict[str, Any]:
+    """Return the figures of a drive: charts of torque and power too, the use of limits, the highest rate."""
+    torque, power = view.sampled
+    over, motor, checks = view.driven.axis.over.unit, view.driven.motor, view.limit_checks
+    if not motor.falling.fall:
+        checks = {name: check for name, check in checks.items() if name != "torque below the curve"}
+    limits = [*torque_limits(motor.peak_torque, "peak", "peak")]
+    mean = float(motor.continuous(view.points.mean_speed))
+    rms = {"y": view.points.rms_torque, "label": f"RMS {view.points.rms_torque:.3g} Nm"}
+    fastest = shown(motor.max_speed, RPM)
+    speed = [{"value": way * fastest, "label": "speed", "kind": "speed"} for way in (1, -1) if math.isfinite(fastest)]
+    rpm = shown(np.broadcast_to(view.points.speed, view.points.torque.shape).ravel(), RPM)
+    charts = [
+        *charts,
+        chart("T", "motor torque T", "Nm", x, torque, over, limits=limits),
+        chart("P", "motor power P", "kW", x, shown(power, KW), over),
+        chart(
+            "Tn",
+            "torque against speed",
+            "Nm",
+            rpm,
+            view.points.torque.ravel(),
+            "rpm",
+            limits=[*limits, *torque_limits(mean, "continuous", "continuous"), *speed],
+            points=[{"x": shown(view.points.mean_speed, RPM), **rms}],
+            at=places(view),
+        ),
+    ]
+    rates = view.rates
+    return {
+        "charts": charts,
+        "use": [use for name, check in checks.items() if (use := used(name, check))],
+        "highest": rates.high if isinstance(rates.high, float) else None,
+        "reason": rates.high_limit,
+        "power": {"sampled": [round(p, 3) for p in power.tolist()], "peak": view.top("P"), "low": -view.top("P", -1)},
+        "own_rate": view.driven.entered.rate is not None,
+    }
+
+
+def places(view: DriveView) -> list[float]:
+    """Return where in the cycle each point of a drive is, in the unit of places."""
+    axis = view.driven.axis
+    later = shown(view.load.x.ravel() + axis.shifted.shift, DEGREE)
+    return [float(f"{x:.6g}") for x in axis.over.shown(np.where(later > TURN, later % TURN, later)).tolist()]
+
+
+def torque_limits(value: float, label: str, kind: str) -> Iterator[dict[str, Any]]:
+    """Yield the lines of a limit of torque, of both signs; none where it is without."""
+    if math.isfinite(value):
+        yield from ({"value": way * value, "label": label, "kind": kind} for way in (1, -1))
+
+
+def used(name: str, check: LimitCheck) -> dict[str, Any] | None:
+    """Return the use of a limit; None of one that is infinite."""
+    if not math.isfinite(check.limit):
+        return None
+    key, label = USES[name]
+    unit = LIMITS[name][1]
+    value, limit = (shown(size, SIZES.get(unit, 1.0)) for size in (check.value, check.limit))
+    words = f"{value:.4g} of {limit:.4g} {unit}"
+    return {"key": key, "label": label, "value": check.use, "may": 1, "is": words, "ok": check.ok}

@@ -1,0 +1,275 @@
+"""A design that is edited: its faults by entry, its figures axis by axis, the verdict on the whole of it."""
+
+import json
+from collections.abc import Mapping
+from contextlib import suppress
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from pydantic import ValidationError
+
+from workbook.entries.design import fault_line, keys_of, numbers_of, of_rule
+from workbook.entries.machine import Fault
+from workbook.errors import MotionbookError
+from workbook.fields.paths import Place, get, split
+from workbook.fields.types import DesignError, EntryError
+from workbook.laws.named import with_laws_by_code
+from workbook.reading.descriptions import parse_toml, template_named
+from workbook.serve.shown import design, failing, pictures
+from workbook.serve.words import sentence, spoken
+from workbook.templates import AnyTemplate
+
+MARK = "\0"  # ends the key in the line of a fault
+ROUNDS = 8  # of leaving out what is faulty, until the rest goes together
+CONTEXT = ("template", "master", "laws", "gravity", "creep_forces", "power", "limits", "sizes")
+OF_DRIVES = ("gravity", "creep_forces", "power", "limits")  # of these a machine without drives has none
+OF_MOTION = ("name", "group", "unit", "closes", "smoothness", "shift", "position", "phases")
+PRODUCTS = ("motors", "reducers", "falling")
+REMEMBERED = 100  # axes whose figures are remembered
+W_PER_KW = 1000.0
+ENDS = ("first", "second")  # of a clearance: entries that name axes
+PICTURES = 4
+
+
+class Judged(NamedTuple):
+    """A machine whose entries go together, if they do, and the faults of a description by the keys of its entries."""
+
+    machine: Any
+    faults: dict[str, str]
+
+
+def judged(template: AnyTemplate, data: dict[str, Any]) -> Judged:
+    """Return the machine of a description, or all its faults."""
+    model, faults = template.model, dict[str, str]()
+    try:
+        machine = model.model_validate(with_laws_by_code(data))
+        template.check(machine)
+        return Judged(machine, {})
+    except ValidationError as error:
+        for fault in error.errors(include_url=False):
+            numbers: list[Any] = [*(numbers_of(fault, model) or ())] or [fault]
+            for each in numbers:
+                key, _, line = fault_line(each, model, lambda key: f"{key}{MARK}").partition(f"{MARK}: ")
+                is_missing = isinstance(each, Fault) and not each.rule and each.value is None
+                faults.setdefault(key, f"missing: {line}" if is_missing else line)
+            if not faults:  # of the description as a whole
+                faults[keys_of(model, fault["loc"])[0]] = str(fault["msg"])
+    except DesignError as error:
+        own = of_rule("", error)
+        faults[own.key] = own.message
+    except EntryError as error:
+        faults[error.field] = str(error)
+    return Judged(None, faults)
+
+
+class Edited:
+    """A description as it is edited: its data, its faults by entry, and the figures of those axes that have none."""
+
+    def __init__(self, text: str) -> None:
+        self.text, self.data = text, parse_toml(text, Path("the description"))
+        self.template = template_named(self.data.get("template"), "template")
+        axes = self.data.get("axes") if self.template.live else None
+        self.axes = axes if isinstance(axes, list) else []
+        self.faults = dict[str, str]()
+        self.own = [self._axis(k, axis) for k, axis in enumerate(self.axes)]
+        self._judge_rest()
+        self.faults = {key: sentence(line) for key, line in self.faults.items()}
+
+    def _axis(self, k: int, axis: Any) -> Judged:
+        """Return an axis judged by itself; its faults are noted."""
+        own = judged_axis(self.template.name, self._alone(axis))
+        for key, line in own.faults.items():
+            if key.startswith("axes.0"):
+                self.faults.setdefault(f"axes.{k}{key.removeprefix('axes.0')}", line)
+        return own
+
+    def _alone(self, axis: Any) -> str:
+        """Return the description of a machine of one axis alone."""
+        data = {key: self.data[key] for key in CONTEXT if key in self.data}
+        if not isinstance(axis, Mapping) or "mechanism" not in axis:
+            data = {key: value for key, value in data.items() if key not in OF_DRIVES}
+        choice = self.data.get("selection")
+        chosen = {key: choice[key] for key in PRODUCTS if key in choice} if isinstance(choice, Mapping) else {}
+        return as_json(data | {"title": "-", "selection": chosen, "axes": [axis]})
+
+    def _judge_rest(self) -> None:
+        """Note the faults of all but the axes, and of what does not go together; faulty parts are left out."""
+        rest = dict(self.data)
+        for key in reversed(self.faults):
+            rest = without(rest, split(key))
+        left = names_of(self.axes) - names_of(rest.get("axes", []))
+        rest = without_names(rest, left)
+        for _ in range(ROUNDS):
+            found = judged(self.template, rest).faults
+            moved = moved_back(found, self.data, rest)
+            self.faults |= {key: line for key, line in moved.items() if key not in self.faults}
+            if not found:
+                return
+            for key in found:
+                rest = without(rest, split(key))
+
+    def figures(self, k: int) -> dict[str, Any]:
+        """Return the figures of an axis, or what is wrong with it: of a faulty drive those of the motion remain."""
+        axis, own = self.axes[k], self.own[k]
+        if not own.faults:
+            return axis_figures(self.template.name, self._alone(axis)) | {"error": None, "stale": False}
+        key, line = next(iter(own.faults.items()))
+        key = f"axes.{k}{key.removeprefix('axes.0')}" if key.startswith("axes.0") else key
+        wrong = {"error": f"{spoken(split(key), self.data, short=key[:5] == 'axes.')}: {sentence(line)}", "stale": True}
+        if isinstance(axis, Mapping) and not any(
+            split(key)[2:3] in [(name,) for name in OF_MOTION] for key in own.faults
+        ):
+            alone = self._alone({name: axis[name] for name in OF_MOTION if name in axis})
+            if not judged_axis(self.template.name, alone).faults:
+                return axis_figures(self.template.name, alone) | wrong
+        return wrong
+
+    def machine(self) -> dict[str, Any]:
+        """Return the machine's rate, the highest that all its axes hold and why, and its peak power (kW)."""
+        drives = [(axis.get("name", ""), own) for axis, own in zip(self.axes, map(self.figures, range(len(self.axes))),
+                  strict=True) if "power" in own]  # fmt: skip
+        master = self.data.get("master")
+        rate = master.get("rate") if isinstance(master, Mapping) else None
+        limited = [(own["highest"], f"{name}: {own['reason']}") for name, own in drives if own["highest"] is not None]
+        highest = min(limited, default=(None, ""))
+        power = self.data.get("power")
+        share = (
+            power.get("efficiency", 1.0)
+            if isinstance(power, Mapping) and "power.efficiency" not in self.faults
+            else 1.0
+        )
+        return {
+            "rate": rate,
+            "rate_unit": "cycles/min",
+            "highest": {"value": highest[0], "reason": highest[1]} if limited else None,
+            "peak_power": peak_power([own for _, own in drives], share) if drives else None,
+        }
+
+
+def peak_power(drives: list[dict[str, Any]], efficiency: float) -> float:
+    """Return the largest power that drives take from the mains (kW): on a common bus, and beside it those apart."""
+    on, beside = ([own for own in drives if own["own_rate"] is apart] for apart in (False, True))
+    most = sum(own["power"]["peak"] for own in beside) / efficiency
+    if on:
+        power = np.array([own["power"]["sampled"] for own in on])
+        drawn = np.where(power > 0.0, power / efficiency, power * efficiency).sum(axis=0)
+        burnt = [max(0.0, -own["power"]["low"]) * efficiency for own in on]
+        proves = [own["power"]["peak"] / efficiency - sum(burnt) + low for own, low in zip(on, burnt, strict=True)]
+        most += max(0.0, float(drawn.max()), *proves)
+    return float(most / W_PER_KW)
+
+
+def without(data: dict[str, Any], place: Place) -> dict[str, Any]:
+    """Return a description without the row of a list, or the table, that an entry is in."""
+    if not place or place[0] not in data:
+        return data
+    part = data[place[0]]
+    if isinstance(part, list) and place[1:] and place[1].isdigit():
+        rows = [None if k == int(place[1]) else row for k, row in enumerate(part)]
+        return data | {place[0]: [row for row in rows if row is not None]}
+    return {key: value for key, value in data.items() if key != place[0]}
+
+
+def names_of(axes: list[Any]) -> set[str]:
+    """Return the names of axes."""
+    return {str(axis.get("name")) for axis in axes if isinstance(axis, Mapping)}
+
+
+def without_names(data: dict[str, Any], names: set[str]) -> dict[str, Any]:
+    """Return a description without what names an axis that is left out."""
+    if not names:
+        return data
+    rest = {key: value for key, value in data.items() if key not in ("timing", "export")}
+    if isinstance(rows := data.get("clearances"), list):
+        rest["clearances"] = [row for row in rows if not {str(get(row, (end,))) for end in ENDS} & names]
+    if str(get(data, ("selection", "axis"))) in names:
+        rest["selection"] = {key: value for key, value in data["selection"].items() if key != "axis"}
+    return rest
+
+
+def moved_back(faults: dict[str, str], data: dict[str, Any], rest: dict[str, Any]) -> dict[str, str]:
+    """Return the faults of a description without some rows by the keys of the whole."""
+    moved = {}
+    for key, line in faults.items():
+        first, *more = split(key)
+        rows, left = data.get(first), rest.get(first)
+        if (
+            more
+            and more[0].isdigit()
+            and isinstance(rows, list)
+            and isinstance(left, list)
+            and int(more[0]) < len(left)
+        ):
+            more[0] = str(next(k for k, row in enumerate(rows) if row is left[int(more[0])]))
+        moved[".".join([first, *more])] = line
+    return moved
+
+
+def as_json(data: Any) -> str:
+    """Return data as a text by which it is remembered."""
+    return json.dumps(data, default=str)
+
+
+@lru_cache(REMEMBERED)
+def judged_axis(template: str, data: str) -> Judged:
+    """Return a machine of one axis, judged, from its JSON."""
+    return judged(template_named(template, "template"), json.loads(data))
+
+
+@lru_cache(REMEMBERED)
+def axis_figures(template: str, data: str) -> dict[str, Any]:
+    """Return the figures of an axis that has no faults."""
+    live, machine = template_named(template, "template").live, judged_axis(template, data).machine
+    return live(machine)[0] if live else {}
+
+
+@lru_cache(4)
+def edited_design(text: str) -> Edited:
+    """Return the design of a text."""
+    return Edited(text)
+
+
+def axes_of(design: Edited, chosen: int) -> dict[str, Any]:
+    """Return the figures of all axes by their numbers, with the charts of the chosen one only."""
+    every = {}
+    for k in range(len(design.axes)):
+        own = {key: value for key, value in design.figures(k).items() if key != "power"}
+        every[str(k)] = own if k == chosen else {key: value for key, value in own.items() if key != "charts"}
+    return every
+
+
+def figures(text: str, chosen: int, machine: bool = True) -> dict[str, Any]:
+    """Return the figures of the chosen axis, or of all axes and the machine; none of a text that is no TOML."""
+    try:
+        design = edited_design(text)
+    except MotionbookError:
+        return {"axes": {}}
+    if machine:
+        return {"axes": axes_of(design, chosen), "machine": design.machine()}
+    chosen_only = {str(chosen): design.figures(chosen)} if 0 <= chosen < len(design.axes) else {}
+    return {"axes": {k: {key: value for key, value in own.items() if key != "power"} for k, own in chosen_only.items()}}
+
+
+def verdict(name: str, text: str) -> dict[str, Any]:
+    """Return the checks of the book that a text describes; pictures of a kind of machine whose axes have none live."""
+    with suppress(MotionbookError):
+        whole = edited_design(text)
+        if not whole.faults:
+            shown = design(name, text)
+            fails = [{"ok": False, "sentence": ": ".join(filter(None, row[1:]))} for row in failing(shown)]
+            drawn = [] if whole.axes else pictures(shown, PICTURES)
+            return {
+                "verdict": "FAIL" if fails else "OK",
+                "number": len(shown.checks()),
+                "checks": fails,
+                "pictures": drawn,
+            }
+        lines = [f"{spoken(split(key), whole.data)}: {line}" for key, line in whole.faults.items()]
+        checks = [
+            {"ok": False, "sentence": line, "path": list(split(key))}
+            for line, key in zip(lines, whole.faults, strict=True)
+        ]
+        return {"verdict": "unfinished", "number": len(lines), "checks": checks, "pictures": []}
+    return {"verdict": "unfinished", "number": 1, "checks": [], "pictures": []}

@@ -1,0 +1,166 @@
+"""The design page: what its script asks while a description is edited, all of it in JSON; drafts and saving."""
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+from workbook.errors import InputError, ReadError, WriteError
+from workbook.serve import design, pages, parts, study, tables
+from workbook.serve.handler import Page, state
+from workbook.templates import TEMPLATES
+from workbook.text_files import read_text
+from workbook.writing.output_files import write_text
+
+DRAFT = ".draft"
+EXPECTED = "a machine description, a .toml file"
+BOM, RETURNS = b"\xef\xbb\xbf", b"\r\n"
+
+
+async def edit(page: Page, name: str) -> str:
+    """Show the design page of a description, or, unsaved, of a design among the best of a study of it."""
+    page.folder.file(name)
+    asked, number = page.get_query_argument("study", ""), page.get_query_argument("pick", "")
+    if asked and not number.isdecimal():
+        raise InputError([f"{number!r}: expected the place of a design"])
+    return pages.design_page(name, asked, number)
+
+
+async def answer(page: Page, function: Any, *arguments: Any, slow: bool = False) -> str:
+    """Return the result of a function in the worker, as JSON."""
+    page.set_header("Content-Type", "application/json")
+    return as_json(await page.work.in_worker(function, *arguments, slow=slow))
+
+
+def as_json(given: Any) -> str:
+    """Return data as JSON: numbers that it has not as texts, and dates."""
+    return json.dumps(finite(given), ensure_ascii=False, default=str)
+
+
+def finite(data: Any) -> Any:
+    """Return data whose numbers JSON has; others as texts."""
+    if isinstance(data, dict):
+        return {key: finite(value) for key, value in data.items()}
+    if isinstance(data, list):
+        return [finite(value) for value in data]
+    return str(data) if isinstance(data, float) and not math.isfinite(data) else data
+
+
+async def open_design(page: Page) -> str:
+    """Return a description to be edited, its draft or a design of a study in its place, and the entries of its kind."""
+    path, asked = page.file(), page.get_body_argument("study", "")
+    saved, draft, text, note, target = file_text(path), draft_of(path), None, "", path.name
+    if asked:
+        number, results = int(page.get_body_argument("pick")), page.folder.file(asked)
+        text = await page.work.in_worker(study.picked, results, number)
+        note = f"Design {number} of {asked}. It is not saved yet; Save gives it a name of its own."
+        target = f"{results.stem}-{number}.toml"
+    elif draft.exists():
+        text = read_text(draft, EXPECTED)
+        note = "These changes were not saved when the page was closed."
+    more = {"saved": saved, "state": state(path), "note": note, "target": target}
+    return await answer(page, opened, saved if text is None else text, more)
+
+
+def opened(text: str, more: dict[str, Any]) -> dict[str, Any]:
+    """Return a text as the page opens it."""
+    shown = shown_text(text)
+    name = shown["data"].get("template") if shown["data"] else None
+    known = tables.schema(name) if name in TEMPLATES else []
+    return shown | {"schema": known} | tables.catalogue() | more
+
+
+def shown_text(text: str) -> dict[str, Any]:
+    """Return a text with its data and the faults of its entries; with the error alone where it is no TOML."""
+    try:
+        edited = design.edited_design(text)
+    except (InputError, ReadError) as error:
+        return {"text": text, "data": None, "faults": {}, "error": str(error).removeprefix("the description: ")}
+    live = bool(edited.template.live)
+    return {"text": text, "data": edited.data, "faults": edited.faults, "error": None, "live": live}
+
+
+async def change(page: Page) -> str:
+    """Return a text with changes made in it, and the figures of an axis; keep a draft of what is no preview."""
+    path, text = page.file(), page.text()
+    changes, chosen = page.get_json("changes"), int(page.get_body_argument("axis", "-1"))
+    page.set_header("Content-Type", "application/json")
+    given: dict[str, Any] = await page.work.in_worker(made, text, changes, chosen)
+    if not page.get_body_argument("preview", ""):
+        keep_draft(path, given["text"])
+    return as_json(given)
+
+
+def made(text: str, changes: list[dict[str, Any]], chosen: int) -> dict[str, Any]:
+    """Return a text after changes, with the figures of an axis."""
+    text, refused = parts.changed(text, changes)
+    return shown_text(text) | {"refused": refused} | design.figures(text, chosen, machine=False)
+
+
+async def figures(page: Page) -> str:
+    """Return the figures of all axes of a text, and of the machine."""
+    return await answer(page, design.figures, page.text(), int(page.get_body_argument("axis")))
+
+
+async def verdict(page: Page) -> str:
+    """Return the verdict on a text."""
+    return await answer(page, design.verdict, page.file().name, page.text(), slow=True)
+
+
+async def file_state(page: Page, name: str) -> str:
+    """Return which version of a file is on disk; empty where it is gone."""
+    try:
+        return state(page.folder.file(name))
+    except ReadError:
+        return ""
+
+
+async def save(page: Page) -> str:
+    """Save a description unless its file changed meanwhile, or under another, free name; delete its draft."""
+    path, text, name = page.file(), page.text(), page.get_body_argument("as")
+    source = path.read_bytes()
+    target = path
+    if name != path.name:
+        target = page.folder.free(name if name.endswith(".toml") else f"{name}.toml")
+    elif state(path) != page.get_body_argument("state"):
+        raise WriteError(f"{path.name} changed on disk since it was opened")
+    write_like(target, text, source)
+    draft_of(path).unlink(missing_ok=True)
+    page.set_header("Content-Type", "application/json")
+    return as_json({"name": target.name, "state": state(target)})
+
+
+def write_like(path: Path, text: str, source: bytes) -> None:
+    """Write a text with the line ends and the mark of its begin that a source has."""
+    lines = text.replace("\n", "\r\n") if RETURNS in source else text
+    write_text(path, f"\ufeff{lines}" if source.startswith(BOM) else lines, overwrite=True)
+
+
+async def theirs(page: Page) -> str:
+    """Return the text that a description has on disk."""
+    page.set_header("Content-Type", "application/json")
+    return as_json({"text": file_text(page.file())})
+
+
+async def discard(page: Page) -> str:
+    """Delete the draft of a description."""
+    draft_of(page.file()).unlink(missing_ok=True)
+    return ""
+
+
+def file_text(path: Path) -> str:
+    """Return the text of a description as the page edits it."""
+    return read_text(path, EXPECTED).replace("\r\n", "\n")
+
+
+def draft_of(path: Path) -> Path:
+    """Return the path of the draft of a description."""
+    return path.with_name(path.name + DRAFT)
+
+
+def keep_draft(path: Path, text: str) -> None:
+    """Keep a text as the draft of a description, unless it is as saved."""
+    if text == file_text(path):
+        draft_of(path).unlink(missing_ok=True)
+    else:
+        write_text(draft_of(path), text, overwrite=True)

@@ -1,0 +1,73 @@
+// The left side: axes with the use of their motors, what is between them, switches, the machine.
+import { html } from "./html.js";
+import { commit } from "./journal.js";
+import * as s from "./state.js";
+
+const sort = (use) => (use.value > 1 ? "bad" : use.value > 0.9 ? "warn" : "good");
+const share = (value) => `${(100 * value).toFixed(0)} %`;
+
+function Use({ use, before }) {
+  const was = before && share(before.value) !== share(use.value) ? share(before.value) : null;
+  return html`<span class="use" title=${`${use.label}: ${use.is}${was ? `; saved: ${was}` : ""}`}>${use.label}
+    <span class="bar"><i class=${sort(use)} style=${{ width: `${Math.min(100, 100 * use.value)}%` }}></i></span>
+    <b class=${sort(use)}>${was && html`<small>${was} → </small>`}${share(use.value)}</b></span>`;
+}
+
+const about = (axis) => {
+  const { kind, ...sizes } = axis.mechanism ?? {};
+  const size = Object.entries(sizes).find(([name, value]) => typeof value === "number" && !name.includes("efficiency"));
+  return kind ? `${kind}${size ? `, ${size[0].split("_")[0]} ${size[1]} mm` : ""}` : null;
+};
+
+function Card({ index }) {
+  const axis = s.data.value.axes[index];
+  const own = s.figures.value.axes[index];
+  const isOn = !s.selected.value.part && s.selected.value.axis === index;
+  const choose = () => choosePart({ axis: index, phase: null, part: null });
+  return html`<button class=${`card ${isOn ? "on" : ""} ${own?.stale ? "stale" : ""}`} aria-pressed=${isOn} onClick=${choose}>
+    <span class=${`dot axis-${index % 6}`}></span><span class="cn">${axis.name || `axis ${index + 1}`}<small>${axis.group}</small></span>
+    <span class="mech">${about(axis) ?? html`no drive yet`}</span>
+    ${own?.error && html`<span class="wrong">${own.error}</span>`}
+    ${(own?.use ?? []).slice(0, 6).filter((use, k) => k < 3 || use.value > 0.8).map((use) => html`<${Use} key=${use.key} use=${use}
+      before=${s.saved.value.axes[index]?.use?.find((each) => each.key === use.key)} />`)}
+  </button>`;
+}
+
+export function choosePart(choice) {
+  s.selected.value = { ...s.selected.value, ...choice };
+}
+
+function Item({ part, words, note }) {
+  const isOn = JSON.stringify(s.selected.value.part) === JSON.stringify(part);
+  const isWrong = Object.keys(s.faults.value).some((key) => `${key}.`.startsWith(`${s.keyOf(part)}.`));
+  return html`<button class=${`item ${isOn ? "on" : ""} ${isWrong ? "wrong" : ""}`} aria-pressed=${isOn} onClick=${() => choosePart({ part })}>
+    <span>${words}</span><span>${isWrong ? "!" : note}</span></button>`;
+}
+
+const time = (on) => (Array.isArray(on) ? on : [on?.start, on?.stop]).join("–");
+const LISTS = ["axes", "switches", "clearances"];
+
+export function Cards() {
+  const tree = s.data.value;
+  const add = (name) => async () => {
+    const rows = tree[name]?.length ?? 0;
+    await commit([{ path: [name], do: "add" }]);
+    if ((s.data.value[name]?.length ?? 0) > rows) choosePart(name === "axes" ? { axis: rows, phase: null, part: null } : { part: [name, rows] });
+  };
+  const known = new Set(s.schema.value.map((each) => each.path.split(".")[0]));
+  const others = [...known].filter((name) => name && !LISTS.includes(name) && !["master", "power", "limits", "laws"].includes(name));
+  const family = (name, title, note) => known.has(name) && html`<h4>${title}</h4>
+    ${(tree[name] ?? []).map((row, k) => html`<${Item} key=${k} part=${[name, k]} words=${row.name || `${title} ${k + 1}`} note=${note(row)} />`)}
+    <button class="add" onClick=${add(name)}>+ ${name === "switches" ? "switch" : name.slice(0, -1)}</button>`;
+  return html`<nav aria-label="Parts of the machine">
+    ${s.live.value && known.has("axes") && html`<h4>Axes</h4>${(tree.axes ?? []).map((_, k) => html`<${Card} key=${k} index=${k} />`)}
+      <button class="add" onClick=${add("axes")}>+ axis</button>`}
+    ${family("clearances", "Between axes", (row) => `≥ ${row.least ?? 0}`)}
+    ${family("switches", "Switches", (row) => (row.on ?? []).map(time).join(", "))}
+    <h4>Machine</h4>
+    <${Item} part=${[]} words="Cycle, power, limits" note=${tree.power?.efficiency ? `η ${tree.power.efficiency}` : ""} />
+    ${others.map((name) => html`<${Item} key=${name} part=${[name]} words=${name[0].toUpperCase() + name.slice(1).replaceAll("_", " ")}
+      note=${typeof tree[name]?.axis === "string" ? tree[name].axis : ""} />`)}
+    ${Object.keys(tree.laws ?? {}).map((name) => html`<${Item} key=${name} part=${["laws", name]} words=${`Law ${name}`} note=${tree.laws[name].family ?? ""} />`)}
+  </nav>`;
+}

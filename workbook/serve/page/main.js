@@ -1,0 +1,72 @@
+// The design page: top, left, middle, right and bottom; the keys that work everywhere.
+import { html, render } from "./html.js";
+import { Cards } from "./cards.js";
+import { laws, products } from "./catalogue.js";
+import { AxisCharts } from "./charts.js";
+import { Entries } from "./entries.js";
+import { takeActive } from "./fields.js";
+import { propose, redo, refigure, undo } from "./journal.js";
+import { compare, openFile, save } from "./save.js";
+import { Bottom } from "./text.js";
+import { TimingDiagram } from "./timing.js";
+import { Top } from "./top.js";
+import * as s from "./state.js";
+
+function Middle() {
+  const { axis } = s.selected.value;
+  const shown = s.design.value.axes[axis];
+  const pictures = s.verdict.value?.pictures ?? [];
+  if (!s.live.value)
+    return html`<main><div class="pictures">${pictures.map((svg) => html`<div class="panel" dangerouslySetInnerHTML=${{ __html: svg }}></div>`)}</div></main>`;
+  return html`<main>
+    <${TimingDiagram} design=${s.design} figures=${s.figures} saved=${s.saved} selected=${s.selected} cursor=${s.cursor} propose=${propose} />
+    ${shown && html`<${AxisCharts} axis=${shown} figures=${s.figures} saved=${s.saved} cursor=${s.cursor} chosen=${s.chosen} />`}
+  </main>`;
+}
+
+function Notice() {
+  const notice = s.notice.value;
+  if (!notice) return null;
+  return html`<div class=${`notice ${notice.kind}`} role="alert">${notice.words}
+    ${(notice.actions ?? []).map(([words, act]) => html`<button key=${words} onClick=${act}>${words}</button>`)}
+    <button aria-label="close" onClick=${() => (s.notice.value = null)}>×</button></div>`;
+}
+
+function Page() {
+  return html`<${Top} /><${Notice} /><${Cards} /><${Middle} /><${Entries} /><${Bottom} />`;
+}
+
+function options(name, words) {
+  const list = document.createElement("datalist");
+  list.id = `options-${name}`;
+  list.append(...words.map((word) => Object.assign(document.createElement("option"), { value: word })));
+  document.body.append(list);
+}
+
+addEventListener("keydown", (event) => {
+  if (!(event.ctrlKey || event.metaKey)) return;
+  const key = event.key.toLowerCase();
+  if (key === "s") save();
+  else if (document.activeElement?.matches("textarea")) return;
+  else if (key === "z" || key === "y") {
+    takeActive();
+    (key === "y" || event.shiftKey ? redo : undo)();
+  } else return;
+  event.preventDefault();
+});
+
+const opened = await openFile(document.body);
+laws.value = opened.laws;
+products.value = opened.products;
+for (const entry of opened.schema.flatMap((each) => each.keys)) if (entry.options.length && entry.expected.startsWith("a text")) options(entry.name, entry.options);
+const page = /** @type {HTMLElement} */ (document.getElementById("page"));
+page.replaceChildren();
+render(html`<${Page} />`, page);
+let last = s.selected.value.axis;
+s.selected.subscribe(({ axis }) => {
+  if (axis !== last) {
+    refigure();
+    compare();
+  }
+  last = axis;
+});

@@ -1,0 +1,39 @@
+// What the page asks the server: one thing after the other, so that nothing overtakes; answers in JSON.
+import { file } from "./state.js";
+
+export class Refused extends Error {}
+
+/** Post fields; return the answer. Throws Refused with the server's sentence. */
+export async function post(address, fields = {}) {
+  let answer;
+  try {
+    answer = await fetch(address, {
+      method: "POST",
+      headers: { Accept: "application/json" },
+      body: new URLSearchParams({ name: file.value.name, ...fields }),
+    });
+  } catch {
+    throw new Refused("The server has ended: run motionbook serve again. Nothing here is lost while this page is open.");
+  }
+  const words = await answer.text();
+  if (!answer.ok) {
+    let sentence = words;
+    try {
+      sentence = JSON.parse(words).error ?? words;
+    } catch {
+      // a line of text
+    }
+    throw new Refused(sentence);
+  }
+  return words ? JSON.parse(words) : null;
+}
+
+/** Which version of the file is on disk; null where the server does not answer. */
+export async function onDisk() {
+  try {
+    const answer = await fetch(`/state/${encodeURIComponent(file.value.name)}`);
+    return answer.ok ? await answer.text() : null;
+  } catch {
+    return null;
+  }
+}

@@ -1,0 +1,144 @@
+"""The results of a description by its book: on a page to print, in a line, the first chart as a picture."""
+
+from functools import cached_property, lru_cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import Book
+from workbook.book.rows import is_number
+from workbook.book.summary import TITLE
+from workbook.differences.design import Design, Figure, Key
+from workbook.entries.machine import Machine
+from workbook.errors import MotionbookError
+from workbook.reading.descriptions import counted_from_1, described, parse_toml, template_named
+from workbook.reports.differences import figure
+from workbook.reports.html import Line, document, plot, rendered
+from workbook.template import FOLDER
+
+REMEMBERED = 4  # designs that are remembered: the saved one, and the latest
+KNOWN = ("number", "revision", "author", "date")  # what identifies a machine beside its title
+LINES = 6  # checks that fail, in sentences on the page to print; more are counted
+FIRST = 3  # results in a line
+DRAWN, FEWER, MANY = 4, 2, 12  # charts below the table of axes, and how many where it is longer than this
+
+
+class ShownDesign(Design):
+    """A design with its charts and results."""
+
+    @cached_property
+    def charts(self) -> list[tuple[tuple[str, str], tuple[Chart, list[Line]]]]:
+        """The charts of its book that have lines, each once, by the titles of its sheet and its own."""
+        charts, seen = [], set[tuple[Series, ...]]()
+        for sheet in self.book.sheets:
+            for chart, *_ in sheet.charts:
+                drawn = [curve for series in chart.series if (curve := line(self.book, chart, series)).x.size]
+                if drawn and chart.series not in seen:
+                    charts.append(((sheet.title, chart.title), (chart, drawn)))
+                seen.add(chart.series)
+        return charts
+
+    @cached_property
+    def summary(self) -> dict[Key, Figure]:
+        """The results of the sheet Summary, each with its axis, if any, as its place."""
+        parted = ((key, result, result.place.partition(": ")) for key, result in self.results().items())
+        return {key: figure._replace(place=axis) for key, figure, (sheet, _, axis) in parted if sheet == TITLE}
+
+
+@lru_cache(REMEMBERED)
+def design(name: str, text: str) -> ShownDesign:
+    """Return the design that a text describes. Raises InputError or ReadError for a text that describes none."""
+    path = Path(name)
+    data = parse_toml(text, path)
+    template = template_named(data.get("template"), "template")
+    machine = described(template, data, counted_from_1)
+    return ShownDesign(path, machine, template.declare(machine))
+
+
+def failing(new: ShownDesign) -> list[list[str]]:
+    """Return a row for each check that fails: its sheet, what it is, where and by how much."""
+    return [[check.place, check.label, check.says] for check in new.checks().values() if check.value == "FAIL"]
+
+
+def charts_drawn(shown: ShownDesign) -> list[tuple[Chart, list[Line]]]:
+    """Return the charts of a design with their lines: first the timing diagram."""
+    return sorted((drawn for _, drawn in shown.charts), key=lambda drawn: not drawn[0].lanes)
+
+
+def pictures(shown: ShownDesign, most: int) -> list[str]:
+    """Return pictures of the first charts of a design."""
+    drawn = charts_drawn(shown)[:most]
+    return [plot(chart.title, (chart.x, chart.y), lines, (False, chart.log_y)) for chart, lines in drawn]
+
+
+def line(book: Book, chart: Chart, series: Series) -> Line:
+    """Return a line of a chart: the points of which both figures are numbers, on an axis of powers above 0."""
+    columns = [book.values(series.x), book.values(series.y)]
+    x, y = (
+        np.array([value if isinstance(value, int | float | np.number) else np.nan for value in column], dtype=float)
+        for column in columns
+    )
+    shown = np.isfinite(x) & np.isfinite(y) & ((y > 0.0) | (not chart.log_y))
+    block = book.blocks.get(series.name.removeprefix("="))
+    name = str(block.quantities[0].value) if block is not None and series.name.startswith("=") else series.name
+    return Line(name, x[shown], y[shown], series.points)
+
+
+def sheet(name: str, text: str) -> str:
+    """Return the page of a description: results of the whole machine, those of each axis in a row, pictures."""
+    shown = design(name, text)
+    machine: Machine = shown.machine
+    whole: list[list[str]] = []
+    of: dict[str, dict[str, str]] = {}
+    for result in shown.summary.values():
+        if result.place:
+            of.setdefault(result.place, {})[f"{result.label} [{result.unit}]" if result.unit else result.label] = short(
+                result.value
+            )
+        else:
+            whole.append([result.label, short(result.value), result.unit])
+    names = list(dict.fromkeys(what for row in of.values() for what in row))
+    drawn = pictures(shown, 1 + (FEWER if len(shown.axes) > MANY else DRAWN))
+    return document(
+        machine.title,
+        rendered(
+            "serve/sheet.html",
+            title=machine.title,
+            lines=[": ".join(map(str, row)) for row in failing(shown)],
+            most=LINES,
+            known=[name, machine.template, *(f"{word} {value}" for word in KNOWN if (value := getattr(machine, word)))],
+            whole=whole,
+            names=names,
+            axes=[[axis, *(row.get(what, "") for what in names)] for axis, row in of.items()],
+            drawn=drawn,
+        ),
+    )
+
+
+def short(value: Any) -> str:
+    """Return a number with four digits that count, and all before its point; another value as it is."""
+    return (f"{value:,.0f}" if abs(value) >= 1000.0 else f"{value:.4g}") if is_number(value) else figure(value)
+
+
+def in_short(name: str, text: str) -> str:
+    """Return in a line the first results of a description, and how many checks fail."""
+    try:
+        shown = design(name, text)
+    except MotionbookError as error:
+        return str(error).partition("\n")[0]
+    whole = [
+        f"{result.label} {short(result.value)} {result.unit}".rstrip()
+        for result in shown.summary.values()
+        if not result.place
+    ]
+    fails = len(failing(shown))
+    return "; ".join([*whole[:FIRST], f"{fails} checks FAIL" if fails else "all checks OK"])
+
+
+@lru_cache
+def picture(template: str) -> str:
+    """Return the first chart of a template's committed description as a picture of its own."""
+    shown = design(template, (FOLDER / f"{template}.toml").read_text(encoding="utf-8"))
+    return pictures(shown, 1)[0]
