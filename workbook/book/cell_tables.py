@@ -5,35 +5,45 @@ stand apart: an engineer reads how the sheet does it, without any Python; and no
 
 ===========  ====================================================================================================
 ``kind``     calc, result, given, constant or check (:mod:`workbook.book.quantity`); entry: given, with its value
-             from the part of a description that :meth:`CellTable.entries` is given; key: an entry that has no cell
+             from the part of a description that :meth:`CellTable.entries` is given; key: an entry that has no cell;
+             number: the first column of a table, which counts its rows
 ``cell``     its name
 ``formula``  in the notation of :mod:`workbook.book.declare`; of what is given its key in the description; of a
              check its condition, without =
 ``source``   the note beside it
+``scale``    by what its deviations are measured: a number, or the name of a part that Python gives
 others       label, symbol, unit, format, align, choices; of a check its rule, and what it says where it fails; of
              an entry its meaning, an example, what it is in variations (:mod:`workbook.entries.facts`)
 ===========  ====================================================================================================
 
+Above its rows a table may have its own name and title, as ``name``: title; :meth:`CellTable.place` puts it on a sheet.
+Above these, behind ``>``, heading and note of a part of a sheet may stand, which :meth:`CellTable.begin` begins.
 A text may have ``{parts}``, which Python fills in, of other names than :data:`OWN`; braces of Excel are written twice.
 Of a column whose formula has a part that is a list, each row has the formula with its own.
 """
 
 import re
 import tomllib
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from operator import attrgetter
 from pathlib import Path
 from string import Formatter
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
-from workbook.book.quantity import PLAIN, Quantity, calc, check, constant, given, result
+from workbook.book.limits import RowRule
+from workbook.book.quantity import PLAIN, Block, Quantity, calc, check, constant, given, result
 from workbook.book.rows import filled
+
+if TYPE_CHECKING:
+    from workbook.book.sheet import Sheet
 
 KINDS: dict[str, Callable[..., Quantity]] = {
     "calc": calc,
     "result": result,
     "given": given,
     "constant": constant,
+    "number": constant,
     "check": check,
     "entry": given,
 }
@@ -42,6 +52,7 @@ FORMULAS = {"given": "key", "entry": "key", "key": "key", "check": "condition"}
 OWN = frozenset("formula source scale format align choices limit upper_limit wrap says".split())
 """attributes that Python may give a cell"""
 HEADING, BAR = re.compile(r"^## (.+)$", re.MULTILINE), re.compile(r"(?<!\\)\|")
+HEAD, BEGIN = re.compile(r"^`(\S+)`: (.+)$", re.MULTILINE), re.compile(r"^> (.+)\n> (.+)$", re.MULTILINE)
 
 
 def value_of(text: str) -> Any:
@@ -62,18 +73,19 @@ class CellWords(NamedTuple):
     example: Any = None
     varies: tuple[Any, ...] = ()
     meaning: str = ""
+    scale: str = ""
 
     @classmethod
     def of_row(cls, texts: dict[str, str]) -> "CellWords":
         """Return the words of a row, whose texts are given by the heads of their columns."""
         kind, name, formula = (texts.pop(head, "") for head in ("kind", "cell", "formula"))
-        example, varies, meaning = (texts.pop(head, "") for head in ("example", "varies", "meaning"))
+        example, varies, meaning, scale = (texts.pop(head, "") for head in ("example", "varies", "meaning", "scale"))
         empty = {"label": ""} if kind == "check" else {"label": "", "symbol": "", "unit": ""}
         texts = {"name": name} | empty | texts | ({FORMULAS.get(kind, "formula"): formula} if formula else {})
         fields = (field for text in texts.values() for _, field, _, _ in Formatter().parse(text) if field)
-        parts = frozenset(re.split(r"[.\[]", field)[0] for field in fields)
+        parts = {re.split(r"[.\[]", field)[0] for field in fields} | ({scale} if scale.isidentifier() else set())
         values = tuple(map(value_of, filter(None, varies.split(", "))))
-        return cls(kind, texts, parts, value_of(example), values, meaning)
+        return cls(kind, texts, frozenset(parts), value_of(example), values, meaning, scale)
 
     def filled(self, more: dict[str, Any]) -> dict[str, Any]:
         """Return the attributes of a cell: its words with their parts, and those attributes that are given.
@@ -90,11 +102,22 @@ class CellWords(NamedTuple):
         rows = [more | dict(zip(lists, row, strict=True)) for row in zip(*lists.values(), strict=True)]
         texts = {name: text.format(**more) for name, text in self.texts.items()}
         by_row = {"formula": [self.texts["formula"].format(**row) for row in rows]} if rows else {}
-        return texts | by_row | own
+        scale = {"scale": more[self.scale] if self.scale in more else float(self.scale)} if self.scale else {}
+        return texts | by_row | scale | own
 
 
 class CellTable(dict[str, CellWords]):
-    """The rows of a table by their cells' names."""
+    """The rows of a table by their cells' names, with its name, title and heading, and the parts that rows share."""
+
+    head: tuple[str, ...] = ()
+    heading: tuple[str, ...] = ()
+    shared: Mapping[str, Any] = {}
+
+    def sharing(self, **parts: Any) -> Self:
+        """Return the same table, each row of which takes of these parts those that its texts have."""
+        table = copy(self)
+        table.shared = {**self.shared, **parts}
+        return table
 
     def __call__(self, name: str, value: Any, /, **more: Any) -> Quantity:
         """Return the quantity of a row.
@@ -116,8 +139,25 @@ class CellTable(dict[str, CellWords]):
         TypeError
             Where a part is missing, or something is given that no text has.
         """
+        kind = self[name].kind
+        return KINDS[kind](**{"ok" if kind == "check" else "value": value}, **self._filled(name, more))
+
+    def _filled(self, name: str, more: dict[str, Any]) -> dict[str, Any]:
         row = self[name]
-        return KINDS[row.kind](**{"ok" if row.kind == "check" else "value": value}, **row.filled(more))
+        return row.filled({part: self.shared[part] for part in row.parts & self.shared.keys()} | more)
+
+    def begin(self, sheet: "Sheet") -> None:
+        """Begin the part of a sheet whose heading and note stand above the table."""
+        sheet.heading(*(text.format(**self.shared) for text in self.heading))
+
+    def place(
+        self, sheet: "Sheet", *columns: Quantity, rules: Sequence[RowRule] = (), blank: str = "", heads: bool = True
+    ) -> Block:
+        """Place the table below what is on a sheet, as long as its columns, as :meth:`Sheet.table` does."""
+        size = max(len(q.value) for q in columns if not isinstance(q.value, str) and hasattr(q.value, "__len__"))
+        numbers = [self(name, list(range(1, size + 1))) for name, row in self.items() if row.kind == "number"]
+        name, title = (text.format(**self.shared) for text in self.head)
+        return sheet.table(name, title, size, *numbers, *columns, rules=rules, blank=blank, heads=heads)
 
     def of_rows(self, rows: Iterable[Any], **attributes: str) -> list[Quantity]:
         """Return columns by their names, each with the values that an attribute of the rows has."""
@@ -127,7 +167,7 @@ class CellTable(dict[str, CellWords]):
         """Return a function that declares an input by the name of its row; the model stands at a place."""
 
         def entry(name: str, /, **more: Any) -> Quantity:
-            texts = self[name].filled(more)
+            texts = self._filled(name, more)
             value = attrgetter(texts["key"])(model)
             own = {"format": "" if isinstance(value, str) else PLAIN} | texts
             return given(value=value, **own | {"key": f"{place}.{texts['key']}"})
@@ -138,7 +178,7 @@ class CellTable(dict[str, CellWords]):
         """Return a function that declares an input column by the name of its row; the models stand at a place."""
 
         def column(name: str, /, **more: Any) -> Quantity:
-            texts = self[name].filled(more)
+            texts = self._filled(name, more)
             values = filled([getattr(model, texts["key"]) for model in models], rows, None)
             return given(value=values, **texts | {"key": f"{place}.*.{texts['key']}"})
 
@@ -147,7 +187,20 @@ class CellTable(dict[str, CellWords]):
 
 def cell_tables(module: str) -> dict[str, CellTable]:
     """Return the tables of the Markdown file beside a module, whose ``__file__`` is given, by their headings."""
-    return {title: CellTable(rows_of(text)) for title, text in sections(module)}
+    tables = {}
+    for title, text in sections(module):
+        if not re.search(r"\| (cell|formula) \|", text):
+            continue  # a table for :func:`formulas_by_row`
+        tables[title] = CellTable(rows_of(text))
+        tables[title].head = next(iter(HEAD.findall(text)), ())
+        tables[title].heading = next(iter(BEGIN.findall(text)), ())
+    return tables
+
+
+def formulas_by_row(module: str, title: str, **parts: str) -> dict[str, list[str]]:
+    """Return the columns of the table under a heading beside a module: texts, each row of the sheet with its own."""
+    rows = list(markdown_rows(dict(sections(module))[title]))
+    return {head: [row[head].format(**parts) for row in rows] for head in rows[0]}
 
 
 def sections(module: str) -> Iterator[tuple[str, str]]:

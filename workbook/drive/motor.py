@@ -99,14 +99,11 @@ def limits_table(sheet: Sheet, corners: LimitCorners, backward: str, falls: bool
     begins = "IF(@fall=0,@motor_nmax,MIN(@knee,@motor_nmax))" if falls else "@motor_nmax"
     first, second = shown(corners.bends, RPM)
     sheet.rows(
-        CELLS["limits_table"]("@bend1", first, begins=begins),
-        CELLS["limits_table"]("@bend2", second, begins=begins),
+        CELLS["limits_table"]("@bend1", first, begins=begins), CELLS["limits_table"]("@bend2", second, begins=begins)
     )
     peak = f"(@motor_peak-@fall*MAX(0,ABS([rpm])-{begins}))" if falls else "@motor_peak"
-    sheet.table(
-        "@limits",
-        "Limits of the motor, as drawn in the charts",
-        len(CORNERS),
+    CELLS["limits"].place(
+        sheet,
         CELLS["limits"]("side", list(side)),
         CELLS["limits"]("which", list(which)),
         CELLS["limits"]("up", list(up)),
@@ -119,10 +116,8 @@ def limits_table(sheet: Sheet, corners: LimitCorners, backward: str, falls: bool
 def rms_point(sheet: Sheet, speed: float, torque: float) -> None:
     """Declare the RMS torque (Nm) at the mean speed (rad/s) as the chart draws it."""
     cell = CELLS["point"]
-    sheet.table(
-        "@point",
-        "RMS point, as drawn in the chart",
-        1,
+    cell.place(
+        sheet,
         cell("rpm", [shown(speed, RPM)], scale=max(shown(speed, RPM), 1.0)),
         cell("torque", [torque], scale=max(torque, 1e-3)),
     )

@@ -1,16 +1,13 @@
 """The cells of a motion in a book, and the engine's values for them."""
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 from engine.laws import Dwell
 from engine.motion import Motion
 from engine.motion.pieces import MotionPiece, ScaledLaw, motion_pieces
-from workbook.book.cell_tables import CellTable
-from workbook.book.declare import Quantity
 from workbook.book.rows import spread
 from workbook.laws.sampling import Pieces
 
@@ -28,15 +25,6 @@ def last_before(number: str, xi: str) -> str:
 def of_law(column: str) -> str:
     """Return the formula of an entry of the law's piece, in the row ``m`` of the stack."""
     return f"INDEX(piece_{column},[m])"
-
-
-def sharing(table: CellTable, **shared: Any) -> Callable[..., Quantity]:
-    """Return a function that declares a cell by its row, which takes of shared parts those that its texts have."""
-
-    def cell(name: str, value: Any, /, **more: Any) -> Quantity:
-        return table(name, value, **{part: shared[part] for part in table[name].parts & shared.keys()} | more)
-
-    return cell
 
 
 @dataclass(frozen=True)

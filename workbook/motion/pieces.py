@@ -16,7 +16,7 @@ from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import LEAST, filled, polynomial
 from workbook.book.sentence import spelled
 from workbook.fields.units import DEGREE, shown
-from workbook.motion.cells import FIRST, Cells, PieceRows, last_before, of_law, sharing
+from workbook.motion.cells import FIRST, Cells, PieceRows, last_before, of_law
 from workbook.motion.requirements import CROWDED, ROOM_RULE
 
 CELLS = cell_tables(__file__)
@@ -96,7 +96,7 @@ def pieces_table(
 def piece_columns(rows: PieceRows, room: int) -> list[Quantity]:
     """Return the columns of the phase of a piece, of its row on Laws, where it begins and how long it lasts."""
     at, pieces = rows.at, filled(rows.pieces, room, rows.pieces[-1])
-    cell = sharing(CELLS["piece_columns"], at=at)
+    cell = CELLS["piece_columns"].sharing(at=at)
     length, unit, called = (
         (f"DEGREES({at.of_phase('span')})", DEGREE, "°") if at.degrees else (at.of_phase("span"), 1.0, at.x)
     )
@@ -123,7 +123,7 @@ def piece_columns(rows: PieceRows, room: int) -> list[Quantity]:
 
 def scaled(rows: PieceRows, pieces: Sequence[MotionPiece]) -> list[Quantity]:
     """Return the columns of what a piece of the law is scaled by: lift and 1/δ of its phase."""
-    cell, phases = sharing(CELLS["scaled"], at=rows.at), [piece.phase for piece in pieces]
+    cell, phases = CELLS["scaled"].sharing(at=rows.at), [piece.phase for piece in pieces]
     lift = cell("hp", [rows.lifts[k] for k in phases])
     rate = cell("per", [rows.rates[k] for k in phases])
     return [rate] if rows.at.ends else [lift, rate]
@@ -136,7 +136,7 @@ def from_power(order: int) -> str:
 
 def power(rows: PieceRows, i: int, pieces: Sequence[MotionPiece], sizes: Sizes) -> Quantity:
     """Return a coefficient of the polynomial."""
-    at, table = rows.at, sharing(CELLS["power"], at=rows.at)
+    at, table = rows.at, CELLS["power"].sharing(at=rows.at)
     values = [piece.c[i] for piece in pieces]
 
     def cell(name: str, **parts: Any) -> Quantity:
@@ -162,7 +162,7 @@ def amplitude(order: int, mark: str) -> str:
 
 def sine(at: Cells, mark: str, sines: Sequence[Sine], sizes: Sizes) -> list[Quantity]:
     """Return amplitude, frequency and phase of a sine ``sines`` in pieces, and its amplitude in each derivative."""
-    cell = sharing(CELLS["sine"], at=at, mark=mark, words=" of the second sine" if mark else "")
+    cell = CELLS["sine"].sharing(at=at, mark=mark, words=" of the second sine" if mark else "")
     amplitudes, omegas, phases = ([sine_values[k] for sine_values in sines] for k in range(3))
 
     def of_a_sine(formula: str) -> str:
@@ -185,7 +185,7 @@ def sine(at: Cells, mark: str, sines: Sequence[Sine], sizes: Sizes) -> list[Quan
 def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
     """Return the workings of samples at a column ``x``, with its ``values``: the piece, u in it, arguments of sines."""
     at, place = rows.at, PieceTable(rows.pieces, rows.end).located(values)
-    cell, q = sharing(CELLS["finding"], at=at, of=of, suffix=suffix), f"[q{suffix}]"
+    cell, q = CELLS["finding"].sharing(at=at, of=of, suffix=suffix), f"[q{suffix}]"
     local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},{q})"
     return [
         cell("q{suffix}", place.piece + 1.0, piece=at.piece(x)),
@@ -202,7 +202,7 @@ def turned(pieces: Sequence[MotionPiece], u: Array) -> Array:
 
 def arguments(rows: PieceRows, suffix: str, q: str, angles: Sequence[Any] | Array, of: str = "") -> list[Quantity]:
     """Return the columns of the arguments of the sines at places u of pieces, whose row ``q`` names."""
-    cell = sharing(CELLS["arguments"], suffix=suffix, of=of)
+    cell = CELLS["arguments"].sharing(suffix=suffix, of=of)
 
     def argument(mark: str, which: str, values: Any) -> Quantity:
         omega, phi = of_row(rows, f"om{mark}", q), of_row(rows, f"ph{mark}", q)

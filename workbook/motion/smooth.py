@@ -14,7 +14,7 @@ from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, Sentence, figure, quoted
 from workbook.fields.units import DEGREE, shown
-from workbook.motion.cells import PieceRows, sharing
+from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import at_begin, at_place, place_columns
 from workbook.motion.requirements import ABOUT, RequiredSmoothness, jump_formulas, jump_values
 
@@ -56,7 +56,7 @@ class Joints:
         """Return the rows that say how many derivatives must be continuous, and which jumps of each are rounding."""
         scales = self.scales
         quickest = self.required.quickest or f"MAX([{self.rows.at.phases}.rate])"
-        cell = sharing(CELLS["order"], order=self.required.order)
+        cell = CELLS["order"].sharing(order=self.required.order)
         return [
             cell("{order}", ORDERS.index(self.required.smooth) + 1, entry=self.required.entry),
             cell("{order}_v", JUMP * scales[0], largest=self.required.largest[0]),
@@ -92,7 +92,7 @@ class Joints:
 
     def _lasting(self, pieces: list[MotionPiece], joints: list[Joint]) -> list[Quantity]:
         """Return the columns of the pieces that last, and of the phases that meet where they begin."""
-        cell = sharing(CELLS["lasting"], at=self.rows.at, joints=self.name)
+        cell = CELLS["lasting"].sharing(at=self.rows.at, joints=self.name)
         return [
             cell("r", list(range(1, len(pieces) + 1))),
             cell("d", [piece.duration for piece in pieces], scale=self.rows.end),
@@ -132,14 +132,7 @@ class Joints:
             values = [joint.end[n - 1] for joint in joints]
             return cell(name, values, end=at_place(rows, n, "1"), scale=self.scales[n - 1])
 
-        return [
-            begun("v0", 1),
-            begun("a0", 2),
-            begun("j0", 3),
-            reached("v1", 1),
-            reached("a1", 2),
-            reached("j1", 3),
-        ]
+        return [begun("v0", 1), begun("a0", 2), begun("j0", 3), reached("v1", 1), reached("a1", 2), reached("j1", 3)]
 
     def _jumps(self, pieces: list[MotionPiece], joints: list[Joint]) -> list[Quantity]:
         """Return the columns of the jumps at the begin of each piece."""
@@ -150,7 +143,7 @@ class Joints:
             (k if joint.piece_count > 1 else wrapped) * (piece.duration > 0.0)
             for k, (joint, piece) in enumerate(zip(joints, pieces, strict=True))
         ]
-        cell = sharing(CELLS["jumps"], joints=self.name, order=self.required.order)
+        cell = CELLS["jumps"].sharing(joints=self.name, order=self.required.order)
         scales = self.scales
         return [
             cell("met", met, last=last),
@@ -171,7 +164,7 @@ class Joints:
         """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
         required, order, words = self.required, self.required.order, self._words()
         at, asked, named = self.rows.at, self.rows.at.required, bool(self.required.names)
-        cell = sharing(CELLS["first"], order=order, joints=self.name, phases=at.phases, asked=asked)
+        cell = CELLS["first"].sharing(order=order, joints=self.name, phases=at.phases, asked=asked)
 
         def row(name: str, **parts: str) -> Quantity:
             return cell(name, words[name.removeprefix("{order}_")], **parts)

@@ -21,10 +21,8 @@ def best_table(sheet: Sheet, view: PairSelection) -> None:
         return filled([getattr(pair, figure) for pair in listed], BEST)
 
     sheet.row += 1
-    sheet.table(
-        "@best",
-        f"The best {BEST} pairs (S5, steps 6 and 7)",
-        BEST,
+    cell.sharing(BEST=BEST).place(
+        sheet,
         cell("motor", filled([motors.names[m] for m, _ in pairs], BEST, "–")),
         cell("reducer", filled([reducers.names[r] for _, r in pairs], BEST, "–")),
         cell("place", list(range(1, BEST + 1))),
@@ -54,11 +52,8 @@ def order_table(sheet: Sheet, view: PairSelection) -> None:
     cell = CELLS["order"]
     pairs, across = view.ranked[:BEST], view.rooms[1]
     sheet.row += 1
-    sheet.table(
-        "@order",
-        "Which pairs the best are",
-        BEST,
-        cell("place", list(range(1, BEST + 1))),
+    cell.place(
+        sheet,
         cell("key", filled([float(view.keys[pair]) for pair in pairs], BEST), keys=view.whole("key")),
         cell("at", filled([m * across + r for m, r in pairs], BEST, 0), pairs=view.pairs),
         cell("m", filled([m + 1 for m, _ in pairs], BEST, 0), across=across),

@@ -51,10 +51,8 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
         cell("@held_reducer", reducer, as_entered=AS_ENTERED),
     )
     cell = CELLS["drives"]
-    sheet.table(
-        "@drives",
-        "Drives",
-        len(view.shafts),
+    cell.place(
+        sheet,
         cell("axis", [shaft.name for shaft in view.shafts], formula=[shaft.title for shaft in view.shafts]),
         *cell.of_rows(view.shafts, k="number"),
         *(
@@ -87,10 +85,8 @@ def points_table(sheet: Sheet, view: PairSelection) -> None:
     shaft, load, of = view.shaft, view.load.points, view.by_point
     speed, rows = shown(load.speed, RPM), list(range(1, view.point_rows + 1))
     sheet.row += 1
-    sheet.table(
-        "@points",
-        "The points of its cycle",
-        len(rows),
+    cell.place(
+        sheet,
         cell("k", rows),
         *([cell("at", [min(k, shaft.rows * POINTS) for k in rows])] if view.is_ragged else []),
         *named_figure(view, "dir", view.load.load.direction),
@@ -146,10 +142,8 @@ def every_drive(sheet: Sheet, view: PairSelection) -> None:
         cell("smallest", [names[each[0]] if each else "none" for each in usable]),
     ]
     sheet.row += 1
-    block = sheet.table(
-        "@each",
-        "Axes, each with its pair, and the motors that can do it behind its reducer",
-        len(drives),
+    block = cell.place(
+        sheet,
         cell("axis", [drive.shaft.name for drive in drives]),
         cell("motor", motors, as_entered=AS_ENTERED),
         *(behind_own if len(drives) > 1 else ()),
@@ -184,10 +178,8 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
     mixed, square = zip(*(drive.means_behind_own for drive in drives), strict=True)
     product, torque = (max(getattr(drive.shaft, name) for drive in drives) for name in ("product", "torque"))
     sheet.row += 1
-    sheet.table(
-        "@behind",
-        "What the reducer of each drive makes of its load",
-        len(drives),
+    cell.place(
+        sheet,
         *cell.of_rows(drives, axis="shaft.name"),
         cell("j", [drive.in_use("j") - drive.in_use("jm") for drive in drives]),
         cell("at", [drive.behind_own.at_motor[0] for drive in drives]),

@@ -188,11 +188,8 @@ def motors(sheet: Sheet, view: PairSelection) -> None:
     """Declare the motors of the catalogue, 0 in spare rows."""
     cell = CELLS["motors"]
     m, n = view.motors, view.rooms[0]
-    sheet.table(
-        "@motors",
-        "Motors of the catalogue",
-        n,
-        cell("k", list(range(1, n + 1))),
+    cell.place(
+        sheet,
         cell("on", filled([1] * len(m.names), n, 0)),
         cell("jm", filled(m.inertia, n)),
         cell("rated", filled(m.rated_torque, n)),
@@ -218,11 +215,8 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
     reciprocals = np.divide(1.0, g.balance, out=np.zeros(g.balance.shape), where=g.balance > 0.0)
     mixed, square = view.load.mixed(view.bare), view.load.square(view.bare)
     own = {"eta": "[eta]", "i": "[i]", "own": "[own]"}
-    sheet.table(
-        "@reducers",
-        "Reducers of the catalogue, and what each makes of the axis",
-        n,
-        cell("k", list(range(1, n + 1))),
+    cell.place(
+        sheet,
         cell("on", filled([1] * len(r.names), n, 0)),
         cell("i", filled(r.reduction, n)),
         cell("eta", filled(r.efficiency, n)),

@@ -16,7 +16,6 @@ CELLS = cell_tables(__file__)
 
 TITLE = "Selection"
 SOURCE = 100  # characters of the column of sources, the same in both tables; it is not printed
-ABOUT = "This sheet proposes: choose by typing the names of motor and reducer on the sheet of the drive."
 
 
 def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Limits | None = None) -> None:
@@ -63,12 +62,8 @@ def entries(sheet: Sheet, view: PairSelection, axis: str) -> None:
     """Declare the axis, what pairs are ranked by, and how much of a motor a usable pair needs."""
     cell = CELLS["entries"]
     s = view.given
-    sheet.heading("Enter", ABOUT)
-    sheet.rows(
-        *([cell("@axis", axis)] if axis else []),
-        cell("@rank", s.rank),
-        cell("@greatest", s.greatest_margin),
-    )
+    cell.begin(sheet)
+    sheet.rows(*([cell("@axis", axis)] if axis else []), cell("@rank", s.rank), cell("@greatest", s.greatest_margin))
 
 
 def results(sheet: Sheet, view: PairSelection) -> None:
@@ -115,16 +110,16 @@ def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
 
 def asked(sheet: Sheet, view: PairSelection) -> None:
     """Declare what the axis asks for at the shaft behind the reducer."""
-    cell = CELLS["entries"]
     load, scale = view.grid.task, view.shaft.torque
     sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")
+    cell = CELLS["entries"].sharing(scale_size=scale, product=view.shaft.product)
     sheet.rows(
         cell("@wrms", load.acceleration_rms),
-        cell("@trms", load.torque_rms, scale=scale),
+        cell("@trms", load.torque_rms),
         cell("@wmax", load.max_speed),
-        cell("@tmax", view.grid.output_torque, scale=scale),
+        cell("@tmax", view.grid.output_torque),
         cell("@little", 1.0 / view.given.greatest_margin),
-        cell("@beta", 2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean), scale=view.shaft.product),
+        cell("@beta", 2.0 * (load.acceleration_rms * load.torque_rms + load.power_rate_mean)),
         CELLS["outcome"]("@count", len(view.ranked), keys=view.whole("key")),
     )
 
@@ -146,19 +141,8 @@ def catalogue_sheet(book: Book, products: Products, sizes: SelectionSizes) -> No
     sheet.unprinted = "catalogue" not in book.print_also
     sheet.heading("Motors and reducers", "No empty row in between. A limit that is not given is none.")
     book.column_names |= {"motor_name": ("motors", "name"), "reducer_name": ("reducers", "name")}
-    sheet.table(
-        "motors",
-        "Motors",
-        sizes.motors,
-        *map(motor, table_of(MotorRow)),
-        rules=[HALF, FALLING],
-    )
+    sheet.table("motors", "Motors", sizes.motors, *map(motor, table_of(MotorRow)), rules=[HALF, FALLING])
     sheet.row += 1
-    sheet.table(
-        "reducers",
-        "Reducers",
-        sizes.reducers,
-        *map(reducer, table_of(ReducerRow)),
-    )
+    sheet.table("reducers", "Reducers", sizes.reducers, *map(reducer, table_of(ReducerRow)))
     source = sheet.blocks[0].columns["source"]
     sheet.widths, sheet.print_columns = {source: SOURCE}, source - 1

@@ -18,7 +18,7 @@ from workbook.book.chart import in_scope
 from workbook.book.rows import filled
 from workbook.fields.units import KG_CM2, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
-from workbook.selection.entries import Limits, Ranked, SelectionSizes
+from workbook.selection.entries import Ranked, SelectionSizes
 
 BEST = 15  # rows of the list of the best pairs
 AS_ENTERED = "as entered"
@@ -62,22 +62,15 @@ def load_figures(load: PointLoad, turning: float, torque: float) -> dict[str, tu
     }
 
 
-def limit_figures(limits: Limits, scope: str) -> dict[str, tuple[str, float]]:
-    """Return the cells and values of limits, behind the beginning of the cells' names."""
-    return {name: (f"{scope}{name}", getattr(limits, name)) for name in Limits.model_fields}
-
-
-Cell = str | tuple[str, float] | tuple[str, float, float]
-
-
-def shaft_figures(scope: str, load: Mapping[str, tuple[float, float]], cells: Mapping[str, Cell]) -> list[Figure]:
-    """Return the figures of a shaft by their cells: a formula of a figure of the load, or that with value and scale."""
-    each = {name: (cell, *load[name]) if isinstance(cell, str) else cell for name, cell in cells.items()}
+def shaft_figures(
+    scope: str, formulas: Mapping[str, str], values: Mapping[str, float | tuple[float, float]]
+) -> list[Figure]:
+    """Return the figures of a shaft by the formulas of their cells, and by their values, some with a scale."""
     figures = []
     for name, row in FIGURES.items():
-        formula, *value_and_scale = each[name]
-        label, unit = row.texts["label"], row.texts["unit"]
-        figures.append(Figure(name, label, unit, in_scope(formula, scope), *value_and_scale))
+        value = values[name]
+        each = value if isinstance(value, tuple) else (value,)
+        figures.append(Figure(name, row.texts["label"], row.texts["unit"], in_scope(formulas[name], scope), *each))
     return figures
 
 

@@ -3,13 +3,13 @@
 import numpy as np
 
 from engine.flying.pieces import cut_joints, cut_parts, cut_pieces, rates_of
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Book, Sheet
 from workbook.fields.units import DEGREE, MM, RPM, shown
 from workbook.laws.sampling import Pieces
 from workbook.machines.flying.view import CutterView
+from workbook.motion import pieces
 from workbook.motion.cells import Cells, PieceRows, last_before, rows_of_parts
-from workbook.motion.pieces import ABOUT, POSITION, finding, phase_table_columns, pieces_in_all, pieces_table, sampled
 from workbook.motion.requirements import RequiredSmoothness
 from workbook.motion.smooth import Joints
 
@@ -17,7 +17,7 @@ CELLS = cell_tables(__file__)
 
 AT = Cells("stretches", "tool_pieces", "fly_pieces", "fly_tc", "m", "s", drifts=True, opens=True)
 SPLIT = "IF(fly_waits=1,fly_peak,1)"
-PARTS = ("moves by its law", "waits", "moves on", "works at line speed")
+PARTS = formulas_by_row(__file__, "parts of the cycle")
 WHERE = "The parts of the cycle: beside the law the tool moves at line speed, which stands in the column drift."
 
 
@@ -32,7 +32,9 @@ def joints_of(machine: CutterView, rows: PieceRows) -> Joints:
     """Return the joints of the tool's pieces, and how smooth it must be."""
     smooth, largest = machine.given.smoothness, ("MAX(ABS(fly_low),ABS(fly_high))", "fly_a")
     quickest = f"[{AT.phases}.rate.1]"
-    required = RequiredSmoothness(smooth, "fly_smooth", "fly_order", largest, " s", names=PARTS, quickest=quickest)
+    required = RequiredSmoothness(
+        smooth, "fly_smooth", "fly_order", largest, " s", names=tuple(PARTS["what"]), quickest=quickest
+    )
     return Joints(rows, required, cut_joints(machine.cut, smooth), rates_of(machine.cut))
 
 
@@ -51,10 +53,10 @@ def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces)
         f"Tool, shaft and load at {len(t) - 1} equal steps",
         len(t),
         cell("t", t),
-        cell("s", shown(at.position, MM), sampled=sampled(rows, 0), source=POSITION),
-        cell("v", at.speed, sampled=sampled(rows, 1)),
-        cell("a", at.acceleration, sampled=sampled(rows, 2)),
-        cell("j", at.jerk, sampled=sampled(rows, 3)),
+        cell("s", shown(at.position, MM), sampled=pieces.sampled(rows, 0), source=pieces.POSITION),
+        cell("v", at.speed, sampled=pieces.sampled(rows, 1)),
+        cell("a", at.acceleration, sampled=pieces.sampled(rows, 2)),
+        cell("j", at.jerk, sampled=pieces.sampled(rows, 3)),
         cell("n", shown(speed, RPM)),
         cell("w", speed),
         cell("dw", acceleration),
@@ -63,21 +65,19 @@ def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces)
         cell("product", shown(cut.line_speed * t, MM)),
         cell("line", machine.line),
         cell("k", list(range(len(t)))),
-        *finding(rows, "t", t),
+        *pieces.finding(rows, "t", t),
     )
     motion_tables(sheet, machine, rows, stack)
 
 
 def motion_tables(sheet: Sheet, machine: CutterView, rows: PieceRows, stack: Pieces) -> None:
     """Declare the parts of the cycle, and the pieces of the tool's motion."""
-    sheet.heading("Workings: the tool's motion as pieces", ABOUT)
+    sheet.heading("Workings: the tool's motion as pieces", pieces.ABOUT)
     sheet.note(WHERE)
     at, law = np.array([machine.cut.fastest]), machine.law
     position, velocity = stack.columns({"s": law.s(at), "v": law.v(at)}, "sv")
-    sheet.table(
-        "standing",
-        "The law where it is fastest",
-        1,
+    CELLS["standing"].place(
+        sheet,
         CELLS["standing"]("xi", at),
         *stack.finding("fly_no", machine.number, "xi", at),
         position,
@@ -85,33 +85,24 @@ def motion_tables(sheet: Sheet, machine: CutterView, rows: PieceRows, stack: Pie
     )
     parts = cut_parts(machine.cut)
     of = [part.scaled for part in parts]
+    figures = {
+        "h": [part.h for part in of],
+        "span": [part.duration for part in of],
+        "begin": [part.x for part in of],
+        "opens": [part.begin for part in parts],
+        "drift": [part.drift for part in of],
+        "y0": [part.y for part in of],
+    }
+    cell = CELLS["motion_tables"]
     first, none = "=MATCH(fly_no,piece_number,0)", "=MATCH(1,piece_number,0)"
     sheet.table(
         AT.phases,
         "The parts of the cycle",
-        len(PARTS),
-        CELLS["motion_tables"]("what", list(PARTS)),
-        CELLS["motion_tables"]("k", [1, 2, 3, 4]),
-        CELLS["motion_tables"]("h", [part.h for part in of], formula=["=fly_h1/1000", "=0", "=fly_h1/1000", "=0"]),
-        CELLS["motion_tables"](
-            "span", [part.duration for part in of], formula=["=fly_tm", "=fly_wait", "=fly_tm", "=fly_tt"]
-        ),
-        CELLS["motion_tables"]("begin", [part.x for part in of], formula=["=0", "=fly_stop", "=fly_wait", "=fly_tr"]),
-        CELLS["motion_tables"](
-            "opens", [part.begin for part in parts], formula=["=0", "=fly_stop", "=fly_stop+fly_wait", "=fly_tr"]
-        ),
-        CELLS["motion_tables"]("drift", [part.drift for part in of], formula=["=fly_v", "=0", "=fly_v", "=fly_v"]),
-        CELLS["motion_tables"](
-            "y0",
-            [part.y for part in of],
-            formula=[
-                "=0",
-                "=IF(fly_waits=1,fly_v*fly_stop+fly_h1/1000*[standing.s.1],0)",
-                "=0",
-                "=fly_v*fly_tm+fly_h1/1000*INDEX(law_s1,fly_no)",
-            ],
-        ),
-        *phase_table_columns(
+        len(parts),
+        cell("what", PARTS["what"]),
+        cell("k", [1, 2, 3, 4]),
+        *(cell(name, values, formula=PARTS[name]) for name, values in figures.items()),
+        *pieces.phase_table_columns(
             rows,
             [first, none, f"={last_before('fly_no', f'MIN({SPLIT}+2*break_eps,1)')}", none],
             [
@@ -123,8 +114,8 @@ def motion_tables(sheet: Sheet, machine: CutterView, rows: PieceRows, stack: Pie
         ),
     )
     joints = joints_of(machine, rows)
-    sheet.rows(pieces_in_all(rows), *joints.order())
+    sheet.rows(pieces.pieces_in_all(rows), *joints.order())
     sheet.row += 1
-    pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
+    pieces.pieces_table(sheet, "Pieces of the tool's motion", rows, machine.room, machine.cut.size)
     sheet.row += 1
     joints.table(sheet, "What jumps where each piece begins", machine.room)

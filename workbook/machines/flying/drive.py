@@ -5,7 +5,7 @@ import numpy as np
 from engine.drive.bounds import CONSTANT
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.chart_tables import charts_beside
 from workbook.book.declare import Book, Quantity, Sheet, calc
 from workbook.book.rows import SHARES, WEIGHTS, filled
 from workbook.drive.motor import (
@@ -24,6 +24,7 @@ from workbook.motion.cells import PieceRows
 from workbook.motion.pieces import place_columns, sampled
 
 CELLS = cell_tables(__file__)
+CHARTS = charts_beside(__file__)
 
 BELOW_CHARTS = 45
 UNLISTED = "a name is not in the catalogue; expected one of its names, or an empty cell"
@@ -31,10 +32,6 @@ PEAK = "at a point: exact; of a law of your own to 4 %"
 MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
 CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5)/{MOVING})^(1/3),0)"
 
-ABOUT_TURNS = (
-    "Friction and losses change sides there. The speed falls until the law is fastest, then rises. First look at "
-    "the middle of the last piece that begins before a turn, the next where the parabola by v, a and j is 0."
-)
 TITLE = "Where the tool turns round: four looks at each turn, each nearer"
 LEAST = "=fly_v+fly_h1/1000/fly_tm*[standing.v.1]"
 ABOUT_POINTS = "Nine points, ends included, of each piece of the tool's motion, cut where the tool turns round."
@@ -47,18 +44,11 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
     with sheet.scoped("drive_"):
         s, proposed = view.chosen, "empty: that which the sheet Selection proposes"
         sheet.heading("Enter")
-        sheet.rows(
-            cell("@motor_name", s.motor, source=proposed),
-            cell("@reducer_name", s.reducer, source=proposed),
-        )
+        sheet.rows(cell("@motor_name", s.motor, source=proposed), cell("@reducer_name", s.reducer, source=proposed))
         outcome(sheet, view)
         sheet.checks(*checks(view))
         sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=11, row=5, width=6, height=22)
-        torque = Series("torque", "[@pt.t]", "[@pt.T]")
-        over = Chart(
-            "Torque of the motor over a cycle", "time t [s]", "T [Nm]", (torque,), "Torque of the motor over one cycle"
-        )
-        sheet.chart(over, column=11, row=28, width=6, height=16)
+        sheet.chart(CHARTS["Torque of the motor over a cycle"], column=11, row=28, width=6, height=16)
         sheet.row = max(sheet.row, BELOW_CHARTS)
         sheet.not_printed_below()
         in_use(sheet, view)
@@ -180,7 +170,7 @@ def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     to = f"MIN({begin}+INDEX([tool_pieces.d],[q]),IF([after]<0,@slowest,fly_tc))"
     origin, place = "INDEX(tool_origin,[q])", "=IF([look]=1,[middle],[at-1])"
     nearer = f"{origin}+[u]-2*[v]/([a]+[after]*SQRT(MAX(0,[a]^2-2*[j]*[v])))"
-    sheet.heading("Workings: where the tool turns round", ABOUT_TURNS)
+    cell.begin(sheet)
     sheet.rows(
         cell("@slowest", cycle.slowest),
         cell("@least", cut.slowest_speed, formula=LEAST, source=least),
@@ -216,11 +206,8 @@ def intervals(sheet: Sheet, view: ToolDrive) -> None:
     passed = f"IF([k]>[@turns.q.{LOOKS}],1,0)+IF([k]>[@turns.q.last]+1,1,0)"
     begin = f"MAX(INDEX([tool_pieces.begin],[q]),IF([n]=0,0,INDEX([@turns.at],{LOOKS}*[n])))"
     way = filled(cycle.direction, room, float(cycle.direction[-1]))
-    sheet.table(
-        "@iv",
-        "Intervals of the cycle",
-        room,
-        cell("k", list(range(1, room + 1))),
+    cell.place(
+        sheet,
         cell("n", filled(turned, room, cycle.turns), passed=passed),
         cell("q", filled([number + 1 for number in piece], room, piece[-1] + 1)),
         cell("begin", filled(begins, room, time), used=used, begin=begin),
@@ -237,11 +224,8 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     numbers, cut_numbers = list(range(room)), [cut.piece for cut in view.cycle.intervals for _ in SHARES]
     pieces = filled([rows.pieces[k] for k in cut_numbers], room * POINTS, rows.pieces[-1])
     u = np.array(of(load.x)) - np.array([piece.origin for piece in pieces])
-    sheet.table(
-        "@pt",
-        "The drive at nine points of each interval",
-        room * POINTS,
-        cell("k", list(range(1, room * POINTS + 1))),
+    cell.place(
+        sheet,
         cell("iv", [k + 1 for k in numbers for _ in SHARES]),
         cell("s", list(SHARES) * room),
         cell("g", list(WEIGHTS) * room),

@@ -1,10 +1,11 @@
 """The demands of a product length on the tool and its shaft: the Lengths sheet, and its two tables on Cutter."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from engine.flying.cut import Beyond, Cut
-from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.cell_tables import cell_tables, formulas_by_row
+from workbook.book.chart_tables import charts_beside
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.entries.facts import entry_cells
 from workbook.fields.units import MM, shown
@@ -12,6 +13,7 @@ from workbook.machines.flying.entries import DRUM
 from workbook.machines.flying.view import CutterView, does
 
 CELLS = cell_tables(__file__)
+CHARTS = charts_beside(__file__)
 
 IS_DRUM = f'fly_kind="{DRUM}"'
 
@@ -50,33 +52,12 @@ def lengths_sheet(book: Book, machine: CutterView) -> None:
     """Declare the sheet: charts, then the table of product lengths."""
     sheet = book.sheet("Lengths", "Speeds, accelerations and load factor over the product length, at this line speed.")
     n = machine.sizes.lengths
-    sheet.heading("Enter", "Everything else is taken from the sheet Cutter.")
+    CELLS["lengths"].begin(sheet)
     sheet.rows(*entry_cells(machine.given.lengths, "cutter.lengths"))
     sheet.heading("Results")
-    charts = [
-        ("Speed of the tool", "speed [m/s]", (("lowest", "low"), ("highest", "high")), "speed"),
-        ("Acceleration of the tool", "acceleration [m/s²]", (("peak", "a"), ("RMS over the cycle", "a_rms")), "a"),
-        ("Load factor", "β [W/s]", (("load factor", "beta"),), "beta"),
-    ]
-    sheet.chart_row(
-        *(
-            Chart(
-                f"{title} against product length",
-                "product length L_p [mm]",
-                unit,
-                (
-                    *(Series(name, "[lengths.length]", f"[lengths.{column}]") for name, column in lines),
-                    Series("product entered", "[length_line.x]", f"[length_line.{at}]", dashed=True),
-                    Series("design length L_0", "[length_line.x0]", f"[length_line.{at}]", dashed=True, color="7F7F7F"),
-                    Series("L_p,lim", "[length_line.x1]", f"[length_line.{at}]", dashed=True, color="C00000"),
-                ),
-                f"{title} over the product length; marked are the product entered, L_0 and L_p,lim",
-            )
-            for title, unit, lines, at in charts
-        ),
-        width=6,
-        height=18,
-    )
+    factor = replace(CHARTS["Load factor, with its limits"], title="Load factor against product length")
+    tool = (CHARTS[f"{what} of the tool against product length"] for what in ("Speed", "Acceleration"))
+    sheet.chart_row(*tool, factor, width=6, height=18)
     cuts = [machine.of(length) for length in machine.lengths]
     sheet.table(
         "lengths",
@@ -101,10 +82,8 @@ def line(book: Book, machine: CutterView, cuts: Sequence[Cut]) -> None:
     def within(length: float) -> float:
         return length if e.shortest < length < e.longest else entered
 
-    book.sheets[-1].table(
-        "length_line",
-        "The product entered, L_0 and L_p,lim, as drawn in the charts",
-        2,
+    cell.place(
+        book.sheets[-1],
         cell("end", [0, 1]),
         cell("x", entered),
         cell("x0", within(shown(machine.tool.design_length, MM)), formula=among.format("fly_l0")),
@@ -119,38 +98,20 @@ def cases(sheet: Sheet, machine: CutterView) -> None:
     """Declare the cases that the product length decides between, and both ways of a product too long to keep moving."""
     e, limit = machine.given, machine.limit
     tool, whole = shown(machine.tool.tool_length, MM), shown(machine.tool.design_length, MM)
-    sheet.heading(
-        "The cases by product length", "S5, 'Variable length cut'; a saw has no design length, and always reverses."
-    )
-    sheet.table(
-        "cases",
-        "From one length to the next",
-        4,
-        CELLS["cases"](
-            "case", ["faster than the line", "in step with the line", "slower than the line", "waits, or reverses"]
-        ),
-        CELLS["cases"](
-            "low",
-            [min(tool, whole), whole, whole, max(tool, limit)],
-            formula=["=MIN(fly_lt,fly_l0)", "=fly_l0", "=fly_l0", "=MAX(fly_lt,fly_limit)"],
-        ),
-        CELLS["cases"](
-            "high",
-            [whole, whole, limit, max(e.lengths.longest, e.product_length)],
-            formula=["=fly_l0", "=fly_l0", "=fly_limit", "=MAX(fly_long,fly_length)"],
-        ),
-        CELLS["cases"]("here", ["is here" if k == machine.case else "-" for k in range(1, 5)]),
-        CELLS["cases"]("k", [1, 2, 3, 4]),
+    CELLS["cases"].begin(sheet)
+    cell, formulas = CELLS["cases"], formulas_by_row(__file__, "by length")
+    longest = max(e.lengths.longest, e.product_length)
+    cell.place(
+        sheet,
+        cell("case", formulas["case"]),
+        cell("low", [min(tool, whole), whole, whole, max(tool, limit)], formula=formulas["low"]),
+        cell("high", [whole, whole, limit, longest], formula=formulas["high"]),
+        cell("here", ["is here" if k == machine.case else "-" for k in range(1, 5)]),
+        cell("k", [1, 2, 3, 4]),
     )
     ways: tuple[Beyond, ...] = ("standstill", "reversal")
     cuts = [machine.of(machine.given.product_length, way) for way in ways]
-    sheet.heading(
-        "Standstill or reversal", "What this product asks for either way; the same unless it is longer than L_p,lim."
-    )
-    sheet.table(
-        "strategies",
-        "Both ways with products longer than L_p,lim",
-        2,
-        CELLS["strategies"]("way", list(ways)),
-        *lengths_columns(machine, cuts, "fly_length", "[way]"),
+    CELLS["strategies"].begin(sheet)
+    CELLS["strategies"].place(
+        sheet, CELLS["strategies"]("way", list(ways)), *lengths_columns(machine, cuts, "fly_length", "[way]")
     )

@@ -8,18 +8,20 @@ import numpy as np
 from engine.laws.base import Array
 from engine.selection.task import NOTHING
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.chart_tables import charts_beside
 from workbook.book.declare import Book, Sheet
 from workbook.book.rows import filled
 from workbook.machines.flying.view import ToolDrive
 
 CELLS = cell_tables(__file__)
+CHARTS = charts_beside(__file__)
 
 POINTS = 24  # of the curves of figure 12
 LEAST, MOST = 0.001, 0.1  # of α, where they begin
 OFF = -1.0  # left of the charts' edge: where what is not drawn is
 FINE = '0.0000##;-0.0000##;"–"'
-TALL = {"width": 9, "height": 24}
+FIGURE_11 = "Ratios that each motor accepts, and reducers (S5, figure 11)"
+FIGURE_12 = "Ratios against the load factor, motor in use (S5, figure 12)"
 
 
 class RatiosSheet:
@@ -40,7 +42,9 @@ class RatiosSheet:
         sheet = book.sheet("Ratios", "Which transmission ratios each motor accepts: S5, steps 3 to 5, figures 11, 12.")
         sheet.heading("Enter")
         sheet.rows(cell("ratio_eta", self.efficiency))
-        sheet.chart_row(figure11(self.rooms[0]), figure12(), **TALL)
+        figure11 = replace(CHARTS[FIGURE_11], x_range=(0, self.rooms[0] + 1, 1), log_y=True)
+        figure12 = replace(CHARTS[FIGURE_12], x_range=(0, None, None), log_y=True)
+        sheet.chart_row(figure11, figure12, width=9, height=24)
         sheet.heading("Results")
         self.motors(sheet)
         sheet.not_printed_below()
@@ -76,10 +80,8 @@ class RatiosSheet:
         def of(values: Array) -> list[Any]:
             return filled(np.nan_to_num(values), n)
 
-        sheet.table(
-            "ratios",
-            "Motors (S5, steps 3 and 4)",
-            n,
+        cell.place(
+            sheet,
             cell("motor", filled(m.names, n, "")),
             cell("k", places.tolist()),
             cell("verdict", filled(words if self.task.moves else [], n, "–")),
@@ -107,20 +109,15 @@ class RatiosSheet:
         there = np.array(filled(fits, across, False))
         m, _ = self.view.pair
         sheet.row += 1
-        sheet.table(
-            "ratio_reducers",
-            "Figure 11: reducers that meet the load's torque and speed",
-            across,
-            CELLS["ratio_reducers"]("k", list(range(1, across + 1))),
+        CELLS["ratio_reducers"].place(
+            sheet,
             CELLS["ratio_reducers"]("fits", there.astype(int)),
             CELLS["ratio_reducers"]("x", np.where(there, 0.0, OFF)),
             CELLS["ratio_reducers"]("tau", self.drawn(choice.reducers.ratio, across, fits)),
             CELLS["ratio_reducers"]("right", there * (down + 1.0)),
         )
-        sheet.table(
-            "ratio_pair",
-            "The pair in use",
-            1,
+        CELLS["ratio_pair"].place(
+            sheet,
             CELLS["ratio_pair"]("x", [m + 1]),
             CELLS["ratio_pair"]("beta", [self.task.load_factor], scale=choice.shaft.product),
             CELLS["ratio_pair"]("tau", [1.0 / self.view.gears[1]]),
@@ -135,11 +132,8 @@ class RatiosSheet:
             return values if self.task.moves else still
 
         sheet.row += 1
-        sheet.table(
-            "figure12",
-            "Figure 12: the motor in use, with this load driven faster and slower",
-            POINTS,
-            cell("k", list(range(1, POINTS + 1))),
+        cell.place(
+            sheet,
             cell("share", x.share),
             cell("beta", x.load_factor),
             cell("pace", x.rate_factor),
@@ -149,57 +143,3 @@ class RatiosSheet:
             cell("tau_opt", drawn(x.tau_opt)),
             cell("tau_max", drawn(x.tau_max)),
         )
-
-
-def figure11(motors: int) -> Chart:
-    """Return a line up for each motor, a line across for each reducer."""
-    lines = (
-        Series(
-            "motors: from max(τ_min, τ_lim)",
-            "[ratios.x]",
-            "[ratios.from]",
-            points=True,
-            marker="dash",
-            up="[ratios.up]",
-            color="0072B2",
-        ),
-        Series("to τ_max", "[ratios.x]", "[ratios.to]", points=True, marker="dash", color="0072B2"),
-        Series("τ_opt", "[ratios.x]", "[ratios.best]", points=True, marker="circle", color="0072B2"),
-        Series(
-            "across: reducers that hold the load",
-            "[ratio_reducers.x]",
-            "[ratio_reducers.tau]",
-            points=True,
-            right="[ratio_reducers.right]",
-            color="A6A6A6",
-        ),
-        Series("pair in use", "[ratio_pair.x]", "[ratio_pair.tau]", points=True, marker="diamond", color="D55E00"),
-    )
-    return Chart(
-        "Ratios that each motor accepts, and reducers (S5, figure 11)",
-        "number of the motor in its table",
-        "transmission ratio τ",
-        lines,
-        "A vertical line for each motor from its least to its largest ratio, a horizontal line for each reducer",
-        (0, motors + 1, 1),
-        log_y=True,
-    )
-
-
-def figure12() -> Chart:
-    """Return the ratios over the load factor."""
-    lines = (
-        Series("τ_max", "[figure12.beta]", "[figure12.tau_max]", color="C00000"),
-        Series("τ_opt", "[figure12.beta]", "[figure12.tau_opt]", dashed=True, color="404040"),
-        Series("τ_min", "[figure12.beta]", "[figure12.tau_min]", color="000000"),
-        Series("pair in use", "[ratio_pair.beta]", "[ratio_pair.tau]", points=True, marker="diamond", color="D55E00"),
-    )
-    return Chart(
-        "Ratios against the load factor, motor in use (S5, figure 12)",
-        "load factor β [W/s]",
-        "transmission ratio τ",
-        lines,
-        "Largest, best and least transmission ratio of the motor in use against the load factor",
-        (0, None, None),
-        log_y=True,
-    )

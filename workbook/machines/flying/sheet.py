@@ -6,7 +6,7 @@ from engine.flying.cut import LONGER, SAME_LENGTH
 from engine.laws import Dwell
 from engine.laws.points import fastest
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.chart_tables import charts_beside
 from workbook.book.declare import FIRST, Book, Quantity, Sheet
 from workbook.book.sentence import amount
 from workbook.entries.facts import entry_cells
@@ -18,7 +18,18 @@ from workbook.motion.pieces import ROOM
 from workbook.motion.smooth import Joints
 
 CELLS = cell_tables(__file__)
-TIME, LENGTH = "time t [s]", "product length L_p [mm]"
+CHARTS = charts_beside(__file__)
+OF_MOTION = (
+    "Speed of the tool over a cycle",
+    "Position of the tool and of the product",
+    "Acceleration of the tool over a cycle",
+)
+OF_LOAD = (
+    "Generalized load torque at the shaft",
+    "Torque against speed of the shaft",
+    "Load factor against product length",
+)
+"""the charts of the tool's motion and of its shaft's load"""
 
 OTHER_KIND = dict.fromkeys(("fly_saw", "fly_lead", "fly_room"), 'fly_kind="drum"') | dict.fromkeys(
     ("fly_tools", "fly_radius", "fly_angle", "fly_beyond"), 'fly_kind="saw"'
@@ -45,10 +56,8 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
     sheet.heading("Workings")
     sheet.rows(*geometry(machine), *superimposed(machine))
     sheet.row += 1
-    sheet.table(
-        "fastest",
-        "Where each law is fastest: there a drum that slows down is slowest, and waits if it has to",
-        len(laws),
+    cell.place(
+        sheet,
         cell("law", [law.name for law in laws], formula=[f"=INDEX(law_code,{law.number})" for law in laws]),
         cell(
             "at",
@@ -114,7 +123,6 @@ def kinematics(sheet: Sheet, machine: CutterView, stroke: float) -> None:
 
 def verdicts(sheet: Sheet, machine: CutterView, joints: Joints, by_points: float) -> None:
     """Declare the checks."""
-    cell = CELLS["verdicts"]
     cut, limits = machine.cut, machine.given.limits
     fastest, hardest = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration
     stroke = 0.0 if machine.is_drum else shown(by_points, MM)
@@ -123,33 +131,30 @@ def verdicts(sheet: Sheet, machine: CutterView, joints: Joints, by_points: float
         "AND(INDEX(law_wrong,fly_no)<check_zero,INDEX(law_v_low,fly_no)>=0-check_zero,"
         "MAX(fly_ends,fly_misses)<check_zero,fly_cv>=fly_least_cv)"
     )
+    cell = CELLS["verdicts"].sharing(near=near, is_drum=IS_DRUM)
     sheet.checks(
         cell(
             "fly_ok_speed",
             fastest <= limits.speed,
-            near=near,
             says=amount("fly_n-fly_rpm_max", fastest - limits.speed, "", " rpm too much"),
         ),
         cell(
             "fly_ok_acceleration",
             hardest <= limits.acceleration,
-            near=near,
             says=amount("fly_dw-fly_dw_max", hardest - limits.acceleration, "", " rad/s² too much"),
         ),
         cell(
             "fly_ok_stroke",
             machine.is_drum or stroke <= machine.given.saw.stroke,
-            is_drum=IS_DRUM,
-            near=near,
             says=amount("fly_stroke-fly_room", stroke - machine.given.saw.stroke, "", " mm too much"),
         ),
         joints.check("fly_ok_smooth", "The tool moves as smoothly as asked"),
         cell("fly_ok_length", True),
-        cell("fly_ok_tools", True, is_drum=IS_DRUM),
+        cell("fly_ok_tools", True),
         cell("fly_ok_load", True),
         cell("fly_ok_range", True),
         cell("fly_ok_pieces", True, room=ROOM),
-        cell("fly_ok_angle", True, is_drum=IS_DRUM),
+        cell("fly_ok_angle", True),
         cell("fly_ok_law", True, law=law),
     )
 
@@ -197,70 +202,6 @@ def superimposed(machine: CutterView) -> list[Quantity]:
 
 def charts(sheet: Sheet) -> None:
     """Place the tool's motion, and right of it the load of its shaft, beside what is entered and what comes out."""
-    for row, chart in zip((5, 24, 43), motion_charts(), strict=True):
-        sheet.chart(chart, column=10, row=row, width=4, height=18)
-    for row, chart in zip((5, 24, 43), load_charts(), strict=True):
-        sheet.chart(chart, column=14, row=row, width=3, height=18)
-
-
-def line_chart(title: str, x: str, y: str, about: str, *lines: tuple[str, str, str]) -> Chart:
-    """Return a chart of lines, each with a name and the columns of both axes; dashed from the second on."""
-    drawn = tuple(Series(name, f"[{t}]", f"[{f}]", dashed=k > 0) for k, (name, t, f) in enumerate(lines))
-    return Chart(title, x, y, drawn, about)
-
-
-def motion_charts() -> list[Chart]:
-    """Return the charts of the tool's motion."""
-    return [
-        line_chart(
-            "Speed of the tool over a cycle",
-            TIME,
-            "speed [m/s]",
-            "Speed of the tool over one cycle, with the line speed that it works at",
-            ("tool", "cycle.t", "cycle.v"),
-            ("line", "cycle.t", "cycle.line"),
-        ),
-        line_chart(
-            "Position of the tool and of the product",
-            TIME,
-            "position [mm]",
-            "Position of the tool along its path over one cycle, with the product's",
-            ("tool", "cycle.t", "cycle.s"),
-            ("product", "cycle.t", "cycle.product"),
-        ),
-        line_chart(
-            "Acceleration of the tool over a cycle",
-            TIME,
-            "acceleration [m/s²]",
-            "Acceleration of the tool over one cycle",
-            ("tool", "cycle.t", "cycle.a"),
-        ),
-    ]
-
-
-def load_charts() -> list[Chart]:
-    """Return the charts of the load of the tool's shaft."""
-    return [
-        line_chart(
-            "Generalized load torque at the shaft",
-            TIME,
-            "T*_L [Nm]",
-            "Load torque and inertia torque at the tool's shaft over one cycle",
-            ("T*_L = T_L + J_L ω̇_L", "cycle.t", "cycle.torque"),
-        ),
-        line_chart(
-            "Torque against speed of the shaft",
-            "n [rpm]",
-            "T*_L [Nm]",
-            "Generalized load torque against the speed of the tool's shaft over one cycle",
-            ("one cycle", "cycle.n", "cycle.torque"),
-        ),
-        line_chart(
-            "Load factor against product length",
-            LENGTH,
-            "β [W/s]",
-            "Load factor over the product length at this line speed, with the product entered marked",
-            ("load factor", "lengths.length", "lengths.beta"),
-            ("product entered", "length_line.x", "length_line.beta"),
-        ),
-    ]
+    for column, width, titles in ((10, 4, OF_MOTION), (14, 3, OF_LOAD)):
+        for row, title in zip((5, 24, 43), titles, strict=True):
+            sheet.chart(CHARTS[title], column, row, width, height=18)

@@ -11,8 +11,8 @@ from workbook.book.summary import summary_sheet
 from workbook.entries.facts import vary
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
+from workbook.law_sheets import library
 from workbook.law_sheets.book_laws import BookLaws
-from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, single_humped, vary_laws, varying
 from workbook.machines.flying.cycle import cycle_sheet, joints_of, rows_of
 from workbook.machines.flying.drive import drive_sheet
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
@@ -79,7 +79,7 @@ def declare(given: FlyingCutter) -> Book:
 
 def axes(machine: FlyingCutter) -> list[CamAxis]:
     """Return the tool along its path, and the shaft that drives it; both go on from where a cycle ends."""
-    cut = CutterView(machine, laws(machine.laws)).cut
+    cut = CutterView(machine, library.laws(machine.laws)).cut
     profile, shaft = profile_of(cut_pieces(cut, whole=True), cut.cycle_time), shown(cut.tool.angle(1.0), DEGREE)
     return [
         CamAxis("tool", profile.in_units(1.0, shown(1.0, MM)), "s", "mm"),
@@ -97,12 +97,12 @@ def judgement(given: FlyingCutter) -> ExactJudgement:
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
-    k = turn % SIX
+    k = turn % library.SIX
     entries = data["cutter"]
-    vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
-    law = law_for(turn + 4, single_humped(data["laws"]))
-    if law in own_in(data["laws"]):
-        data["laws"][law]["pieces"] = RISING
+    library.vary_laws(data["laws"], k, library.factors(k), data["sizes"]["pieces"])
+    law = library.law_for(turn + 4, library.single_humped(data["laws"]))
+    if law in library.own_in(data["laws"]):
+        data["laws"][law]["pieces"] = library.RISING
     vary(entries, CutterEntry, k)
     drum, saw = entries["drum"], entries["saw"]
     if entries["kind"] == DRUM:
@@ -120,5 +120,5 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-VARIED = varying(FlyingCutter, varied, single_humped)
+VARIED = library.varying(FlyingCutter, varied, library.single_humped)
 TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, check, axes=axes, judgement=judgement)

@@ -19,6 +19,7 @@ from engine.laws.points import fastest
 from engine.motion import Phase
 from engine.selection.point_load import PointLoad
 from engine.selection.task import Task
+from workbook.book.cell_tables import formulas_by_row
 from workbook.book.rows import filled
 from workbook.book.sentence import figure
 from workbook.fields.texts import place_of
@@ -28,22 +29,12 @@ from workbook.law_sheets.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 from workbook.selection.entries import Limits, Selection, SelectionSizes
-from workbook.selection.pair_selection import (
-    Figure,
-    PairSelection,
-    Shaft,
-    limit_figures,
-    load_figures,
-    shaft_figures,
-)
+from workbook.selection.pair_selection import Figure, PairSelection, Shaft, load_figures, shaft_figures
 
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
 LOOKS = 4  # at each turn: from anywhere in a piece, the fourth is exact
 LEAST = 1e-3  # Nm, W, rad/s²: what is smaller is next to nothing
-UNPAIRED = [Figure("beside", "", "", "0", 0.0), Figure("left", "", "", "1", 1.0)]  # before a pair is chosen
-DRIVES, DRIVEN = ("*([@pt.S]*[@pt.dir]>=0)", "*([@pt.S]*[@pt.dir]<0)")
-"""where the shaft drives the load, and where the load drives it"""
 
 
 def tool_of(given: CutterEntry) -> Tool:
@@ -111,7 +102,10 @@ class CutterView:
 
 
 class ToolDrive:
-    """The tool's shaft behind a motor and its reducer: those that are named, else the proposed ones. SI units."""
+    """The tool's shaft behind a motor and its reducer: those that are named, else the proposed ones. SI units.
+
+    ``unpaired`` are the figures of the shaft before a pair is chosen.
+    """
 
     def __init__(self, machine: CutterView, chosen: Selection, reserves: Limits, sizes: SelectionSizes) -> None:
         self.machine, self.chosen, self.reserves, self.sizes = machine, chosen, reserves, sizes
@@ -121,12 +115,9 @@ class ToolDrive:
         self.torque = max(self.demand.torque, scales["Nm"], LEAST)  # the scale of torques of the shaft
         hardest = float(np.abs(bare.shaft_acceleration).max())
         self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
-        self.cycles = "3600/fly_tc", shown(1.0 / cut.cycle_time, PER_HOUR)  # an hour: the formula, and the figure
-        self.held = limit_figures(reserves, "limits_")
-        bare_shaft = [*UNPAIRED, *(Figure(name, "", "", *of) for name, of in self.held.items())]
-        self.proposal = PairSelection(
-            chosen, sizes, [self._shaft([*bare_shaft, Figure("cycles", "", "", *self.cycles)])]
-        )
+        self.unpaired = dict(reserves) | {"beside": 0.0, "left": 1.0, "cycles": shown(1.0 / cut.cycle_time, PER_HOUR)}
+        bare_shaft = [Figure(name, "", "", "", value) for name, value in self.unpaired.items()]
+        self.proposal = PairSelection(chosen, sizes, [self._shaft(bare_shaft)])
 
         ranked, motors, reducers = self.proposal.ranked, self.proposal.motors, self.proposal.reducers
         m, r = ranked[self.proposal.proposed or 0] if ranked else (0, 0)  # the first of all where no pair can do it
@@ -237,30 +228,29 @@ class ToolDrive:
     def choosing(self) -> PairSelection:
         """Return the choice of motor and reducer, with the pair in use."""
         motor, gears, reserves, (m, r) = self.motor, self.gears, self.reserves, self.pair
-        rows = shaft_figures("drive_", load_figures(self.demand, self.turning, self.torque), {
-            "own": mean("al", "al"), "square": mean("S", "S", DRIVES), "square_back": mean("S", "S", DRIVEN),
-            "product": mean("al", "S", DRIVES), "product_back": mean("al", "S", DRIVEN), "way": mean("dir", "dir"),
-            "way_turning": mean("al", "dir"), "way_behind": mean("S", "dir", DRIVES),
-            "way_back": mean("S", "dir", DRIVEN), "speed": "fly_w_max",
-            "mean": "SUMPRODUCT([@pt.share],([@pt.w]^2)^0.5)", "smax": "@smax", "smean": "@smean",
-            "cycles": self.cycles, "inertia": "fly_j", "beside": ("0", 0.0), "brake": ("0", 0.0),
-            "by_power": ("1", 1.0), "left": ("1", 1.0), **self.held, "held_j": ("@j", gears.inertia),
-            "held_jm": ("@jm", motor.inertia), "held_i": ("@i", gears.ratio), "held_eta": ("@eta", gears.efficiency),
-            "held_no_load": ("@no_load", gears.no_load),
-            "held_rated": ("@continuous*limits_rms_reserve", self.reserve.rms_torque.limit * reserves.rms_reserve),
-            "held_peak": ("@motor_peak*limits_peak_reserve", motor.peak_torque * reserves.peak_reserve),
-            "held_top": ("MAX(@tmax,0-@tmin)", self.peak, self.motor_torque),
-            "held_spare": ("@spare", float(self.left.min()), max(self.motor_torque, motor.peak_torque)),
-            "held_nmax": ("@motor_nmax*limits_speed_reserve", shown(motor.max_speed, RPM) * reserves.speed_reserve),
-            "held_row": ("@motor_row", m + 1),
-            "held_gear": ("@reducer_row", r + 1), "turns": ("1", 1.0),
-        })  # fmt: skip
-        return PairSelection(self.chosen, self.sizes, [self._shaft(rows)])
-
-
-def mean(first: str, second: str, where: str = "") -> str:
-    """Return the formula of the mean of a product over the cycle."""
-    return f"SUMPRODUCT([@pt.share]{where},[@pt.{first}],[@pt.{second}])"
+        rows = formulas_by_row(__file__, "as Selection reads it")
+        formulas = dict(zip(rows["figure"], rows["reads"], strict=True))
+        values = {
+            **load_figures(self.demand, self.turning, self.torque),
+            **self.unpaired,
+            "brake": 0.0,
+            "by_power": 1.0,
+            "held_j": gears.inertia,
+            "held_jm": motor.inertia,
+            "held_i": gears.ratio,
+            "held_eta": gears.efficiency,
+            "held_no_load": gears.no_load,
+            "held_rated": self.reserve.rms_torque.limit * reserves.rms_reserve,
+            "held_peak": motor.peak_torque * reserves.peak_reserve,
+            "held_top": (self.peak, self.motor_torque),
+            "held_spare": (float(self.left.min()), max(self.motor_torque, motor.peak_torque)),
+            "held_nmax": shown(motor.max_speed, RPM) * reserves.speed_reserve,
+            "held_row": m + 1,
+            "held_gear": r + 1,
+            "turns": 1.0,
+        }
+        figures = shaft_figures("drive_", formulas, values)
+        return PairSelection(self.chosen, self.sizes, [self._shaft(figures)])
 
 
 def does(cut: Cut) -> str:

@@ -33,10 +33,8 @@ def comparison_sheet(book: Book, view: ComparedLaws) -> None:
     cell, least = CELLS["curves"], CELLS["least"]
     sheet = book.sheet("Comparison", "Every law of the book side by side: curves, coefficients, and what each costs.")
     sheet.heading("Enter: up to four laws, whose curves are drawn over one another")
-    sheet.table(
-        "curves",
-        "One law each row; leave spare rows empty",
-        MOST_CURVES,
+    cell.place(
+        sheet,
         cell("law", filled(view.entered, MOST_CURVES, None)),
         cell("k", list(range(1, MOST_CURVES + 1))),
         cell("no", [curve.number for curve in view.curves]),
@@ -69,10 +67,8 @@ def costs(sheet: Sheet, view: ComparedLaws) -> None:
     """Declare the table of all laws with their coefficients, costs and continuity."""
     cell, laws = CELLS["costs"], view.moving
     coefficients = [law.law.coefficients for law in laws]
-    table = sheet.table(
-        "costs",
-        "Laws, in the order of the sheet Laws",
-        len(laws),
+    table = cell.place(
+        sheet,
         *cell.of_rows(laws, law="name", family="words"),
         *(cell(name, [finite(getattr(each, name)) for each in coefficients]) for name in LOOKED_UP),
         *cell.of_rows(coefficients, loss="loss", va="va"),
@@ -102,10 +98,8 @@ def names_sheet(book: Book, view: ComparedLaws) -> None:
         "Names, with the number there", f"{NONE} where there is none, or none is sure; with parameters as delivered."
     )
     laws = view.moving
-    sheet.table(
-        "elsewhere",
-        "Laws",
-        len(laws),
+    cell.place(
+        sheet,
         cell("law", [law.name for law in laws], formula=[f"=[costs.law.{i}]" for i in range(1, len(laws) + 1)]),
         *(cell(vendor, [getattr(law.law.vendors, vendor) or NONE for law in laws]) for vendor in VENDORS),
     )
@@ -122,10 +116,8 @@ def samples(sheet: Sheet, view: ComparedLaws) -> None:
     n, stack = view.sizes.cycle, view.stack
     for i, curve in zip(CURVES, view.curves, strict=True):
         values = dict(zip("svaj", curve.law.evaluate(view.xi), strict=True))
-        sheet.table(
-            f"samples{i}",
-            f"Curve {i} over ξ = t / t_a",
-            n + 1,
+        cell.sharing(i=i).place(
+            sheet,
             cell("k", list(range(n + 1))),
             cell("xi", view.xi, i=i),
             *stack.columns(values, "svaj", result),
@@ -137,10 +129,8 @@ def samples(sheet: Sheet, view: ComparedLaws) -> None:
 def joints_table(sheet: Sheet, view: ComparedLaws) -> None:
     """Declare the table of joints: rates at both ends of each piece, what jumps before it, and what stays smooth."""
     cell, rows, sines = CELLS["joints"], view.joints, 1 + view.stack.second_sine
-    sheet.table(
-        "joints",
-        "Pieces of each law, and the rest behind it",
-        len(rows),
+    cell.place(
+        sheet,
         *cell.of_rows(rows, law="law.name", no="law.number", k="k", q="row", d="at.duration"),
         cell("u", [row.at.duration + LEAST for row in rows], not_zero=NOT_ZERO),
         *(cell(name, [row.at.angles[i] for row in rows]) for i, name in enumerate(("x", "x2")[:sines])),

@@ -20,22 +20,20 @@ NO_DRIVE, ENTERED, MACHINES = "–", "as entered", "machine's"
 
 def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveView]) -> None:
     """Declare a row for each axis of the table ``axes``: its travel and rates, and its motor where there are drives."""
-    cell = CELLS["axes_short"]
     axes, symbols = machine.axes, machine.over.symbols
     reaches = [[shown(end, axis.unit) for end in axis.motion.reach] for axis in axes]
     number = [axis.number for axis in axes]
     speed, acceleration = (units(machine, order) for order in (1, 2))
     of_motors = motors(axes, drives) if drives else []
     sheet.row += 1
-    block = sheet.table(
-        "axes_short",
-        "Axes",
-        len(axes),
-        cell("axis", [axis.given.name for axis in axes], number=number),
+    cell = CELLS["axes_short"].sharing(number=number)
+    block = cell.place(
+        sheet,
+        cell("axis", [axis.given.name for axis in axes]),
         *of_motors[:2],
-        cell("travel", [high - low for low, high in reaches], unit=units(machine), number=number),
-        cell("v", [axis.max_velocity for axis in axes], symbol=symbols[1], unit=speed, number=number),
-        cell("a", [axis.max_acceleration for axis in axes], symbol=symbols[2], unit=acceleration, number=number),
+        cell("travel", [high - low for low, high in reaches], unit=units(machine)),
+        cell("v", [axis.max_velocity for axis in axes], symbol=symbols[1], unit=speed),
+        cell("a", [axis.max_acceleration for axis in axes], symbol=symbols[2], unit=acceleration),
         *of_motors[2:-2],
     )
     if drives:

@@ -17,10 +17,6 @@ from workbook.machines.machine.drive.view import DriveView
 
 CELLS = cell_tables(__file__)
 
-CUTS = (
-    "In each half of an interval a drive takes between what two straight lines say: the sums of these lines between "
-    "two cuts of any drive bound the bus, whatever its samples miss."
-)
 HALF = POINTS // 2  # points from the begin of an interval to its middle, and from there to its end
 SMALL = 1e-9  # share of a drive's larger peak up to which the other is none; the cells' check_zero
 kw = partial(shown, unit=KW)
@@ -128,12 +124,9 @@ def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
     row, number = ([*column] for column in zip(*each, strict=True))
     first = [1 + POINTS * k + side for drive in cuts.drives for k in range(drive.rows) for side in (0, HALF)]
     slope = sheet.sizes.get("kW", 0.0)  # a difference of powers, exact to their own digits, over some degrees
-    sheet.heading("Bounds of the power of the bus", CUTS)
-    sheet.table(
-        "bus_cuts",
-        "Halves of the intervals of all drives, and what they add up to between all cuts",
-        len(each),
-        cell("row", list(range(1, len(each) + 1))),
+    cell.begin(sheet)
+    cell.place(
+        sheet,
         cell("axis", number),
         cell("k", first),
         *(cell(f"s{n}", shares.tolist()) for n, shares in enumerate(cuts.inner.T, 1)),

@@ -36,7 +36,7 @@ def gap_workings(sheet: Sheet, gap: ClearanceView) -> None:
 
 def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
     """Return the columns of both axes at angles of the column theta: cycles begun, piece, u, position; and the gap."""
-    cell = CELLS["at_angles"]
+    cell = CELLS["at_angles"].sharing(size=gap.size)
     cells, n = [], gap.number
     for rows, mark, of, y in zip(gap.rows, MARKS, OF, gap.positions(angles), strict=True):
         axis, unshifted = rows.axis, rows.axis.unshifted(si(angles, DEGREE))
@@ -44,27 +44,22 @@ def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
         own = f"({place})*1000" if axis.given.unit == "mm" else f"DEGREES({place})"
         cells += [
             cell("n{mark}", unshifted.cycles, mark=mark, of=of, late=late),
-            cell("p{mark}", shown(unshifted.x, DEGREE), mark=mark, of=of, late=late, scale=TURN),
+            cell("p{mark}", shown(unshifted.x, DEGREE), mark=mark, of=of, late=late),
             *finding(rows.pieces, f"p{mark}", unshifted.x, of, mark),
-            cell("y{mark}", y, mark=mark, of=of, unit=axis.given.unit, own=own, number=axis.number, scale=gap.size),
+            cell("y{mark}", y, mark=mark, of=of, unit=axis.given.unit, own=own, number=axis.number),
         ]
     first = "[ya]"
     if gap.table:
         y, first = gap.positions(angles)[0], "[free]"
-        cells += [
-            cell("line", gap.table.row(y) + 1.0, n=n),
-            cell("free", gap.table.position(y), unit=gap.unit, n=n, scale=gap.size),
-        ]
-    return [*cells, cell("gap", gap.gaps(angles), unit=gap.unit, n=n, first=first, scale=gap.size)]
+        cells += [cell("line", gap.table.row(y) + 1.0, n=n), cell("free", gap.table.position(y), unit=gap.unit, n=n)]
+    return [*cells, cell("gap", gap.gaps(angles), unit=gap.unit, n=n, first=first)]
 
 
 def least(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare the positions of both axes, and the gap, at the lowest of the points and at that of the parabolas."""
     cell = CELLS["least"]
-    sheet.table(
-        f"clear{gap.number}_least",
-        "Where the gap is least",
-        2,
+    cell.sharing(number=gap.number).place(
+        sheet,
         cell("k", [1, 2]),
         cell("theta", gap.lowest_at, angle=gap.over.angle, n=gap.number, scale=TURN),
         *at_angles(gap, gap.lowest_at),
@@ -73,16 +68,13 @@ def least(sheet: Sheet, gap: ClearanceView) -> None:
 
 def points(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare the gap and its slope at points of the cycle, and the lowest point of the parabola before each."""
-    cell = CELLS["points"]
     n, angles, low, size = gap.number, gap.angles, gap.lowest, gap.size
-    last_part, last = PARTS_OF[gap.parts][-1][0], len(angles)
+    last_part = PARTS_OF[gap.parts][-1][0]
     of_first = f"*INDEX([clear{n}_pairs.slope],[line])" if gap.table else ""
-    sheet.table(
-        f"clear{n}_points",
-        "The gap over the turn",
-        last,
-        cell("k", list(range(1, last + 1))),
-        cell("theta", angles, angle=gap.over.angle, n=n, last_part=last_part, scale=TURN),
+    cell = CELLS["points"].sharing(n=n, unit=gap.unit)
+    cell.place(
+        sheet,
+        cell("theta", angles, angle=gap.over.angle, last_part=last_part, scale=TURN),
         *at_angles(gap, angles),
         *(
             cell(
@@ -96,13 +88,13 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
             )
             for mark, of, rows, values in zip(MARKS, OF, gap.rows, gap.velocities, strict=True)
         ),
-        cell("slope", gap.slopes, unit=gap.unit, n=n, of_first=of_first, scale=float(np.abs(gap.slopes).max())),
-        cell("fall", low.fall, unit=gap.unit, scale=size),
-        cell("rise", low.rise, unit=gap.unit, scale=size),
-        cell("share", low.share, n=n),
-        cell("low", low.gap, unit=gap.unit, scale=size),
-        cell("nearest", gap.near(gap.gaps(angles)), n=n),
-        cell("near", gap.near(low.gap), n=n),
+        cell("slope", gap.slopes, of_first=of_first, scale=float(np.abs(gap.slopes).max())),
+        cell("fall", low.fall, scale=size),
+        cell("rise", low.rise, scale=size),
+        cell("share", low.share),
+        cell("low", low.gap, scale=size),
+        cell("nearest", gap.near(gap.gaps(angles))),
+        cell("near", gap.near(low.gap)),
         cell("angle", low.angle, scale=TURN),
     )
 
@@ -110,7 +102,7 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
 def cuts(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare where the pieces of both axes begin, and further parts of them, from 0 to 360°."""
     cell = CELLS["cuts"]
-    cells, room = [], gap.rows[0].machine.room
+    cells = []
     names = PARTS_OF[gap.parts]
     for end, (rows, mark, of) in enumerate(zip(gap.rows, MARKS, OF, strict=True)):
         i = rows.axis.number
@@ -118,13 +110,7 @@ def cuts(sheet: Sheet, gap: ClearanceView) -> None:
         span = f"DEGREES(INDEX([axis{i}_pieces.d],[r])"
         places += [f"[begin{mark}]+{span}*{k}/{gap.parts})" for k in range(1, gap.parts)]
         cells += [
-            cell("{name}{mark}", values, name=name, mark=mark, of=of, words=words, place=place, scale=TURN)
+            cell("{name}{mark}", values, name=name, mark=mark, of=of, words=words, place=place)
             for (name, words), place, values in zip(names, places, gap.cuts(end), strict=True)
         ]
-    sheet.table(
-        f"clear{gap.number}_cuts",
-        "The pieces of both axes over the turn",
-        room,
-        cell("r", list(range(1, room + 1))),
-        *cells,
-    )
+    cell.sharing(number=gap.number).place(sheet, *cells)

@@ -59,10 +59,8 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
     unit = units.pop() if len(units) == 1 else "mm, °"
     entry = table_of(ClearanceEntry).columns([gap.given for gap in gaps], "clearances", len(gaps))
     size, least = max(gap.size for gap in gaps), [f"=MIN([clear{gap.number}_least.gap])" for gap in gaps]
-    entered = sheet.table(
-        "clearances",
-        "Clearances",
-        len(gaps),
+    entered = cell.place(
+        sheet,
         entry("name"),
         cell("k", [gap.number for gap in gaps]),
         axis_name("first", gaps, 0),
@@ -128,26 +126,17 @@ def gap_chart(gap: ClearanceView) -> Chart:
 
 def pairs(sheet: Sheet, gap: ClearanceView, table: FreePositions) -> None:
     """Declare the pairs of a clearance: what is entered, and the lines between them."""
-    cell = CELLS["pairs"]
     n, units = gap.number, [rows.axis.given.unit for rows in gap.rows]
     column = table_of(FreePosition).columns(gap.given.pairs, f"clearances.{n - 1}.pairs", PAIRS)
     after = [(f"[clear{n}_pairs.at.{k}]", f"[clear{n}_pairs.free.{k}]") for k in range(2, PAIRS + 1)]
     slopes = [f"=IF(COUNT({at})=1,({free}-[free])/({at}-[at]),0)" for at, free in after]
     sheet.row += 1
-    sheet.table(
-        f"clear{n}_pairs",
-        f"Clearance {n}: how far the second axis is free; leave spare rows empty",
-        PAIRS,
-        cell("k", list(range(1, PAIRS + 1))),
+    cell = CELLS["pairs"].sharing(unit=units[0], n=n, near=table.near)
+    cell.place(
+        sheet,
         column("at", unit=units[0]),
         column("free", unit=units[1]),
-        cell(
-            "begin",
-            filled(table.at.tolist(), PAIRS, float(table.at[-1])),
-            unit=units[0],
-            n=n,
-            scale=float(np.ptp(table.at)),
-        ),
+        cell("begin", filled(table.at.tolist(), PAIRS, float(table.at[-1])), scale=float(np.ptp(table.at))),
         cell(
             "slope",
             filled(table.slopes.tolist(), PAIRS, 0.0),
@@ -156,10 +145,7 @@ def pairs(sheet: Sheet, gap: ClearanceView, table: FreePositions) -> None:
             scale=float(np.abs(table.slopes).max()),
         ),
     )
-    sheet.rows(
-        cell("clear{n}_pairs_used", len(table.at), n=n),
-        cell("clear{n}_near", table.near, n=n, unit=units[0], scale=table.near),
-    )
+    sheet.rows(cell("clear{n}_pairs_used", len(table.at)), cell("clear{n}_near", table.near))
 
 
 def covered_check(gap: ClearanceView, table: FreePositions) -> Quantity:
@@ -179,9 +165,4 @@ def clearance_check(gap: ClearanceView) -> Quantity:
     place = amount(least, gap.least, ": ", f" {unit} at ")
     says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
     sentence = f"{round(gap.over.shown(gap.place), AT):.15g}{after}; expected at least {gap.given.least:.15g} {unit}"
-    return cell(
-        "clear{n}_kept",
-        gap.is_left,
-        n=n,
-        says=CheckSentence(says, f"{gap.given.name}{place.text}{sentence}"),
-    )
+    return cell("clear{n}_kept", gap.is_left, n=n, says=CheckSentence(says, f"{gap.given.name}{place.text}{sentence}"))

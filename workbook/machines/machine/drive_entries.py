@@ -8,16 +8,7 @@ from pydantic import Field, model_validator
 from workbook.book.sentence import figure
 from workbook.drive.entries import BackEfficiency, Efficiency, RotatingParts
 from workbook.fields.texts import LOOKED_UP
-from workbook.fields.types import (
-    DesignError,
-    EmptyCell,
-    EntryError,
-    MakesCells,
-    Model,
-    NotNegative,
-    Number,
-    Positive,
-)
+from workbook.fields.types import DesignError, EmptyCell, EntryError, MakesCells, Model, NotNegative, Number, Positive
 from workbook.machines.machine.entries_beside import Name
 from workbook.selection.catalogue import Factor
 from workbook.selection.entries import Products, Ranked

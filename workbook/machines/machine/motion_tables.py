@@ -9,12 +9,7 @@ from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import HIGH, LOW, Pieces
 from workbook.machines.machine.boundary.bends import bends_table
-from workbook.machines.machine.boundary.curve_extremes import (
-    points,
-    polynomial_extremes,
-    pulse_extremes,
-    step_extremes,
-)
+from workbook.machines.machine.boundary.curve_extremes import points, polynomial_extremes, pulse_extremes, step_extremes
 from workbook.machines.machine.boundary.curves import curves_between_ends, end_kinds
 from workbook.machines.machine.boundary.handover import AxisHandover, taken_by_pieces
 from workbook.machines.machine.boundary.required import required_ends
@@ -130,13 +125,15 @@ def row_by_row(tables: AxisTables, rest: str, phase: str) -> list[str]:
 
 def step_columns(tables: AxisTables) -> list[Quantity]:
     """Return the columns of where steps begin, how long they last, their laws, lifts and positions."""
-    cell, t, axis, handed = CELLS["step_columns"], tables.name, tables.axis, tables.ends
+    t, axis, handed = tables.name, tables.axis, tables.ends
     motion, base, end = axis.motion, axis.base, f"[{tables.name}.begin.{tables.rows + 1}]"
     start, size = f"[axes_taken.y0.{axis.number}]", motion.size(0)
     entered = [end for p in axis.given.phases for end in (p.start, p.stop)]
 
     def each(rest: str, phase: str) -> list[str]:
         return row_by_row(tables, rest, phase)
+
+    cell = CELLS["step_columns"].sharing(base=base, size=size)
 
     def reached(name: str, formula: str, i: int) -> Quantity:
         values = of_steps(tables, lambda k, _: motion.reaches[k][i], motion.position)
@@ -149,11 +146,11 @@ def step_columns(tables: AxisTables) -> list[Quantity]:
     positions = of_steps(tables, lambda k, _: motion.ends[k].begin.y, None)
     return [
         cell("k", list(range(1, tables.steps + 1))),
-        cell("begin", filled([0.0, *entered], tables.steps, 360.0), formula=begin, scale=360.0),
+        cell("begin", filled([0.0, *entered], tables.steps, 360.0), formula=begin),
         cell("span", of_steps(tables, lambda _, p: p.duration), formula=span),
         cell("no", list(tables.pieces.numbers), formula=each("=1", f"=[{t}.no.{{}}]")),
-        cell("h", of_steps(tables, lambda _, p: p.lift), base=base, formula=each("=0", f"=[{t}.h.{{}}]")),
-        cell("y0", carried_back(positions, motion.position + motion.lifts_sum), base=base, start=start, scale=size),
+        cell("h", of_steps(tables, lambda _, p: p.lift), formula=each("=0", f"=[{t}.h.{{}}]")),
+        cell("y0", carried_back(positions, motion.position + motion.lifts_sum), start=start),
         reached("low", LOW.format(start), 0),
         reached("high", HIGH.format(start), 1),
     ]
@@ -179,17 +176,9 @@ def carried_back(values: list[float | None], last: float) -> list[float]:
     return carried[::-1]
 
 
-TAKEN = "Workings: what phases take from their neighbours"
-ABOUT_TAKEN = (
-    "A straight line hands its velocity to both neighbours. y = v0 u + h_a s(ξ) up to the greatest velocity of a law "
-    "of two pulses, from then on y_1 − v1 (δ − u) − h_b (1 − s(ξ)); a polynomial is Σ e_n ξⁿ. Extremes: "
-    "at 201 points, at most 0.05 % below."
-)
-
-
 def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
-    sheet.heading(TAKEN, ABOUT_TAKEN)
+    CELLS["taken"].begin(sheet)
     for handover in axes:
         at, axis = handover.rows.at, f"axis {handover.axis.number}"
         sheet.rows(

@@ -9,7 +9,7 @@ import numpy as np
 from engine.drive.results import MeanBusPower, peak_bus_power, total_bus_power
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import COLOURS, Chart, Series, colour
-from workbook.book.declare import Book, Quantity, Sheet, calc
+from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import total
 from workbook.entries.facts import entry_cells
 from workbook.entries.phase import TURN
@@ -26,7 +26,6 @@ TOGETHER = "On a common DC bus drives use what others give back; a drive at a ra
 ON_BUS = "of the mains, where the drive's sheet has that of the motor"
 CHART_COLUMN, COLUMNS = 11, 17
 INK = COLOURS[-1]
-YEAR = '0.0;-0.0;"–"'  # format of the energy of a year: a dash where no hours of running are entered
 kw = partial(shown, unit=KW)
 
 
@@ -70,10 +69,7 @@ def supply(bus: Mains) -> list[Quantity]:
     """Return the results of the sheet Power that the first sheet repeats."""
     cell, size = CELLS["supply"], kw(bus.size)
     year = shown(bus.whole.energy_a_year(bus.entered.hours), MWH)
-    return [
-        cell("about_peak", kw(bus.peak + bus.beside), scale=size),
-        cell("about_bus_year", year, scale=size, format=YEAR),
-    ]
+    return [cell("about_peak", kw(bus.peak + bus.beside), scale=size), cell("about_bus_year", year, scale=size)]
 
 
 def power_sheet(book: Book, bus: Mains) -> None:
@@ -117,7 +113,6 @@ def results(bus: Mains) -> list[Quantity]:
     cell = CELLS["results"]
     entered, alone, whole = bus.entered, bus.alone, bus.whole
     apart = max(float(bus.apart.max()), float((bus.on_bus * bus.mains).max()))
-    sampled = "SUMPRODUCT([bus.w],[bus.alone]-[bus.sum]*([bus.sum]>0))"
     year = shown(MeanBusPower(bus.saved, 0.0).energy_a_year(entered.hours), KWH)
     beside = BESIDE.format("peak")
     return [
@@ -130,12 +125,12 @@ def results(bus: Mains) -> list[Quantity]:
         cell("power_mains", kw(alone.mains), total=total("power.mains")),
         cell("power_burnt", kw(whole.resistor)),
         cell("power_resistors", kw(alone.resistor), total=total("power.resistor")),
-        cell("bus_saved", kw(bus.saved), sampled=sampled),
-        cell("bus_saved_most", kw(bus.saved_most), sure="SUMPRODUCT([bus_cuts.span],[bus_cuts.sure])/360"),
-        cell("power_bus_year", shown(whole.energy_a_year(entered.hours), KWH), format=YEAR),
-        cell("power_year", shown(alone.energy_a_year(entered.hours), KWH), format=YEAR),
-        cell("bus_saved_year", year, format=YEAR),
-        cell("bus_saved_price", year * entered.price, scale=max(1.0, kw(bus.size) * entered.price), format=YEAR),
+        cell("bus_saved", kw(bus.saved)),
+        cell("bus_saved_most", kw(bus.saved_most)),
+        cell("power_bus_year", shown(whole.energy_a_year(entered.hours), KWH)),
+        cell("power_year", shown(alone.energy_a_year(entered.hours), KWH)),
+        cell("bus_saved_year", year),
+        cell("bus_saved_price", year * entered.price, scale=max(1.0, kw(bus.size) * entered.price)),
     ]
 
 
@@ -152,56 +147,31 @@ def on_the_bus(bus: Mains) -> list[Quantity]:
 
 def drives_table(sheet: Sheet, bus: Mains) -> None:
     """Declare a row for each drive: its energy, mean and peak powers, and what its peak proves of the bus."""
-    cell = CELLS["power"]
     drives, each = bus.drives, bus.each
     driven = [drive.driven for drive in drives]
     scopes, powers = ([f"drive{drive.number}_{name}" for drive in driven] for name in ("", "P"))
-    burnt = "(SUMPRODUCT([on_bus.on]*[power.burnt])-[on]*[burnt])"
-    taken = "(SUMPRODUCT([on_bus.on]*[power.peak])-[on]*[peak])"
-    block = sheet.table(
-        "power",
-        "Drives, each alone",
-        len(drives),
-        cell(
-            "axis",
-            [drive.entered.name for drive in driven],
-            formula=[f"=[axes.name.{drive.number}]" for drive in driven],
-        ),
-        cell("time", [drive.drive_cycle.time for drive in driven], formula=[f"=60/{scope}rate" for scope in scopes]),
-        cell("driving", [drive.energy.driving for drive in drives], formula=[f"={scope}energy+0" for scope in scopes]),
-        cell(
-            "returned",
-            [drive.energy.regenerated for drive in drives],
-            formula=[f"={scope}returned+0" for scope in scopes],
-        ),
+    cell = CELLS["power"].sharing(scope=scopes, number=[drive.number for drive in driven])
+    block = cell.place(
+        sheet,
+        cell("axis", [drive.entered.name for drive in driven]),
+        cell("time", [drive.drive_cycle.time for drive in driven]),
+        cell("driving", [drive.energy.driving for drive in drives]),
+        cell("returned", [drive.energy.regenerated for drive in drives]),
         cell("mains", [kw(power.mains) for power in each]),
-        cell("peak", kw(bus.mains).tolist(), formula=[f"={scope}pmax/power_eta" for scope in scopes]),
+        cell("peak", kw(bus.mains).tolist()),
         cell("resistor", [kw(power.resistor) for power in each]),
-        cell("burnt", kw(bus.resistor).tolist(), formula=[f"=0-{scope}pmin*power_eta" for scope in scopes]),
-        cell("year", [shown(power.energy_a_year(bus.entered.hours), KWH) for power in each], format=YEAR),
+        cell("burnt", kw(bus.resistor).tolist()),
+        cell("year", [shown(power.energy_a_year(bus.entered.hours), KWH) for power in each]),
     )
-    cell = CELLS["drives on the bus"]
-    sheet.workings(
-        block,
-        "on_bus",
-        "",
-        COLUMNS + 2,
-        cell("on", bus.on_bus.astype(int).tolist(), formula=[f'=IF({scope}own_rate="",1,0)' for scope in scopes]),
-        cell("proves", kw(bus.proves).tolist(), burnt=burnt),
-        cell("burns", kw(bus.burns).tolist(), taken=taken),
-        cell(
-            "up",
-            bus.cuts.shares[0],
-            formula=[f"=IF(MAX({each})>check_zero*[burnt],[on]*[peak]/MAX({each}),0)" for each in powers],
-            scale=1.0,
-        ),
-        cell(
-            "down",
-            bus.cuts.shares[1],
-            formula=[f"=IF(0-MIN({each})>check_zero*[peak],0-[on]*[burnt]/MIN({each}),0)" for each in powers],
-            scale=1.0,
-        ),
-    )
+    cell = CELLS["drives on the bus"].sharing(scope=scopes, powers=powers)
+    columns = [
+        cell("on", bus.on_bus.astype(int).tolist()),
+        cell("proves", kw(bus.proves).tolist()),
+        cell("burns", kw(bus.burns).tolist()),
+        cell("up", bus.cuts.shares[0]),
+        cell("down", bus.cuts.shares[1]),
+    ]
+    sheet.workings(block, "on_bus", "", COLUMNS + 2, *columns)
 
 
 def bus_table(sheet: Sheet, bus: Mains) -> None:
@@ -213,10 +183,6 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
     draws = ":".join(dict.fromkeys([columns[0], columns[-1]])).join("[]")
     taken = f"=SUMPRODUCT({draws},({draws}>0)*1)" if len(columns) > 1 else f"=MAX(0,{draws})"
 
-    def drawn(row: int, number: int) -> str:
-        power = f"[drive{number}_cycle.power.same]"
-        return f"=[on_bus.on.{row}]*MAX({power}/power_eta,{power}*power_eta)"
-
     time = CELLS["bus_table"]("theta", machine.angles, label=over.angle)
     if over.measured:
         shown_at = over.shown(machine.angles)
@@ -224,25 +190,15 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
             "time", shown_at, label=over.name, symbol=over.symbol, unit=over.unit, format=over.format
         )
     sheet.heading("Power over the cycle")
-    sheet.table(
-        "bus",
-        "The common DC bus at the samples of the cycle",
-        rows,
+    CELLS["bus"].place(
+        sheet,
         time,
         CELLS["bus"]("k", list(range(rows))),
         CELLS["bus"]("w", bus.weights.tolist()),
         CELLS["bus"]("sum", kw(bus.sum), first=columns[0], last=columns[-1]),
         CELLS["bus"]("alone", kw(bus.apart), formula=taken),
         *(
-            calc(
-                name,
-                f"axis {drive.driven.number}: draws",
-                "P",
-                "kW",
-                drawn(row, drive.driven.number),
-                kw(bus.drawn[row - 1]),
-                "P/η, or η P that comes back",
-            )
-            for row, (name, drive) in enumerate(zip(columns, bus.drives, strict=True), 1)
+            CELLS["bus"]("d{i}", kw(bus.drawn[row]), i=drive.driven.number, row=row + 1)
+            for row, drive in enumerate(bus.drives)
         ),
     )

@@ -96,7 +96,6 @@ def first(
 
 def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantity]:
     """Return the results of the whole machine: the rates at which all drives hold all limits, and who binds."""
-    cell = CELLS["range_of_rates"]
     most, least = "[axes_short.highest]", "[axes_low.lowest]"
 
     def binds(limit: str, row: str) -> str:
@@ -113,9 +112,10 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
     unmet = f"{most}={NO_RATE}" if axes == 1 else f"COUNTIF({most},{NO_RATE})>0"  # IronCalc lacks it of one cell
     apart = f'IF(COUNT({most})=0,"{NONE_BINDS}",IF(MAX({least})<MIN({most}),MIN({most}),{NO_RATE}))'
     words = range_in_words(found.rates, "about_", "hold")
+    cell = CELLS["range_of_rates"].sharing(unmet=unmet, no_rate=NO_RATE, least=least)
     return [
         cell("about_range", Sentence(words.text), words=words),
-        cell("about_highest", high, unmet=unmet, no_rate=NO_RATE, apart=apart),
+        cell("about_highest", high, apart=apart),
         *(
             [
                 cell(
@@ -130,13 +130,12 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
         cell(
             "about_first",
             found.high_axis,
-            unmet=unmet,
             failing=row_of(NO_RATE, most),
             most=most,
             slowest=row_of(f"MIN({most})", most),
         ),
         cell("about_binds", found.rates.high_limit, formula=binds("axes_short.binds", "about_first")),
-        cell("about_lowest", found.rates.low, no_rate=NO_RATE, least=least, format=RATE_LOOK),
-        cell("about_first_low", found.low_axis, least=least, fastest=row_of(f"MAX({least})", least)),
+        cell("about_lowest", found.rates.low, format=RATE_LOOK),
+        cell("about_first_low", found.low_axis, fastest=row_of(f"MAX({least})", least)),
         cell("about_binds_low", found.rates.low_limit, formula=binds("axes_low.binds_low", "about_first_low")),
     ]

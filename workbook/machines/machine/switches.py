@@ -127,30 +127,16 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
             source=source,
         ),
     ]
-    sheet.table(
-        "switches",
-        "Switches: a row each; leave spare times empty",
-        len(lanes),
+    CELLS["switches"].place(
+        sheet,
         CELLS["switches"]("name", [lane.given.name for lane in lanes]),
         CELLS["switches"]("k", [lane.number for lane in lanes]),
         *times,
         *(reversed(lasting) if over.measured else lasting),
         rules=[HALF],
     )
-    sheet.rows(
-        *(
-            calc(
-                f"switch{lane.number}_name",
-                f"Switch {lane.number}",
-                "",
-                "",
-                f"=[switches.name.{lane.number}]",
-                lane.given.name,
-                align="left",
-            )
-            for lane in lanes
-        )
-    )
+    cell = CELLS["switches"]
+    sheet.rows(*(cell("switch{i}_name", lane.given.name, i=lane.number) for lane in lanes))
 
 
 def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
@@ -164,24 +150,16 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
     beyond = going_beyond(over.shown_formula("MAX([begin],[end])"), over)
     late = cell("late", "", beyond=beyond)
 
-    def angle(column: str, label: str, formula: str, values: list[float]) -> Quantity:
-        return calc(column, label, "", "°", formula, values, scale=TURN, format="0.0##")
-
     sheet.table(
         name,
         f"Switch {i}: its times in degrees of the {over.period}",
         TIMES,
         cell("t", list(NUMBERS)),
         cell("used", lane.each([1] * len(lane.entered), 0), start=start, stop=stop),
-        angle("begin", "on from", f"={over.degrees_formula(start)}", [time.start or 0.0 for time in times]),
-        angle("end", "to", f"={over.degrees_formula(stop)}", [time.stop or 0.0 for time in times]),
-        angle(
-            "span",
-            "lasts",
-            "=IF([used]=0,0,[end]-[begin]+IF([end]<[begin],360,0))",
-            lane.each(shown(span, DEGREE) for span in lane.switch.spans),
-        ),
-        angle("next", "to the next begin", f"=IF([used]=0,0,{NEXT.format(f'[{name}')})", lane.until_next),
+        cell("begin", [time.start or 0.0 for time in times], since=over.degrees_formula(start)),
+        cell("end", [time.stop or 0.0 for time in times], to=over.degrees_formula(stop)),
+        cell("span", lane.each(shown(span, DEGREE) for span in lane.switch.spans)),
+        cell("next", lane.until_next, next=NEXT.format(f"[{name}")),
         cell("wrong", "", wrong=wrong),
         *([late] if over.measured else []),
     )
@@ -217,11 +195,4 @@ def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa, near: float) -> Non
             ),
             CELLS["corners"]("y{i}", [y for _, y in places], i=i, formula=heights),
         ]
-    sheet.table(
-        "switch_lanes",
-        "Corners of the lanes",
-        len(ups),
-        CELLS["switch_lanes"]("k", list(range(1, len(ups) + 1))),
-        CELLS["switch_lanes"]("up", ups),
-        *columns,
-    )
+    CELLS["switch_lanes"].place(sheet, CELLS["switch_lanes"]("up", ups), *columns)

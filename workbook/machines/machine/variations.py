@@ -6,18 +6,9 @@ from typing import Any
 from engine.selection.pair_matrix import RANKS
 from workbook.entries.facts import vary
 from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing, variations, vary_laws
+from workbook.machines.machine import drive_entries
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.drive_entries import (
-    WINDOWS,
-    AxisLoad,
-    AxisMotor,
-    PowerEntry,
-    Reducer,
-    StageEntry,
-    falling,
-    lacking,
-)
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops
 from workbook.machines.machine.mechanism import MECHANISMS, SLIDING
@@ -91,7 +82,7 @@ def vary_drives_together(data: dict[str, Any], k: int) -> None:
     """Give a machine that has drives another supply, creeping and gravity."""
     driven = [axis for axis in data["axes"] if axis["motor"] is not None]
     if driven:
-        vary(data["power"], PowerEntry, k)
+        vary(data["power"], drive_entries.PowerEntry, k)
         data["creep_forces"] = ("off", "on")[k % 2]
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
 
@@ -106,7 +97,7 @@ def vary_clearance(clearance: dict[str, Any], i: int, k: int) -> None:
 def choose(data: dict[str, Any], k: int) -> None:
     """Turn how peak torques of the catalogue fall, if they do; the axis of Selection, its rank, and limits of pairs."""
     products, names = data["selection"], [axis["name"] for axis in data["axes"] if axis["motor"]]
-    if any(map(falling, products["motors"])) if products["falling"] is None else products["falling"]:
+    if any(map(drive_entries.falling, products["motors"])) if products["falling"] is None else products["falling"]:
         products["falling"] = True
         for n, motor in enumerate(products["motors"]):
             level = (n + k) % 4 == 3
@@ -159,15 +150,15 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     if kind in SLIDING:
         mechanism |= by_angle.varied(i, k)
     travels = axis["unit"] == "mm" or kind in SLIDING
-    vary(load, AxisLoad, i + k, lacking(travels, load["viscous"]))
+    vary(load, drive_entries.AxisLoad, i + k, drive_entries.lacking(travels, load["viscous"]))
     load["windows"] = forces(i, k, 400.0 if travels else 6.0)
     axis["parts"] = parts(k, sizes["rotors"])
-    vary(axis["reducer"], Reducer, i + k)
+    vary(axis["reducer"], drive_entries.Reducer, i + k)
     axis["reducer"]["name"] = reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else ""
     for n, stage in enumerate(axis["stages"], k + i):
         vary_stage(stage, n)
     vary(axis["limits"], OwnLimits, i + k)
-    vary(axis["motor"], AxisMotor, i + k)
+    vary(axis["motor"], drive_entries.AxisMotor, i + k)
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
 
 
@@ -183,7 +174,7 @@ def parts(k: int, room: int) -> list[dict[str, Any]]:
 
 def vary_stage(stage: dict[str, Any], n: int) -> None:
     """Give a stage other entries, by its ratio or by teeth."""
-    vary(stage, StageEntry, n)
+    vary(stage, drive_entries.StageEntry, n)
     teeth = {"teeth_driver": 18.0 + n, "teeth_driven": 31.0 + 3 * n}
     stage |= {"ratio": 0.6 + 0.7 * n} | dict.fromkeys(teeth) if n % 2 else {"ratio": None} | teeth
 
@@ -193,7 +184,7 @@ def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:
     windows = ((20.0, 95.5, 1.0), (300.0, 40.0, -0.7), (0.0, 360.0, 0.3), (88.25, 88.25, 2.0))
     return [
         {"start": start, "stop": stop, "force": share * size, "resists": ("always", "moving")[(i + k + n) % 2]}
-        for n, (start, stop, share) in enumerate(windows[: WINDOWS if k == 2 else (i + k) % 3])
+        for n, (start, stop, share) in enumerate(windows[: drive_entries.WINDOWS if k == 2 else (i + k) % 3])
     ]
 
 

@@ -8,7 +8,7 @@ from engine.motion.pieces import ScaledLaw
 from engine.overlap.picture import LANE_SHARE, lane
 from engine.overlap.schedule import pieces_of_parts, size_of_parts, whole_turn
 from engine.timing import FULL_TURN
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.fields.units import DEGREE, MM, shown, si
 from workbook.laws.sampling import ACCELERATION, VELOCITY, Pieces
@@ -23,7 +23,6 @@ CELLS = cell_tables(__file__)
 
 SCHEDULES = {"b": (1, "one after the other"), "a": (3, "with overlap")}
 """the schedules that are sampled: their row in the table of the tool's angles, and their labels"""
-WAYS = ("dwell", "way out", "rest", "way in")
 
 
 def cells(key: str) -> Cells:
@@ -107,10 +106,8 @@ def cycle_sheets(book: Book, machine: OverlapView, pieces: Pieces) -> None:
             theta = machine.angles
             sheet.row += 1
             cell = CELLS["transfer_motion"]
-            sheet.table(
-                "transfer_motion",
-                "Travel of the transfer over the master angle",
-                len(theta),
+            cell.place(
+                sheet,
                 cell("k", list(range(len(theta)))),
                 cell("theta", theta),
                 *transfer_columns(machine, theta, pieces),
@@ -145,10 +142,8 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     heights = lane(0, moved.travel(at) / moved.stroke)
     clearance, h, i = station.clearance, station.tool.stroke, station.number
     lane_t = cell("lane_t", heights)
-    sheet.table(
-        "@motions",
-        "Travel, acceleration and clearance over the master angle",
-        len(theta),
+    cell.place(
+        sheet,
         cell("theta", theta),
         cell("yt", shown(moved.travel(at), MM)),
         first,
@@ -170,20 +165,11 @@ def motions(sheet: Sheet, station: Station, pieces: Pieces) -> None:
 
 def transfer_pieces(sheet: Sheet, machine: OverlapView, pieces: Pieces) -> Joints:
     """Declare the phases of the transfer and their pieces."""
-    parts, moves = machine.transfer.parts, ("movement", "dwell")
+    parts = machine.transfer.parts
     rows = rows_of(TRANSFER, parts, pieces)
-    phases(
-        sheet,
-        "The transfer, from the start of the cycle",
-        moves,
-        parts,
-        rows,
-        no=["=[used.no.1]", "=1"],
-        h=["=overlap_pitch/1000", "=0"],
-        angle=["=overlap_angle", "=360-overlap_angle"],
-        begin=["=0", "=overlap_angle"],
-        y0=["=0", "=overlap_pitch/1000*INDEX(law_s1,[used.no.1])"],
-    )
+    formulas = formulas_by_row(__file__, "phases of the transfer")
+    phases(sheet, "The transfer, from the start of the cycle", parts, rows, formulas)
+    moves = tuple(formulas["what"])
     joints = joints_of(rows, whole_turn(parts), machine.given.transfer, "overlap_", "°", "overlap_transfer", moves)
     sheet.rows(*joints.order())
     sheet.row += 1
@@ -199,22 +185,12 @@ def tool_pieces(sheet: Sheet, station: Station, pieces: Pieces) -> Joints:
     for schedule, (row, words) in SCHEDULES.items():
         plan = station.schedules[row - 1]
         rows = rows_of(OF_TOOL[schedule], plan.parts, pieces)
-        into, out, h = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]", "@stroke/1000"
-        rest = f"360-@dwell-{out}-{into}"
-        phases(
-            sheet,
-            f"The tool {words}, from its arrival",
-            WAYS,
-            plan.parts,
-            rows,
-            no=["=1", f"=[used.no.{row_out}]", "=1", f"=[used.no.{row_in}]"],
-            h=["=0", f"=0-{h}", "=0", f"={h}"],
-            angle=["=IF(@dwell>overlap_eps,@dwell,0)", f"={out}", f"=IF({rest}>overlap_eps,{rest},0)", f"={into}"],
-            begin=["=0", "=@dwell", f"=@dwell+{out}", f"=360-{into}"],
-            y0=[f"={h}", f"={h}", "=0", "=0"],
-        )
+        into, out = f"[@schedules.in.{row}]", f"[@schedules.out.{row}]"
+        laws = {"row_in": str(row_in), "row_out": str(row_out)}
+        formulas = formulas_by_row(__file__, "phases of a tool", into=into, out=out, **laws)
+        phases(sheet, f"The tool {words}, from its arrival", plan.parts, rows, formulas)
         pieces_table(sheet, f"Pieces of the tool {words}", rows, room, size_of_parts(plan.parts))
-    joints = joints_of(rows, plan.motion, station.given, "@", "° after its arrival", "@name", WAYS)
+    joints = joints_of(rows, plan.motion, station.given, "@", "° after its arrival", "@name", tuple(formulas["what"]))
     sheet.row += 1
     sheet.rows(*joints.order())
     sheet.row += 1
@@ -223,7 +199,7 @@ def tool_pieces(sheet: Sheet, station: Station, pieces: Pieces) -> Joints:
 
 
 def phases(
-    sheet: Sheet, title: str, names: tuple[str, ...], parts: Sequence[ScaledLaw], rows: PieceRows, **formulas: list[str]
+    sheet: Sheet, title: str, parts: Sequence[ScaledLaw], rows: PieceRows, formulas: dict[str, list[str]]
 ) -> None:
     """Declare the phases of a motion over the master angle; ``formulas`` are those of the columns, a row each."""
     cell = CELLS["phases"]
@@ -233,7 +209,7 @@ def phases(
         rows.at.phases,
         title,
         len(parts),
-        cell("what", list(names)),
+        cell("what", formulas["what"]),
         cell("k", [k for k, _ in enumerate(parts, 1)]),
         cell("no", list(rows.numbers), formula=formulas["no"]),
         cell("h", [part.h for part in parts], formula=formulas["h"], scale=size(0)),

@@ -23,11 +23,6 @@ from workbook.motion.cells import FIRST, last_before
 
 CELLS = cell_tables(__file__)
 
-ABOUT = (
-    "Between two points of a law as if its acceleration were constant, then corrected once by what is missing at the "
-    "velocity there. Within 1e-6 of the rise; within 0.01 % of the time, nearer than 0.001 % to an end 1 %."
-)
-
 
 class InversionTable(NamedTuple):
     """The rows of a table: the number of its law in use, the heights s, and the columns of their origin."""
@@ -54,26 +49,20 @@ def inverse_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     sheet.unprinted = True
     wanted = all_wanted(machine)
     worst = max(float(np.abs(table.residual).max()) for table in wanted)
-    sheet.heading("Results", ABOUT)
+    CELLS["inverse_sheet"].begin(sheet)
     cell = CELLS["inverse_sheet"]
-    sheet.rows(
-        cell("inverse_residual", worst),
-        cell("inverse_bound", HEIGHT),
-        cell("inverse_slow", REST),
-    )
+    sheet.rows(cell("inverse_residual", worst), cell("inverse_bound", HEIGHT), cell("inverse_slow", REST))
     sheet.checks(
         CELLS["inverse_sheet"](
             "inverse_ok",
             worst <= HEIGHT,
             says=amount("inverse_residual*100", shown(worst, PERCENT), "missed by ", " % of the rise"),
-        ),
+        )
     )
     sheet.row += 1
     cell = CELLS["residuals"]
-    sheet.table(
-        "residuals",
-        "How far the laws are from the heights wanted",
-        len(wanted),
+    cell.place(
+        sheet,
         cell("what", [table.title for table in wanted]),
         cell(
             "most",
@@ -102,10 +91,7 @@ def all_wanted(machine: OverlapView) -> list[InversionTable]:
         gone = p.travelled_share(tool.stroke, margins)
         formula = f"MIN(({scope}clearance-[margin])/{scope}stroke,1)"
         cell = CELLS["tool"]
-        head = (
-            cell("k", list(range(n + 2))),
-            cell("margin", shown(margins, MM), scope=scope),
-        )
+        head = (cell("k", list(range(n + 2))), cell("margin", shown(margins, MM), scope=scope))
         of_tools += [
             InversionTable(f"{scope}inverse_in", f"{name}, way in", row_in, tool.law, gone, f"={formula}", head),
             InversionTable(
@@ -137,10 +123,8 @@ def laws_in_use(sheet: Sheet, machine: OverlapView, pieces: Pieces) -> None:
     sheet.rows(CELLS["laws_in_use"]("inverse_intervals", INTERVALS))
     sheet.row += 1
     cell = CELLS["used"]
-    sheet.table(
-        "used",
-        "The laws of transfer and tools",
-        len(codes),
+    cell.place(
+        sheet,
         cell("what", motions),
         cell("code", codes, formula=cells),
         cell("no", numbers),
@@ -159,10 +143,8 @@ def points(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     at, i, number = inversion_points(wanted.law), wanted.use, pieces.number(wanted.law)
     rows = [pieces.first[number] + p - 1 for p in at.piece]
     n, count = f"[used.n.{i}]", f"[used.count.{i}]"
-    sheet.table(
-        f"points{i}",
-        f"Points of the law of: {wanted.title}",
-        len(at.xi),
+    cell.sharing(i=i, title=wanted.title).place(
+        sheet,
         cell("k", list(range(len(at.xi)))),
         cell("p", at.piece, n=n, count=count),
         cell("share", at.share, n=n, count=count),
@@ -208,10 +190,8 @@ def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     )
     sheet.row += 1
     cell = CELLS["heights met"]
-    sheet.table(
-        f"{wanted.name}_met",
-        f"{wanted.title}: the law at these shares of time",
-        len(wanted.s),
+    cell.sharing(name=wanted.name, title=wanted.title).place(
+        sheet,
         wanted.head[0],
         cell("xi", inverse.xi, name=wanted.name),
         *pieces.finding(f"[used.no.{i}]", number, "xi", inverse.xi),

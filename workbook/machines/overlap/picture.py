@@ -113,10 +113,8 @@ def workings(sheet: Sheet, machine: OverlapView, states: States, pieces: samplin
     )
     sheet.row += 1
     cell = CELLS["places"]
-    sheet.table(
-        "places",
-        "The stations in the picture",
-        len(stations),
+    cell.place(
+        sheet,
         cell("i", [s.number for s in stations]),
         cell("x", shown(scene.middles, MM)),
         cell(
@@ -144,13 +142,8 @@ def workings(sheet: Sheet, machine: OverlapView, states: States, pieces: samplin
             )
     top = len(machine.stations)
     cell = CELLS["view_line"]
-    sheet.table(
-        "view_line",
-        "The line in both timing diagrams",
-        2,
-        cell("end", [0, 1]),
-        cell("theta", machine.given.view),
-        cell("height", [0.0, top + LANE_SHARE], top=top),
+    cell.place(
+        sheet, cell("end", [0, 1]), cell("theta", machine.given.view), cell("height", [0.0, top + LANE_SHARE], top=top)
     )
 
 
@@ -159,10 +152,8 @@ def outlines(sheet: Sheet, machine: OverlapView, states: States) -> None:
     numbers, walls, sides, ups = zip(*((s.number, *corner) for s in machine.stations for corner in WALLS), strict=True)
     outline = machine.scene.walls(states.moved)
     cell = CELLS["outline"]
-    sheet.table(
-        "outline",
-        "Outline of the transfer",
-        len(numbers),
+    cell.place(
+        sheet,
         cell("i", list(numbers)),
         cell("wall", list(walls)),
         cell("side", list(sides)),
@@ -177,10 +168,8 @@ def outlines(sheet: Sheet, machine: OverlapView, states: States) -> None:
         whose = "the tool" if machine.alone else f"tool {i}"
         with sheet.scoped(station.scope):
             cell = CELLS["punch"]
-            sheet.table(
-                "@punch",
-                f"Outline of {whose}",
-                len(PUNCH),
+            cell.sharing(whose=whose).place(
+                sheet,
                 cell("px", list(across)),
                 cell("py", list(along)),
                 cell("x", shown(x, MM), i=i),
@@ -188,12 +177,6 @@ def outlines(sheet: Sheet, machine: OverlapView, states: States) -> None:
             )
     frame, (fx, fy) = machine.scene.frame(), zip(*FRAME, strict=True)
     cell = CELLS["frame"]
-    sheet.table(
-        "frame",
-        "Frame of the picture: keeps its scale",
-        len(FRAME),
-        cell("fx", list(fx)),
-        cell("fy", list(fy)),
-        cell("x", shown(frame.x, MM)),
-        cell("y", shown(frame.z, MM)),
+    cell.place(
+        sheet, cell("fx", list(fx)), cell("fy", list(fy)), cell("x", shown(frame.x, MM)), cell("y", shown(frame.z, MM))
     )

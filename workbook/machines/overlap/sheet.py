@@ -47,9 +47,7 @@ def sums(sheet: Sheet, machine: OverlapView) -> None:
     sheet.heading("Results")
     cell = CELLS["sums"]
     sheet.rows(
-        cell("overlap_a0", machine.peaks[0]),
-        cell("overlap_a1", machine.peaks[1]),
-        cell("overlap_least", machine.least),
+        cell("overlap_a0", machine.peaks[0]), cell("overlap_a1", machine.peaks[1]), cell("overlap_least", machine.least)
     )
     sheet.checks(rising())
     sheet.row += 1
@@ -60,10 +58,8 @@ def sums(sheet: Sheet, machine: OverlapView) -> None:
     verdicts = ["FAIL" if "FAIL" in [q.value for q in tool.checks(s)] else "OK" for s in stations]
     conditions = ",".join(f'{q.name}="OK"' for q in tool.checks(stations[0]))
     cell = CELLS["tools"]
-    sheet.table(
-        "tools",
-        "The tools",
-        len(stations),
+    cell.place(
+        sheet,
         cell("name", [s.given.name for s in stations], formula=machine.each("=@name")),
         cell("sheet", [f"Tool {s.number}" for s in stations]),
         cell("in", ways_in, formula=machine.each("=@new_in")),

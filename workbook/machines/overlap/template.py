@@ -13,8 +13,8 @@ from workbook.entries.facts import vary
 from workbook.entries.phase import TURN
 from workbook.entries.rules import limits
 from workbook.fields.units import DEGREE, MM, shown
+from workbook.law_sheets import library
 from workbook.law_sheets.book_laws import BookLaws
-from workbook.law_sheets.library import RISING, SIX, factors, law_for, laws, own_in, vary_laws, varying
 from workbook.laws.sampling import Pieces
 from workbook.machines.overlap.cycle import OF_TOOL, TRANSFER, cycle_sheets, rows_of
 from workbook.machines.overlap.entries import IndexingOverlap, OverlapEntry, ToolEntry
@@ -94,7 +94,7 @@ def exportables(view: OverlapView, pieces: Pieces) -> list[Exportable]:
 
 def axes(machine: IndexingOverlap) -> list[CamAxis]:
     """Return the transfer, which goes on every turn, and each tool as it is set."""
-    view, units = OverlapView(machine, laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
+    view, units = OverlapView(machine, library.laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
     transfer = profile_of(pieces_of_parts(view.transfer.parts, True), FULL_TURN).in_units(*units)
     cam_axes = [CamAxis("transfer", transfer, "°", "mm")]
     for station in view.stations:
@@ -105,19 +105,19 @@ def axes(machine: IndexingOverlap) -> list[CamAxis]:
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
-    k, entries = turn % SIX, data["overlap"]
-    vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
+    k, entries = turn % library.SIX, data["overlap"]
+    library.vary_laws(data["laws"], k, library.factors(k), data["sizes"]["pieces"])
     vary(entries, OverlapEntry, k)
     entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
-    entries["transfer"]["law"] = law_for(turn, data["laws"])
+    entries["transfer"]["law"] = library.law_for(turn, data["laws"])
     for i, tool in enumerate(entries["tools"]):
         vary(tool, ToolEntry, turn + i)
-        tool |= {f"law_{way}": law_for(turn + 2 * i + n, data["laws"]) for way, n in (("in", 2), ("out", 5))}
+        tool |= {f"law_{way}": library.law_for(turn + 2 * i + n, data["laws"]) for way, n in (("in", 2), ("out", 5))}
     codes = [entries["transfer"]["law"], *(tool[law] for tool in entries["tools"] for law in ("law_in", "law_out"))]
-    for name in set(own_in(data["laws"])) & set(codes):
-        data["laws"][name]["pieces"] = RISING
+    for name in set(library.own_in(data["laws"])) & set(codes):
+        data["laws"][name]["pieces"] = library.RISING
     return data
 
 
-VARIED = varying(IndexingOverlap, varied)
+VARIED = library.varying(IndexingOverlap, varied)
 TEMPLATE = Template("indexing-overlap", IndexingOverlap, declare, VARIED, check, axes)

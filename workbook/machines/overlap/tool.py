@@ -4,21 +4,23 @@ The names stand in the tool's scope: ``@stroke`` is ``tool2_stroke`` for the sec
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.chart_tables import charts_beside
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import amount
 from workbook.entries.facts import entry_cells
 from workbook.fields.units import DEGREE, MM, shown
 from workbook.laws.sampling import Pieces
-from workbook.machines.overlap.cycle import SCHEDULES, AtAngles
+from workbook.machines.overlap.cycle import AtAngles
 from workbook.machines.overlap.entries import LEAST
 from workbook.machines.overlap.view import Station
 
 CELLS = cell_tables(__file__)
+CHARTS = charts_beside(__file__)
 
 SHARES = {"in": "@split", "out": "(1-@split)"}  # of what is free for both ways
 CORNERS = (
@@ -106,28 +108,8 @@ def checks(station: Station) -> tuple[Quantity, ...]:
 
 def charts(sheet: Sheet, row: int) -> None:
     """Place the travel under its limit, and the accelerations."""
-    theta = "[@motions.theta]"
-    allowed = Series("allowed", theta, "[@motions.limit]", dashed=True)
-    for column, title, y, name, more, about in (
-        (
-            11,
-            "Travel of the tool, and what the transfer allows",
-            "travel y [mm]",
-            "y",
-            (allowed,),
-            "Travel of the tool in both schedules, below the travel that the transfer allows it",
-        ),
-        (
-            15,
-            "Acceleration of the tool",
-            "acceleration [m/s²]",
-            "acc",
-            (),
-            "Acceleration of the tool over the cycle, one after the other and with overlap",
-        ),
-    ):
-        lines = (Series(words, theta, f"[@motions.{name}{suffix}]") for suffix, (_, words) in SCHEDULES.items())
-        chart = Chart(title, "master angle θ [°]", y, (*lines, *more), about, (0, 360, 30))
+    for column, title in ((11, "Travel of the tool, and what the transfer allows"), (15, "Acceleration of the tool")):
+        chart = replace(CHARTS[title], x_range=(0, 360, 30))
         sheet.chart(chart, column=column, row=row, width=4, height=18)
 
 
@@ -149,10 +131,8 @@ def schedules(sheet: Sheet, station: Station) -> None:
         for way, share in SHARES.items()
     }
     sheet.row += 1
-    sheet.table(
-        "@schedules",
-        "The tool's angles",
-        3,
+    cell.place(
+        sheet,
         cell("what", ["one after the other", "overlap, the longest", "overlap, as set"]),
         cell("in", way_in, formula=angles["in"]),
         cell("out", way_out, formula=angles["out"]),
@@ -207,10 +187,8 @@ def corners_table(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     at = station.engine.critical_angles(station.as_set)
     theta, edges = shown(at.angle, DEGREE), [f"=[@schedules.{edge}.3]" for edge in ("away", "there", "leaves", "back")]
     sheet.row += 1
-    sheet.table(
-        "@corners",
-        "Clearance at the corners: between them the tool moves one way only",
-        6,
+    cell.place(
+        sheet,
         cell("what", list(CORNERS)),
         cell("raw", shown(at.raw, DEGREE), formula=["=@begin", "=@end", *edges]),
         cell("theta", theta),
@@ -222,34 +200,14 @@ def corners_table(sheet: Sheet, station: Station, pieces: Pieces) -> None:
 
 def margins(sheet: Sheet, station: Station) -> None:
     """Declare what a margin costs: charts and table, in the tool's scope."""
-    sheet.heading(
-        "What a margin costs", "The longest angles less the allowance, for margins from 0 to the whole clearance."
-    )
-    sheet.chart_row(
-        margin_chart(
-            "Acceleration ratio",
-            "times lower",
-            "times lower",
-            "ratio",
-            "How many times the peak acceleration falls, over the margin that stays free between the parts",
-        ),
-        margin_chart(
-            "Peak acceleration",
-            "a_max [m/s²]",
-            "peak acceleration",
-            "a",
-            "Peak acceleration of the tool over the margin that stays free between the parts",
-        ),
-        width=7,
-    )
+    CELLS["margins"].begin(sheet)
+    sheet.chart_row(CHARTS["Acceleration ratio against margin"], CHARTS["Peak acceleration against margin"], width=7)
     cell, sweep, n = CELLS["margins"], station.margins, station.machine.sizes.margins
     row_in, row_out = station.law_rows
     longest_in = longest("in", "(1-INDEX([@inverse_in.xi],[k]+2))")
     longest_out = longest("out", "INDEX([@inverse_out.xi],[k]+2)")
-    sheet.table(
-        "@margins",
-        "Ratio against margin",
-        n + 1,
+    cell.place(
+        sheet,
         cell("margin", shown(sweep.margin, MM)),
         cell("in", shown(sweep.angle_in, DEGREE), longest=longest_in),
         cell("out", shown(sweep.angle_out, DEGREE), longest=longest_out),
@@ -258,21 +216,10 @@ def margins(sheet: Sheet, station: Station) -> None:
         cell("k", list(range(n + 1))),
     )
     cell = CELLS["margin_line"]
-    sheet.table(
-        "@margin_line",
-        "The margin entered, as drawn in the charts",
-        2,
+    cell.place(
+        sheet,
         cell("end", [0, 1]),
         cell("x", station.given.passage.margin),
         cell("ratio", [0.0, float(sweep.ratio.max())]),
         cell("a", [0.0, float(sweep.acceleration.max())]),
     )
-
-
-def margin_chart(title: str, axis: str, name: str, column: str, about: str) -> Chart:
-    """Return a chart of a column of the margins, with a line where the margin is that is entered."""
-    lines = (
-        Series(name, "[@margins.margin]", f"[@margins.{column}]"),
-        Series("margin entered", "[@margin_line.x]", f"[@margin_line.{column}]", dashed=True),
-    )
-    return Chart(f"{title} against margin", "margin m [mm]", axis, lines, about)

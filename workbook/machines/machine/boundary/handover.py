@@ -18,7 +18,7 @@ from workbook.book.rows import filled, spread
 from workbook.book.sentence import CheckSentence, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.machines.machine.view import MovingAxis
-from workbook.motion.cells import PieceRows, sharing
+from workbook.motion.cells import PieceRows
 
 CELLS = cell_tables(__file__)
 
@@ -70,7 +70,7 @@ class AxisHandover:
 
         With an ``order``, it is a derivative of the motion, or its position, and has the unit and the size of that.
         """
-        cell = sharing(table, **self.parts)
+        cell = table.sharing(**self.parts)
 
         def column(name: str, figures: Any, /, order: int | None = None, **more: Any) -> Quantity:
             values = self.of(figures, 0 if order is None else 0.0) if callable(figures) else figures

@@ -90,8 +90,7 @@ def handover_modes(handover: AxisHandover) -> list[Quantity]:
     return [
         column("off", lambda step: differs(step, step)),
         column(
-            "off0",
-            handover.spread([differs(*both) for both in zip(handover.handed, handover.before, strict=True)], 0),
+            "off0", handover.spread([differs(*both) for both in zip(handover.handed, handover.before, strict=True)], 0)
         ),
         column("contrary", lambda step: int(step.contrary)),
         column("straight", handover.of(straight_on, 1), rounding=f"{ROUNDING:.0E}"),

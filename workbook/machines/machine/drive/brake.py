@@ -28,10 +28,7 @@ def held_at(view: DriveView, times: str) -> str:
 def workings(view: DriveView) -> list[Quantity]:
     """Return the rows of the shortest dwell that it holds, and of the intervals in motion."""
     cell = CELLS["workings"]
-    return [
-        cell("@brake_least", view.driven.brake.time),
-        cell("@moving", int((view.cycle.direction != 0.0).sum())),
-    ]
+    return [cell("@brake_least", view.driven.brake.time), cell("@moving", int((view.cycle.direction != 0.0).sum()))]
 
 
 def of_intervals(view: DriveView, spare: str) -> list[Quantity]:
@@ -49,12 +46,9 @@ def of_intervals(view: DriveView, spare: str) -> list[Quantity]:
 
 def of_points(view: DriveView) -> list[Quantity]:
     """Return the columns of whether the motor is free of the brake, and of what it then drives."""
-    cell = CELLS["of_points"]
+    cell = CELLS["of_points"].sharing(**view.parts)
     free = np.where(view.load.braked, 0.0, 1.0)
-    return [
-        cell("free", view.by_point(free)),
-        cell("Sm", view.by_point(view.load.output_torque * free), scale=view.scales.behind),
-    ]
+    return [cell("free", view.by_point(free)), cell("Sm", view.by_point(view.load.output_torque * free))]
 
 
 def torque(view: DriveView) -> Quantity:

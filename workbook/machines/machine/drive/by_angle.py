@@ -86,15 +86,15 @@ def ends_in_place(driven: Driven) -> bool:
 def checks(view: DriveView) -> list[Quantity]:
     """Return the checks that a cycle ends in the angle in which it begins, and that a crank can turn round."""
     driven, i, crank = view.driven, view.driven.number, slides.CRANK_SLIDER
-    cell, called = CELLS["checks"], driven.called
     travel = amount(
         f"[axes.travel.{i}]",
         shown(driven.axis.motion.lifts_sum, driven.axis.unit),
         "it ends ",
         " ° from where it begins",
     )
-    whole = cell("@ok_turns", ends_in_place(driven), called=called, i=i, says=travel)
+    cell = CELLS["checks"].sharing(**view.parts)
+    whole = cell("@ok_turns", ends_in_place(driven), says=travel)
     if not view.slides:
         return [whole]
     apart = quoted(PressCrank.APART)
-    return [cell("@ok_linked", True, called=called, fits=crank.fits, holds=crank.holds, i=i, says=apart), whole]
+    return [cell("@ok_linked", True, fits=crank.fits, holds=crank.holds, says=apart), whole]

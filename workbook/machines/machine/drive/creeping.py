@@ -13,10 +13,6 @@ from workbook.machines.machine.drive.view import DriveView
 
 CELLS = cell_tables(__file__)
 
-ABOUT = (
-    "A machine starts up slowly: no inertia helps then, a dead centre is passed without momentum, friction and weight "
-    "stand in full. What a peak torque that falls with speed has fallen counts as torque."
-)
 DECIMALS = 9  # of a use: limits that are used alike are told apart by no rounding
 FALLEN = "SUMPRODUCT(MAX(([@pt.TC]^2)^0.5+@fall*(([@pt.n]^2)^0.5*@slow>@knee)*(([@pt.n]^2)^0.5*@slow-@knee)))"
 LIMITS = (
@@ -36,15 +32,10 @@ def creeping_table(sheet: Sheet, view: DriveView) -> None:
         f"={largest('SC')}",
         f"={cubic('[@pt.SC]')}",
     )
-    sheet.heading("Workings: creeping", ABOUT)
-    sheet.rows(
-        CELLS["rate"]("@creep_rate", shown(CREEP_RATE, PER_MINUTE)),
-        CELLS["rate"]("@slow", view.slow),
-    )
-    sheet.table(
-        "@creep",
-        "Torques while it creeps, and their limits",
-        len(checks),
+    CELLS["rate"].begin(sheet)
+    sheet.rows(CELLS["rate"]("@creep_rate", shown(CREEP_RATE, PER_MINUTE)), CELLS["rate"]("@slow", view.slow))
+    cell.place(
+        sheet,
         cell("name", [check.name for check in checks]),
         cell(
             "value",

@@ -17,6 +17,7 @@ from workbook.machines.machine.timing.phases import beyond, no_fault
 
 CELLS = cell_tables(__file__)
 
+OF_PART = "count inertia shaft driver driven diameter length density bore".split()
 TITLE = "Rotating parts: an inertia, or a cylinder's diameter, length and density; teeth of what is geared"
 
 
@@ -45,7 +46,7 @@ def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
         rows,
         column("name"),
         cell("k", list(range(1, rows + 1))),
-        *map(column, ("count", "inertia", "shaft", "driver", "driven", "diameter", "length", "density", "bore")),
+        *map(column, OF_PART),
         cell("one", filled([shown(p.inertia, KG_CM2) for p in turned], rows)),
         cell("speed", filled([p.speed_ratio for p in turned], rows, 1.0)),
         cell("all", filled([shown(p.reflected, KG_CM2) for p in turned], rows)),
@@ -83,10 +84,11 @@ def forces_in_words(driven: Driven) -> list[str]:
 
 def listed(driven: Driven) -> list[Quantity]:
     """Return rotating parts and process forces in a line each, for the page of the drive."""
-    cell, texts = CELLS["listed"], [", ".join(filter(None, of(driven))) for of in (parts_in_words, forces_in_words)]
+    texts = [", ".join(filter(None, of(driven))) for of in (parts_in_words, forces_in_words)]
     parts, forces = (Sentence(text or NONE) for text in texts)
     unit = "N" if driven.travels else "Nm"
-    return [cell("@parts_listed", parts, none=NONE), cell("@windows_listed", forces, none=NONE, unit=unit)]
+    cell = CELLS["listed"].sharing(none=NONE)
+    return [cell("@parts_listed", parts), cell("@windows_listed", forces, unit=unit)]
 
 
 def on_shaft(shaft: str) -> str:
@@ -107,7 +109,6 @@ ACTS = "(([at]>=[@windows.from])*([at]<[@windows.from]+[@windows.span])+([at]+36
 
 def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
     """Declare the process forces over the cycle."""
-    cell = CELLS["windows"]
     driven, over = view.driven, view.tables.machine.over
     found, unit = driven.windows, "N" if driven.travels else "Nm"
     start = over.degrees_formula("[start]")
@@ -115,30 +116,19 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
     column = table_of(ForceWindow).columns(driven.axis.typed.load.windows, f"{key}.load.windows", WINDOWS)
     late = f"[axes_taken.late.{driven.number}]"
     spans = [shown((w.end - w.begin), DEGREE) for w in found]
-    sheet.table(
-        "@windows",
-        "Process forces: leave spare rows empty",
-        WINDOWS,
-        cell("k", list(range(1, WINDOWS + 1))),
+    cell = CELLS["windows"].sharing(start=start, unit=unit, late=late)
+    cell.place(
+        sheet,
         column("start", place=over.unit, format=over.format, upper_limit=over.upper_limit),
         column("stop", place=over.unit, source=over.entered_of, format=over.format, upper_limit=over.upper_limit),
         column("force", unit=unit),
         column("resists"),
-        cell(
-            "from",
-            filled([w.start for w in driven.entered.load.windows], WINDOWS),
-            start=start,
-        ),
-        cell(
-            "span",
-            filled([span + (360 if span < 0 else 0) for span in spans], WINDOWS),
-            stop=stop,
-            start=start,
-        ),
-        cell("always", filled([w.load.torque for w in found], WINDOWS), unit=unit),
-        cell("moving", filled([w.load.friction for w in found], WINDOWS), unit=unit),
-        cell("b", view.edges[::2], late=late, scale=360.0),
-        cell("e", view.edges[1::2], late=late, scale=360.0),
+        cell("from", filled([w.start for w in driven.entered.load.windows], WINDOWS)),
+        cell("span", filled([span + (360 if span < 0 else 0) for span in spans], WINDOWS), stop=stop),
+        cell("always", filled([w.load.torque for w in found], WINDOWS)),
+        cell("moving", filled([w.load.friction for w in found], WINDOWS)),
+        cell("b", view.edges[::2], scale=360.0),
+        cell("e", view.edges[1::2], scale=360.0),
         cell("listed", so_far(forces_in_words(driven), WINDOWS), before=BEFORE.format('[start]=""')),
         *([beyond(over)] if over.measured else []),
     )

@@ -28,6 +28,31 @@ LISTED: dict[str, tuple[type[MotorRow | ReducerRow], tuple[str, ...]]] = {
     "reducer": (ReducerRow, ("i", "eta", "inertia", "t012", "tmax", "full", "fs", "t2n", "nmax")),
 }
 """by product, the columns of its catalogue that a drive reads"""
+IN_USE = {
+    "motor": {
+        "jm": "inertia",
+        "motor_stall": "stall_torque",
+        "motor_rated": "rated_torque",
+        "motor_nn": "rated_speed",
+        "motor_peak": "peak_torque",
+        "motor_nmax": "max_speed",
+        "motor_row": "row",
+    },
+    "reducer": {
+        "i1": "ratio",
+        "eta1": "efficiency",
+        "j_reducer": "inertia",
+        "no_load": "no_load_torque",
+        "reducer_peak": "peak_torque",
+        "reducer_full": "full_cycles",
+        "reducer_fs": "cycle_factor",
+        "reducer_mean": "mean_torque",
+        "reducer_nmax": "max_speed",
+        "reducer_row": "row",
+    },
+}
+"""by product, the cells of its figures in use; limits are over their reserves"""
+UNITS = {"inertia": KG_CM2}  # of these cells, where not that of the figures
 
 
 def named(rows: Sequence[P], name: str) -> tuple[int, P | None]:
@@ -160,39 +185,26 @@ def catalogued(driven: "Driven") -> Iterator[Quantity]:
 def figures(driven: "Driven") -> list[Quantity]:
     """Return the figures of motor and reducer: of the catalogue, in use, and the limits, over their reserves."""
     motor, reducer, limits = driven.motor_used, driven.reducer, driven.limits
-    lasting = driven.left / limits.rms_reserve
+    cell, lasting = CELLS["figures"], driven.left / limits.rms_reserve
     values = {
-        "@motor_row": motor.row,
-        "@reducer_row": reducer.row,
-        "@jm": shown(motor.inertia, KG_CM2),
         "@stall": motor.stall_torque / lasting,
         "@rated": motor.rated_torque / lasting,
         "@nn_given": motor.rated_given,
-        "@motor_nn": motor.rated_speed,
         "@peak": motor.peak_torque * limits.peak_reserve,
         "@nmax": motor.max_speed * limits.speed_reserve,
         "@losses": motor.losses,
         "@copper": shown(motor.copper, KW),
         "@derate": driven.left,
-        "@motor_stall": motor.stall_torque,
-        "@motor_rated": motor.rated_torque,
-        "@motor_peak": motor.peak_torque,
-        "@motor_nmax": motor.max_speed,
-        "@i1": reducer.ratio,
-        "@eta1": reducer.efficiency,
-        "@j_reducer": shown(reducer.inertia, KG_CM2),
-        "@no_load": reducer.no_load_torque,
         "@reducer_rated": reducer.peak_torque * limits.torque_factor,
-        "@reducer_full": reducer.full_cycles,
-        "@reducer_fs": reducer.cycle_factor,
-        "@reducer_mean": reducer.mean_torque,
-        "@reducer_nmax": reducer.max_speed,
-        "@reducer_peak": reducer.peak_torque,
         "@mean_most": reducer.mean_torque,
         "@input_most": reducer.max_speed,
     }
     values |= {f"@{name}": getattr(limits, name) for name in Limits.model_fields}
-    return [*catalogued(driven), *(CELLS["figures"](name, value) for name, value in values.items())]
+    for kind, used in (("motor", motor), ("reducer", reducer)):
+        values |= {
+            f"@{name}": shown(getattr(used, figure), UNITS.get(figure, 1.0)) for name, figure in IN_USE[kind].items()
+        }
+    return [*catalogued(driven), *(cell(name, values[name]) for name in cell)]
 
 
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'
@@ -200,8 +212,6 @@ HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit,
 
 def checks(number: int, called: str) -> list[Quantity]:
     """Return the checks that the motor is named, or entered, and cooler than its winding may get."""
-    cell, key = CELLS["checks"], f"axes.{number - 1}.motor"
-    return [
-        cell("@ok_told", True, called=called, key=key, untold=UNTOLD),
-        cell("@ok_cool", True, called=called, key=key, says=HOT),
-    ]
+    key = f"axes.{number - 1}.motor"
+    cell = CELLS["checks"].sharing(called=called, key=key)
+    return [cell("@ok_told", True, untold=UNTOLD), cell("@ok_cool", True, says=HOT)]

@@ -114,7 +114,7 @@ FALLING = ("@corner", largest("T0"), "MAX([@pt.uc])", "MAX([@pt.ub])", "0", "0")
 
 def means(view: DriveView) -> list[Quantity]:
     """Return the rows of the means that the rates depend on, and of the line of the continuous torque."""
-    cell = CELLS["means"]
+    cell = CELLS["means"].sharing(**view.parts)
     points, size = view.points, view.scales.torque**2
     own, mixed, growing = mean_squares(points)
     stall, fall, near, half, left, square = continuous_line(points, view.driven.motor)
@@ -133,7 +133,7 @@ def means(view: DriveView) -> list[Quantity]:
         cell("@left", left, scale=most),
         cell("@square", square, scale=most**2),
         cell("@root", math.sqrt(max(0.0, square)), scale=most),
-        cell("@smean0", mean.standing, cubic=cubic("[@pt.S0]"), scale=view.scales.behind),
+        cell("@smean0", mean.standing, cubic=cubic("[@pt.S0]")),
         cell("@grow_s", mean.growing, cubic=cubic("([@pt.S]-[@pt.S0])"), scale=most_behind),
         cell("@half_s", mean.half, scale=most_behind),
         cell("@left_s", mean.left, scale=most_behind),
@@ -161,7 +161,7 @@ SHARES = {"forward": "forward", "backward": "backward", "from": "from_forward", 
 
 def estimates_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the table of the estimated rates of each limit."""
-    cell, names, search = CELLS["held"], names_of(view), view.search
+    names, search = names_of(view), view.search
     estimates = [search.estimates.get(name, search.estimates[PEAK_TORQUE]._replace(**LEVEL)) for name in names]
     estimated = [search.estimated.get(name, Ends(0.0, math.inf)) for name in names]
     limits, stands, *shares = zip(*((LIMITS | {BELOW: FALLING})[name] for name in names), strict=True)
@@ -179,24 +179,18 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
     )
     since = f'IF(MAX([from],[from_back])*@least_use>=1,"{NEVER_HELD}",@rate*SQRT(MAX([from],[from_back])))'
     sheet.row += 1
-    sheet.table(
-        "@held",
-        "Estimate: from and up to which rate each limit is held",
-        len(names),
+    cell = CELLS["held"].sharing(**view.parts, rate=view.rate)
+    cell.place(
+        sheet,
         cell("name", names),
         cell("limit", limit, limit_of=list(limits)),
         cell("cap", [each or NO_LIMIT for each in limit]),
-        cell(
-            "stands",
-            in_units(estimate.standing for estimate in estimates),
-            standing=list(stands),
-            scale=view.scales.torque,
-        ),
+        cell("stands", in_units(estimate.standing for estimate in estimates), standing=list(stands)),
         *(
             cell(name, [getattr(estimate, field) for estimate in estimates], share=list(cells), scale=1.0)
             for (name, field), cells in zip(SHARES.items(), shares, strict=True)
         ),
-        cell("most", [max(estimate.forward, estimate.backward) for estimate in estimates], scale=1.0),
+        cell("most", [max(estimate.forward, estimate.backward) for estimate in estimates]),
         cell(
             "rate",
             [met(estimate.high) for estimate in estimated],
@@ -206,7 +200,6 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
             "low",
             [met(estimate.low, NEVER_HELD) for estimate in estimated],
             since=["0+0" if name == CYCLES else since for name in names],
-            scale=view.rate,
         ),
     )
 

@@ -28,13 +28,13 @@ def behind(view: DriveView) -> str:
 
 def standing(view: DriveView) -> list[Quantity]:
     """Return the columns for the highest rate: torques without motion, what of the curve grows with the rate."""
-    cell = CELLS["standing"]
-    points, load, size, of, driven = view.points, view.load, view.scales, view.by_point, view.driven
+    points, load, of, driven = view.points, view.load, view.by_point, view.driven
     before, output = stages.output(view, behind(view), "", "[R]", stages.REST)
+    cell = CELLS["standing"].sharing(**view.parts)
     columns = [
         *before,
-        cell("S0", of(load.output_torque_at_rest), output=output, scale=size.behind),
-        cell("T0", of(points.standing), held=brake.held(view), behind_reducer=LOSS1.format("[S0]"), scale=size.torque),
+        cell("S0", of(load.output_torque_at_rest), output=output),
+        cell("T0", of(points.standing), held=brake.held(view), behind_reducer=LOSS1.format("[S0]")),
     ]
     if not view.knows_falling:
         return columns
@@ -47,9 +47,9 @@ def standing(view: DriveView) -> list[Quantity]:
 
     return [
         *columns,
-        cell("left", of(points.reserve(driven.motor)), scale=size.torque),
-        cell("uc", of(forward), formula=use("[T]-[T0]", "@corner-[T0]"), scale=1.0),
-        cell("ub", of(backward), formula=use("[T0]-[T]", "@corner+[T0]"), scale=1.0),
+        cell("left", of(points.reserve(driven.motor))),
+        cell("uc", of(forward), formula=use("[T]-[T0]", "@corner-[T0]")),
+        cell("ub", of(backward), formula=use("[T0]-[T]", "@corner+[T0]")),
     ]
 
 
@@ -78,36 +78,33 @@ def at_another_rate(view: DriveView, then: DrivePoints, end: str, resists: str) 
 
     Their names end in ``end``, by :data:`stages.OTHER_RATES`; ``resists`` is the formula of the resisting force there.
     """
-    cell, (rate, times) = CELLS["at another rate"], stages.OTHER_RATES[end]
-    of, size, driven = view.by_point, view.scales, view.driven
+    rate, times = stages.OTHER_RATES[end]
+    of, driven = view.by_point, view.driven
     inertia, motor_inertia = by_inertia(view)
     speed, viscous = "[dx]*[vs]" if view.slides else "[v]", driven.entered.load.viscous is not None
     resisted = f"+@viscous*{speed}*({times}-{times}^2)" if viscous else ""
     source = "F_r + (F − F_r − c ẏ) x + c ẏ √x" if viscous else "F_r + (F − F_r) x"
     before, output = stages.output(view, behind(view), inertia, f"[F{end}]", end)
     words = {"end": end, "rate": rate}
+    cell = CELLS["at another rate"].sharing(**view.parts, times=times)
     return [
         cell(
             "F{end}",
             of(then.load.force),
             unit=driven_unit(view),
             resists=resists,
-            times=times,
             resisted=resisted,
-            scale=size.force,
             source=source,
             **words,
         ),
         *before,
-        cell("S{end}", of(then.load.output_torque), output=output, scale=size.behind, **words),
+        cell("S{end}", of(then.load.output_torque), output=output, **words),
         cell(
             "T{end}",
             of(then.torque),
             held=brake.held_at(view, times),
             behind_reducer=LOSS1.format(f"[S{end}]"),
             own_inertia=motor_inertia,
-            times=times,
-            scale=size.torque,
             **words,
         ),
     ]

@@ -18,18 +18,9 @@ from workbook.entries.abscissa import ANGLE
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.boundary.bends import bends_name
-from workbook.machines.machine.drive import brake, by_angle, stages
+from workbook.machines.machine.drive import brake, by_angle, other_rates, stages
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.drive.other_rates import (
-    LOSS1,
-    behind,
-    by_inertia,
-    creeping,
-    driven_unit,
-    standing,
-    tried,
-)
 from workbook.machines.machine.drive.view import PEAK_UNITS, DriveView
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.motion.pieces import FROM_START, arguments, sampled
@@ -43,19 +34,16 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive at the points of each interval."""
     cell = CELLS["pt"]
     rows = range(1, view.rows + 1)
-    sheet.table(
-        "@pt",
-        "The drive at nine points of each interval",
-        view.rows * POINTS,
-        cell("k", list(range(1, view.rows * POINTS + 1))),
+    cell.place(
+        sheet,
         cell("iv", [k for k in rows for _ in SHARES]),
         cell("s", list(SHARES) * view.rows),
         cell("w", list(WEIGHTS) * view.rows),
         *chain(view, "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])"),
         cell("share", view.by_point(view.load.share, 0.0), scale=1.0),
-        *standing(view),
-        *tried(view),
-        *creeping(view),
+        *other_rates.standing(view),
+        *other_rates.tried(view),
+        *other_rates.creeping(view),
         blank="[share]=0",
     )
 
@@ -67,11 +55,8 @@ def tops_table(sheet: Sheet, view: DriveView) -> None:
     values = [shown(way * view.top(name, way), PEAK_UNITS[name]) for name, way in each]
     formulas = [f"={'MAX' if way > 0 else 'MIN'}([@peaks.y.same],[{name}])" for name, way in each]
     size = max(view.scales.torque, view.scales.behind, view.scales.power, view.scales.rpm if view.varies else 0.0)
-    sheet.table(
-        "@tops",
-        "The drive at its peaks",
-        len(each),
-        cell("k", list(range(1, len(each) + 1))),
+    cell.place(
+        sheet,
         cell("iv", (there.numbers.ravel() + 1).tolist()),
         *chain(there, "=[@peaks.place.same]+0"),
         cell("top", values, formula=formulas, scale=size),
@@ -80,17 +65,17 @@ def tops_table(sheet: Sheet, view: DriveView) -> None:
 
 def chain(view: DriveView, place: str) -> list[Quantity]:
     """Return the columns from the motion to the motor's power, at a ``place`` of an interval ``iv``."""
-    cell = CELLS["chain"]
-    load, points, size = view.load, view.points, view.scales
+    cell = CELLS["chain"].sharing(**view.parts)
+    load, points = view.load, view.points
     (resists, without), (drives, equation) = by_angle.forces(view)
     between = stages.between(view.driven)
-    motor_ratio, (inertia, motor_inertia) = f"@i1{between}*[g]" if view.varies else "@i", by_inertia(view)
-    before, output = stages.output(view, behind(view), inertia)
-    of, axis, unit = view.by_point, view.driven.axis, driven_unit(view)
+    motor_ratio, (inertia, motor_inertia) = f"@i1{between}*[g]" if view.varies else "@i", other_rates.by_inertia(view)
+    before, output = stages.output(view, other_rates.behind(view), inertia)
+    of, axis, unit = view.by_point, view.driven.axis, other_rates.driven_unit(view)
     linked, position = list[Quantity](), list[Quantity]()
     if view.varies:
         linked = LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of)
-        linked.append(cell("al", of(load.shaft_acceleration), scale=size.turning))
+        linked.append(cell("al", of(load.shaft_acceleration)))
     if view.varies or view.driven.by_angle:
         place_in_piece = sampled(view.tables.pieces, 0)
         position = [cell("y", of(load.position), unit=axis.base, sampled=place_in_piece, scale=axis.motion.size(0))]
@@ -99,28 +84,26 @@ def chain(view: DriveView, place: str) -> list[Quantity]:
         *position,
         cell("dir", of(load.direction)),
         *(by_angle.slide(view.driven, load, of) if view.slides else []),
-        cell("R", of(load.resisting), unit=unit, formula=resists, scale=size.force, source=without),
+        cell("R", of(load.resisting), unit=unit, formula=resists, source=without),
         *linked,
-        cell("F", of(load.force), unit=unit, formula=drives, scale=size.force, source=equation),
+        cell("F", of(load.force), unit=unit, formula=drives, source=equation),
         *before,
-        cell("S", of(load.output_torque), output=output, scale=size.behind),
+        cell("S", of(load.output_torque), output=output),
         *(brake.of_points(view) if view.brakes else ()),
         cell(
             "T",
             of(points.torque),
             held=brake.held(view),
-            behind_reducer=LOSS1.format("[S]"),
+            behind_reducer=other_rates.LOSS1.format("[S]"),
             own_inertia=motor_inertia,
-            scale=size.torque,
         ),
-        cell("n", of(shown(points.speed, RPM)), ratio=motor_ratio, scale=size.rpm),
-        cell("P", of(shown(points.power, KW)), scale=size.power),
+        cell("n", of(shown(points.speed, RPM)), ratio=motor_ratio),
+        cell("P", of(shown(points.power, KW))),
     ]
 
 
 def motion(view: DriveView, place: str) -> list[Quantity]:
     """Return the columns of the motion: place, powers of u, velocity and acceleration of the load."""
-    cell = CELLS["motion"]
     rows, load, axis = view.tables.pieces, view.load, view.driven.axis
     of = view.by_point
     numbers = np.array([interval.piece for interval in view.cycle.intervals])[view.numbers]
@@ -128,13 +111,14 @@ def motion(view: DriveView, place: str) -> list[Quantity]:
     local = load.x - np.array([piece.begin for piece in pieces])[numbers]
     sines = np.array([piece.sines for piece in pieces])[numbers[:, 0]]
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.marks))]
+    cell = CELLS["motion"].sharing(base=base)
     return [
         cell("theta", of(shown(load.x, DEGREE)), formula=place, **PLACE),
         cell("q", of(numbers + 1.0)),
         cell("u", of(local + LEAST), begins=rows.at.named("at"), not_zero=NOT_ZERO, source=FROM_START),
         *arguments(rows, "", "[q]", [of(angle) for angle in angles]),
-        cell("v", of(load.velocity), base=base, sampled=sampled(rows, 1), scale=max(axis.max_velocity, 1e-9)),
-        cell("a", of(load.acceleration), base=base, sampled=sampled(rows, 2), scale=max(axis.max_acceleration, 1e-9)),
+        cell("v", of(load.velocity), sampled=sampled(rows, 1), scale=max(axis.max_velocity, 1e-9)),
+        cell("a", of(load.acceleration), sampled=sampled(rows, 2), scale=max(axis.max_acceleration, 1e-9)),
     ]
 
 
@@ -167,11 +151,8 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
         phases = [0] * len(turns) + [*bent, *bent]
         bends = [CELLS["cuts"]("bend", phases)]
     cell = CELLS["cuts"]
-    sheet.table(
-        "@cuts",
-        "Where an interval can begin",
-        len(edges),
-        cell("k", list(range(1, len(edges) + 1))),
+    cell.place(
+        sheet,
         cell(
             "window",
             filled(windows, len(edges), 0),
@@ -187,7 +168,7 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
 
 def intervals_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the intervals, in order; spare rows at the end of the cycle have no length."""
-    cell = CELLS["iv"]
+    cell = CELLS["iv"].sharing(**view.parts)
     i, cycle, rows, found = view.driven.number, view.cycle, view.rows, view.cycle.intervals
     low, high, middles = (
         np.array([getattr(interval, name) for interval in found]) for name in ("begin", "end", "middle")
@@ -196,32 +177,26 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
     steady, friction = cycle.levels
     at = f"([mid]+[axes_taken.late.{i}])"
     speed = f"INDEX([@pt.v],{POINTS}*[k]-{POINTS - MIDDLE})"
-    sheet.table(
-        "@iv",
-        "Intervals of the cycle",
-        rows,
-        cell("k", list(range(1, rows + 1))),
+    cell.place(
+        sheet,
         cell("begin", filled(shown(low, DEGREE), rows, TURN), **PLACE),
         cell("end", filled(shown(high, DEGREE), rows, TURN), **PLACE),
         cell("len", filled(shown(high - low, DEGREE), rows), **PLACE),
         cell("mid", view.by_interval(shown(middles, DEGREE)), length=LENGTH, **PLACE),
         cell("at", view.by_interval((shown(middles, DEGREE) + view.driven.axis.given.shift) % TURN), at=at, **PLACE),
-        cell("q", filled([interval.piece + 1 for interval in found], rows, found[-1].piece + 1), i=i),
+        cell("q", filled([interval.piece + 1 for interval in found], rows, found[-1].piece + 1)),
         cell("dir", view.by_interval(cycle.direction), length=LENGTH, speed=speed),
         *(brake.of_intervals(view, LENGTH) if view.brakes else ()),
-        cell("steady", view.by_interval(steady), unit=unit, acts=ACTS, scale=view.scales.force),
-        cell("friction", view.by_interval(friction), unit=unit, acts=ACTS, scale=view.scales.force),
+        cell("steady", view.by_interval(steady), unit=unit, acts=ACTS),
+        cell("friction", view.by_interval(friction), unit=unit, acts=ACTS),
         blank=LENGTH,
     )
 
 
-ABOUT = "Between two points the torque is that of a straight line, right to about 1 %; at the points it is as above."
-
-
 def samples_table(sheet: Sheet, view: DriveView) -> None:
     """Declare torque and power of the motor at the samples of the cycle."""
-    cell = CELLS["cycle"]
-    i, size, (torque, power) = view.driven.number, view.scales, view.sampled
+    cell = CELLS["cycle"].sharing(**view.parts)
+    i, (torque, power) = view.driven.number, view.sampled
     at = f"[cycle{i}.p.same]"
     speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*[cycle{i}.v.same]/1000"
     shaft = list[Quantity]()
@@ -229,15 +204,13 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
         angle, speeds = linkage.shaft(view.load.position).angle, shown(view.between.of(view.points.speed), RPM)
         shaft = [
             cell("phi", view.between.of(angle), formula=line("phi"), scale=1.0),
-            cell("n", speeds, formula=line("n"), scale=size.rpm),
+            cell("n", speeds, formula=line("n")),
         ]
-    sheet.heading("Table over the cycle", ABOUT)
-    sheet.table(
-        "@cycle",
-        "The drive over the cycle",
-        len(torque),
-        cell("torque", torque, formula=line("T"), scale=size.torque),
-        cell("power", shown(power, KW), speed=speed, scale=size.power),
+    cell.begin(sheet)
+    cell.place(
+        sheet,
+        cell("torque", torque, formula=line("T")),
+        cell("power", shown(power, KW), speed=speed),
         *shaft,
         cell("k", list(range(len(torque)))),
         cell("at", view.between.point + 1.0, at=at),
@@ -258,10 +231,8 @@ OVER_CYCLE = "Torque over the cycle: limits red, RMS dashed"
 def limit_lines(sheet: Sheet, view: DriveView) -> None:
     """Declare the lines of the motor's peak torque and of the RMS torque over the cycle, as the chart draws them."""
     cell, peak, rms = CELLS["lines"], view.driven.motor.peak_torque, view.points.rms_torque
-    sheet.table(
-        "@lines",
-        "Limits over the cycle, as drawn in the chart",
-        2,
+    cell.place(
+        sheet,
         cell("at", [0.0, TURN]),
         cell("up", [peak, peak]),
         cell("down", [-peak, -peak]),

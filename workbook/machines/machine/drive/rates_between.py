@@ -85,9 +85,8 @@ def rates_table(sheet: Sheet, view: DriveView) -> None:
 
 def tried(view: DriveView) -> list[Quantity]:
     """Return the rows of the rate that is tried, and of the points' figures there."""
-    cell = CELLS["tried"]
-    search, size = view.search, view.scales
-    then = search.points_tried
+    search, then = view.search, view.search.points_tried
+    cell = CELLS["tried"].sharing(**view.parts)
     return [
         cell("@estimate", shown(search.estimate, PER_MINUTE)),
         cell("@off", BEYOND),
@@ -98,11 +97,9 @@ def tried(view: DriveView) -> list[Quantity]:
         cell("@times", search.factor),
         cell("@over_T", search.over[0], largest=largest("T")),
         cell("@over_S", search.over[1], largest=largest("S")),
-        cell("@TN_max", largest_size(then.torque) * search.over[0], largest=largest("TN"), scale=size.torque),
-        cell(
-            "@SN_max", largest_size(then.load.output_torque) * search.over[1], largest=largest("SN"), scale=size.behind
-        ),
-        cell("@SN_mean", then.cubic_mean(then.load.output_torque), cubic=cubic("[@pt.SN]"), scale=size.behind),
+        cell("@TN_max", largest_size(then.torque) * search.over[0], largest=largest("TN")),
+        cell("@SN_max", largest_size(then.load.output_torque) * search.over[1], largest=largest("SN")),
+        cell("@SN_mean", then.cubic_mean(then.load.output_torque), cubic=cubic("[@pt.SN]")),
         cell("@holds_tried", int(search.tried_holds)),
         cell(
             "@cycles_use", search.cycles_use[search.begin], cycles_use=CYCLES_USE.format(list(LIMITS).index(CYCLES) + 1)
@@ -158,10 +155,8 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
     meets = [met(search.met(name)) if name in search.between else NOT_REACHED for name in names]
     low = [f"=IF(@to<@from,IF(ISNUMBER([met]),[met],0),[@held.low.{row}])" for row, _ in rows]
     sheet.row += 1
-    sheet.table(
-        "@between",
-        "Between both rates: from and up to which rate each limit is held",
-        len(names),
+    cell.place(
+        sheet,
         cell("name", names),
         cell("now", [search.uses.get(name, 0.0) for name in names], formula=now),
         cell("then", [search.uses_tried.get(name, 0.0) for name in names], formula=then),

@@ -47,11 +47,8 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     under, over = [low - end for end in lows], [end - high for end in highs]
     sheet.row += 1
     cell = CELLS["reach"]
-    sheet.table(
-        "@reach",
-        "What each phase reaches",
-        n,
-        cell("k", list(range(1, n + 1))),
+    cell.place(
+        sheet,
         cell("low", lows, unit=unit, formula=of("low"), scale=size),
         cell("high", highs, unit=unit, formula=of("high"), scale=size),
         cell("under", under, unit=unit, scale=size),
@@ -64,16 +61,16 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
 def linkage_checks(view: DriveView) -> list[Quantity]:
     """Return the checks of a mechanism whose ratio changes: its sizes, its reach, and that its axis comes back."""
     driven, i, motion = view.driven, view.driven.number, view.driven.axis.motion
-    called, page = driven.called, LINKAGES[driven.given.kind]
+    page = LINKAGES[driven.given.kind]
     says = f'[axes.name.{i}]&" row "&INDEX([@reach.says],MATCH(1,[@reach.out],0))'
     travel, ends_at = f"[axes.travel.{i}]", shown(motion.lifts_sum, driven.axis.unit)
     stops = amount(travel, ends_at, "it ends ", f" {driven.entered.unit} from where it begins")
-    cell = CELLS["linkage_checks"]
+    cell = CELLS["linkage_checks"].sharing(**view.parts)
     return [
-        cell("@ok_sized", True, called=called, sized=page.sized, place=i - 1, unsized=UNSIZED),
-        cell("@ok_linked", True, called=called, fits=page.fits, holds=page.holds, i=i, says=page.wrong),
-        cell("@ok_reach", True, called=called, within=page.within, i=i, says=says),
-        cell("@ok_back", motion.closes, called=called, i=i, says=stops),
+        cell("@ok_sized", True, sized=page.sized, place=i - 1, unsized=UNSIZED),
+        cell("@ok_linked", True, fits=page.fits, holds=page.holds, says=page.wrong),
+        cell("@ok_reach", True, within=page.within, says=says),
+        cell("@ok_back", motion.closes, says=stops),
     ]
 
 

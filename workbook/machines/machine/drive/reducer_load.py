@@ -6,12 +6,12 @@ Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 """
 
 from engine.selection.point_load import PointLoad
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Sheet
 from workbook.machines.machine.drive import stages
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
-from workbook.selection.pair_selection import Shaft, limit_figures, load_figures, shaft_figures
+from workbook.selection.pair_selection import Shaft, load_figures, shaft_figures
 
 CELLS = cell_tables(__file__)
 
@@ -37,7 +37,7 @@ def turns_of(view: DriveView) -> float:
 
 def means(sheet: Sheet, view: DriveView) -> None:
     """Declare the means over the cycle, and all else that depends on neither motor nor reducer."""
-    cell = CELLS["means"]
+    cell = CELLS["means"].sharing(at_motor=view.driven.at_motor)
     free = "[@pt.free]" if view.brakes else '(1-([@pt.dir]=0)*(@holding="brake"))'
     between = "@is*" if view.driven.entered.stages else ""
     moved, turns = ("[@pt.al]", between) if view.varies else ("[@pt.a]", f"{between}@i2*")
@@ -55,14 +55,12 @@ def means(sheet: Sheet, view: DriveView) -> None:
         "way_back": {"driven": driven},
         "speed": {},
     }
-    sheet.heading(
-        "Workings: what Selection needs", "Of the shaft behind the reducer: α its acceleration, S its torque."
-    )
+    cell.begin(sheet)
     sheet.rows(
         *(cell(f"@ask_{name}", figures[name][0], scale=figures[name][1], **of) for name, of in parts.items()),
         cell("@ask_turns", turns_of(view), turns=f"{turns}1" if view.varies or between else "@i2+0"),
         cell("@ask_inertia", figures["inertia"][0], inertia=stages.inertia(view.driven)),
-        cell("@ask_beside", view.driven.beside_motor, on_shaft=on_shaft("motor"), scale=view.driven.at_motor),
+        cell("@ask_beside", view.driven.beside_motor, on_shaft=on_shaft("motor")),
     )
 
 
@@ -70,38 +68,34 @@ def shaft_of(view: DriveView) -> Shaft:
     """Return the shaft behind the reducer of a drive, as the sheet Selection reads it."""
     d, motor, reducer, rms = view.driven, view.driven.motor_used, view.driven.reducer, view.reserve.rms_torque
     top, torque = view.reserve.peak_torque.value, view.scales.torque
-    spare = ("@motor_peak-MAX(@tmax,0-@tmin)", d.motor.peak_torque - top)
     load, turning, behind = load_of(view), view.scales.turning * view.load.output_ratio, view.scales.behind
-    demand = load_figures(load, turning, behind)
-    rows = shaft_figures(
-        f"drive{d.number}_",
-        demand,
-        {name: f"@ask_{name}" for name in demand}
-        | {
-            "mean": "@mean*PI()/30/@i1",
-            "smax": "@smax",
-            "smean": "@smean",
-            "cycles": ("@cycles", view.cycles),
-            "beside": ("@ask_beside", d.beside_motor),
-            "turns": ("@ask_turns", turns_of(view)),
-            "brake": ("0", 0.0) if view.brakes else ('(@holding="brake")', float(d.holding == "brake")),
-            "by_power": ('(@method="physical")', float(d.given.method == "physical")),
-            "left": ("@derate", d.left),
-            **limit_figures(d.limits, "@"),
-            "held_j": ("@j0", d.at_motor),
-            "held_jm": ("@jm/10000", motor.inertia),
-            "held_i": ("@i1", reducer.ratio),
-            "held_eta": ("@eta1", reducer.efficiency),
-            "held_no_load": ("@no_load", reducer.no_load_torque),
-            "held_rated": ("@continuous*@rms_reserve", rms.limit * d.limits.rms_reserve),
-            "held_peak": ("@motor_peak*@peak_reserve", motor.peak_torque * d.limits.peak_reserve),
-            "held_top": ("MAX(@tmax,0-@tmin)", top, torque),
-            "held_spare": (*(("@spare", view.spare) if view.knows_falling else spare), torque),
-            "held_nmax": ("@motor_nmax*@speed_reserve", motor.max_speed * d.limits.speed_reserve),
-            "held_row": ("@motor_row", motor.row),
-            "held_gear": ("@reducer_row", reducer.row),
-        },
-    )
+    rows = formulas_by_row(__file__, "as Selection reads it")
+    formulas = dict(zip(rows["figure"], rows["reads"], strict=True))
+    formulas |= {"brake": "0"} if view.brakes else {}
+    formulas |= {} if view.knows_falling else {"held_spare": "@motor_peak-MAX(@tmax,0-@tmin)"}
+    values = {
+        **load_figures(load, turning, behind),
+        "cycles": view.cycles,
+        "beside": d.beside_motor,
+        "turns": turns_of(view),
+        "brake": float(d.holding == "brake" and not view.brakes),
+        "by_power": float(d.given.method == "physical"),
+        "left": d.left,
+        **dict(d.limits),
+        "held_j": d.at_motor,
+        "held_jm": motor.inertia,
+        "held_i": reducer.ratio,
+        "held_eta": reducer.efficiency,
+        "held_no_load": reducer.no_load_torque,
+        "held_rated": rms.limit * d.limits.rms_reserve,
+        "held_peak": motor.peak_torque * d.limits.peak_reserve,
+        "held_top": (top, torque),
+        "held_spare": (view.spare if view.knows_falling else d.motor.peak_torque - top, torque),
+        "held_nmax": motor.max_speed * d.limits.speed_reserve,
+        "held_row": motor.row,
+        "held_gear": reducer.row,
+    }
+    figures = shaft_figures(f"drive{d.number}_", formulas, values)
     return Shaft(
         d.entered.name,
         d.number,
@@ -112,5 +106,5 @@ def shaft_of(view: DriveView) -> Shaft:
         "ABS({})/@held_i",
         turning,
         behind,
-        rows,
+        figures,
     )

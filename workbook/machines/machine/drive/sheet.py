@@ -147,55 +147,45 @@ def to(bound: float, of: str = "") -> str:
 
 def outcome(view: DriveView) -> list[Quantity]:
     """Return the results: torques, speeds, energies that the cycle asks of the motor, and the range of rates."""
-    cell = CELLS["outcome"]
-    driven, points, size = view.driven, view.points, view.scales
+    driven, points = view.driven, view.points
     reducer, own, bound = view.reducer_checks, driven.entered.rate, stated_bounds(driven.train)
     inertias = np.array(
         [driven.motor_used.inertia, driven.reducer.inertia, driven.beside_motor, reducer_load.behind_reducer(view)]
     )
     fastest = f"=MAX({top('n')},0-{top('n', 'low')})" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
+    cell = CELLS["outcome"].sharing(**view.parts, inertia=stages.inertia(driven))
     return [
         cell("@sized", OWN if own else MACHINES, machines=MACHINES, own=OWN),
         cell("@rate", view.rate),
         cell(
             "@jtot",
             shown(view.inertia, KG_CM2),
-            inertia=stages.inertia(driven),
             source="the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts",
         ),
         cell("@inertias", view.inertia_ratio),
         cell("@j_all", shown(driven.motor_used.inertia + view.inertia, KG_CM2)),
-        cell("@j_figures", Sentence(" + ".join(map(rounded, shown(inertias, KG_CM2)))), inertia=stages.inertia(driven)),
-        cell("@largest", view.size("T"), scale=size.torque, source=to(bound.peak_torque)),
+        cell("@j_figures", Sentence(" + ".join(map(rounded, shown(inertias, KG_CM2))))),
+        cell("@largest", view.size("T"), source=to(bound.peak_torque)),
         cell(
             "@tmax",
             view.top("T"),
             highest=top("T"),
-            scale=size.torque,
             source=to(bound.peak_torque) + ("" if view.varies or driven.by_angle else UNDAMPED),
         ),
-        cell("@tmin", -view.top("T", -1), lowest=top("T", "low"), scale=size.torque, source=to(bound.peak_torque)),
-        cell("@rms", points.rms_torque, bound=to(bound.rms_torque, "the peak"), scale=size.torque),
-        cell("@t_hold", points.holding_torque, scale=size.torque),
+        cell("@tmin", -view.top("T", -1), lowest=top("T", "low"), source=to(bound.peak_torque)),
+        cell("@rms", points.rms_torque, bound=to(bound.rms_torque, "the peak")),
+        cell("@t_hold", points.holding_torque),
         cell(
             "@speed",
             shown(view.speed, RPM),
             formula=fastest,
-            scale=size.rpm,
             source=f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio",
         ),
-        cell("@mean", shown(points.mean_speed, RPM), scale=size.rpm),
+        cell("@mean", shown(points.mean_speed, RPM)),
         motor.continuous(view.driven.motor, points.mean_speed),
-        *([cell("@spare", view.spare, scale=size.torque)] if view.knows_falling else []),
-        cell(
-            "@smax",
-            reducer[0].value,
-            highest=top("S"),
-            lowest=top("S", "low"),
-            scale=size.behind,
-            source=to(bound.peak_torque),
-        ),
-        cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]"), scale=size.behind),
+        *([cell("@spare", view.spare)] if view.knows_falling else []),
+        cell("@smax", reducer[0].value, highest=top("S"), lowest=top("S", "low"), source=to(bound.peak_torque)),
+        cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]")),
         *energies(view),
         *max_rate.range_results(view),
     ]
@@ -217,26 +207,22 @@ def uses(view: DriveView) -> list[Quantity]:
 
 def energies(view: DriveView) -> list[Quantity]:
     """Return the results of the motor's energy and power over the cycle."""
-    cell = CELLS["energies"]
-    size, (driving, returned), bound = view.scales, view.energy, stated_bounds(view.driven.train)
+    (driving, returned), bound = view.energy, stated_bounds(view.driven.train)
+    cell = CELLS["energies"].sharing(**view.parts)
     return [
-        cell("@energy", driving, bound=to(bound.energy, "both energies"), scale=size.work),
-        cell("@returned", returned, scale=size.work, source=to(bound.energy, "both energies")),
+        cell("@energy", driving, bound=to(bound.energy, "both energies")),
+        cell("@returned", returned, source=to(bound.energy, "both energies")),
         cell(
             "@power",
             shown((driving - returned) / view.driven.drive_cycle.time, KW),
-            scale=size.power,
             source=to(bound.mean_power, "the peak"),
         ),
-        cell(
-            "@pmax", shown(max(0.0, view.top("P")), KW), highest=top("P"), scale=size.power, source=to(bound.peak_power)
-        ),
+        cell("@pmax", shown(max(0.0, view.top("P")), KW), highest=top("P"), source=to(bound.peak_power)),
         cell(
             "@pmin",
             shown(min(0.0, -view.top("P", -1)), KW),
             lowest=top("P", "low"),
             bound=to(bound.peak_power, "the larger"),
-            scale=size.power,
         ),
         *([brake.torque(view)] if view.brakes else []),
     ]
@@ -267,12 +253,12 @@ def at_rate(view: DriveView) -> list[Quantity]:
 
 def checks(view: DriveView) -> list[Quantity]:
     """Return the checks of the drive: of its limits with what would mend them, and of what is entered."""
-    cell = CELLS["checks"]
+    cell = CELLS["checks"].sharing(**view.parts)
     driven, (torque, mean, speed) = view.driven, view.reducer_checks
     called, reducer = driven.called, driven.reducer
     mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').text}")
     is_level, level_says = not driven.catalogued_falling.fall, CheckSentence(f'"{LEVEL}"', LEVEL)
-    level = cell("@ok_curve", is_level, called=called, says=level_says)
+    level = cell("@ok_curve", is_level, says=level_says)
     return [
         *motor.limit_checks(view.reserve, called, mends=mends),
         *motor.within_reducer(

@@ -16,17 +16,13 @@ from workbook.motion.pieces import FROM_START, arguments, at_place, turned
 CELLS = cell_tables(__file__)
 
 FULL = "turns round {} times inside pieces and is cut at {}; build with larger sizes.turns and sizes.motion_pieces"
-ABOUT = (
-    "A piece that moves both ways is cut where it turns: beside that it has the velocity y', y'' and y''', and on "
-    "their parabola y' is 0 after 2y'/(y'' ± √(y''² − 2 y' y''')), to a millionth of the piece."
-)
 
 
 def turns_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the places at which the motion turns round inside a piece."""
     turns, room = len(view.tables.turning.turns), view.turn_rows
     cell = CELLS["counts"]
-    sheet.heading("Workings: where it turns round", ABOUT)
+    cell.begin(sheet)
     sheet.rows(
         cell("@turned", turns, axis_turns=view.tables.turning.name),
         cell("@cut", view.turns_cut, room=room, left=left(view)),
@@ -52,14 +48,14 @@ def columns(view: DriveView) -> list[Quantity]:
         cell("q", filled([turn.piece + 1 for turn in turns], room, 1), axis_turns=of),
         cell("again", filled([int(turn.again) for turn in turns], room)),
         cell("after", filled([turn.after for turn in turns], room), axis_turns=of),
-        cell("s", filled([turn.share for turn in turns], room), axis_turns=of, half=0.5 / PARTS, scale=1.0),
+        cell("s", filled([turn.share for turn in turns], room), axis_turns=of, half=0.5 / PARTS),
         cell("u", u + LEAST, pieces=rows.at.pieces, not_zero=NOT_ZERO, source=FROM_START),
         *arguments(rows, "", "[q]", turned(pieces, u)),
         *(
             cell(name, values, unit=rows.at.unit(order), there=at_place(rows, order, "", "[q]"), scale=size(order))
             for order, (name, values) in enumerate((("v", v), ("a", a), ("j", j)), 1)
         ),
-        cell("at", at, begin=rows.at.named("at"), scale=TURN),
+        cell("at", at, begin=rows.at.named("at")),
     ]
 
 
@@ -73,7 +69,7 @@ def left(view: DriveView) -> str:
 
 def turns_check(view: DriveView) -> Quantity:
     """Return the check that the drive is cut wherever it turns round."""
-    cell = CELLS["turns_check"]
+    cell = CELLS["turns_check"].sharing(**view.parts)
     count, cut = len(view.tables.turning.turns), view.turns_cut
     says = CheckSentence(spelled(FULL, "@turned", "@cut"), FULL.format(count, cut))
-    return cell("@ok_turned", count == cut, called=view.driven.called, says=says)
+    return cell("@ok_turned", count == cut, says=says)

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -276,6 +276,12 @@ class DriveView:
         force = max(float(np.abs(load.force).max()), LEAST)
         turning = max(float(np.abs(load.shaft_acceleration).max()), 1e-9)
         return Scales(force, behind, torque, rpm, power, max(si(power, KW) * self.time, LEAST), turning)
+
+    @cached_property
+    def parts(self) -> dict[str, Any]:
+        """The parts that texts of its cells have, and the scales that these name."""
+        own = {"called": self.driven.called, "base": self.driven.axis.base}
+        return self.scales._asdict() | own | {"i": self.driven.number, "number": self.driven.number}
 
     @property
     def energy(self) -> Energy:

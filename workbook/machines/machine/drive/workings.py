@@ -77,13 +77,7 @@ def inertias(view: DriveView, sizes: list[Quantity]) -> list[Quantity]:
         cell("@tau", 1.0 / m.stages[0].ratio),
         cell("@j0", driven.at_motor, on_shaft=on_shaft("motor")),
         cell("@j1", own, on_shaft=on_shaft("mechanism"), own=stages.own(driven)),
-        cell(
-            "@j_shaft",
-            own + moved * view.travel**2,
-            by_travel=by_travel(view),
-            of_load=of_load,
-            largest=largest,
-        ),
+        cell("@j_shaft", own + moved * view.travel**2, by_travel=by_travel(view), of_load=of_load, largest=largest),
     ]
 
 
@@ -91,10 +85,10 @@ def resisting(view: DriveView) -> list[Quantity]:
     """Return the rows of the constant load force and of friction."""
     load, size = view.driven.load, view.scales.force
     if view.driven.travels:
-        cell = CELLS["load that travels"]
+        cell = CELLS["load that travels"].sharing(size=size)
         on_bed = getattr(view.driven.given, "belt_on_bed", None) is not None
         pressing, symbol = ("(@mass+@belt_on_bed)", "(m + m_bed)") if on_bed else ("@mass", "m")
-        friction = cell("@rub", load.friction, pressing=pressing, pressing_symbol=symbol, scale=size)
+        friction = cell("@rub", load.friction, pressing=pressing, pressing_symbol=symbol)
     else:
         cell = CELLS["load that turns"]
         friction = cell("@rub", load.friction, scale=size)
@@ -104,13 +98,10 @@ def resisting(view: DriveView) -> list[Quantity]:
 
 def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     """Declare ratios, inertias, losses and resisting forces, in S1's terms."""
-    cell = CELLS["workings"]
+    cell = CELLS["workings"].sharing(**view.parts)
     driven, tables, axis = view.driven, view.tables, view.driven.axis
     still = STANDSTILL * driven.max_geometric_velocity * axis.speed
-    sheet.heading(
-        "Workings: the chain",
-        "S1: C_m = J_m/τ ω̇ + τ (C_r + J_tot ω̇), τ = 1/i_1 and ω̇ of the mechanism's shaft; with losses τ over η_1.",
-    )
+    cell.begin(sheet)
     sheet.rows(
         cell("@faster", shown(axis.speed, tables.axis.speed)),
         cell("@omega", axis.speed, speed=tables.machine.over.speed),
@@ -118,17 +109,11 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
         *losses(view),
         *(stages.workings(view) if driven.entered.stages else ()),
         *resisting(view),
-        cell("@vmax", driven.max_geometric_velocity, number=driven.number),
-        cell("@amax", axis.max_acceleration, base=axis.base, number=driven.number),
-        cell("@still", still, base=axis.base, scale=max(still, 1e-12)),
+        cell("@vmax", driven.max_geometric_velocity),
+        cell("@amax", axis.max_acceleration),
+        cell("@still", still, scale=max(still, 1e-12)),
         *([cell("@arm", driven.by_angle.moment)] if isinstance(driven.by_angle, Arm) else []),
     )
-
-
-ABOUT = (
-    "w at the largest point, w_0 and w_1 at its neighbours, Δ_0 and Δ_1 degrees away: the top of the parabola is "
-    "(s_0 Δ_1 + s_1 Δ_0)/2(s_0 − s_1) degrees behind the point, s_0 and s_1 the slopes on both sides."
-)
 
 
 def top(name: str, end: str = "high") -> str:
@@ -139,7 +124,6 @@ def top(name: str, end: str = "high") -> str:
 
 def peaks_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the peaks, a row for the highest and one for the lowest of each quantity."""
-    cell = CELLS["peaks"]
     points, sizes, last = view.points, view.scales, view.rows * POINTS
     words = {
         "T": ("motor torque", sizes.torque),
@@ -160,26 +144,20 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     slopes = [
         [(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)] for k in (0, 1)
     ]
-    sheet.heading("Workings: peaks", ABOUT)
-    sheet.table(
-        "@peaks",
-        "Peaks over the cycle",
-        len(each),
+    CELLS["peaks"].begin(sheet)
+    cell = CELLS["peaks"].sharing(column=columns, size=size)
+    cell.place(
+        sheet,
         cell("what", [f"{words[name][0]}, {'highest' if sign > 0 else 'lowest'}" for name, sign in each]),
         cell("sign", signs),
-        cell(
-            "most",
-            [shown(float((sign * PEAKED[name](points)).max()), PEAK_UNITS[name]) for name, sign in each],
-            column=columns,
-            scale=size,
-        ),
-        cell("at", [peak.at + 1 for peak in found], column=columns, beyond=last + 1),
-        cell("y0", [n[0] for n in neighbours], column=columns, scale=size),
-        cell("y", [n[1] for n in neighbours], column=columns, scale=size),
-        cell("y1", [n[2] for n in neighbours], column=columns, last=last, scale=size),
-        cell("a", gaps[0], scale=360.0),
-        cell("b", gaps[1], scale=360.0),
-        cell("s0", slopes[0], scale=size),
-        cell("s1", slopes[1], scale=size),
-        cell("place", shown(view.at_peaks.load.x.ravel(), DEGREE).tolist(), scale=360.0),
+        cell("most", [shown(float((sign * PEAKED[name](points)).max()), PEAK_UNITS[name]) for name, sign in each]),
+        cell("at", [peak.at + 1 for peak in found], beyond=last + 1),
+        cell("y0", [n[0] for n in neighbours]),
+        cell("y", [n[1] for n in neighbours]),
+        cell("y1", [n[2] for n in neighbours], last=last),
+        cell("a", gaps[0]),
+        cell("b", gaps[1]),
+        cell("s0", slopes[0]),
+        cell("s1", slopes[1]),
+        cell("place", shown(view.at_peaks.load.x.ravel(), DEGREE).tolist()),
     )

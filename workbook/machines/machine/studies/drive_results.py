@@ -9,6 +9,7 @@ import numpy as np
 
 from engine.selection.point_load import shares_of
 from workbook.fields.units import KG_CM2, KW, shown
+from workbook.machines.machine.drive.in_use import IN_USE, UNITS
 from workbook.machines.machine.studies.drives import WEIGHED, DriveStudy
 from workbook.template_outputs import Computations
 
@@ -51,29 +52,6 @@ RESULTS: dict[str, Callable[[DriveStudy], Any]] = {
     "reducer_held": lambda study: study.reducer_held_at(1.0 / study.time),
 } | {f"pair_{name}": lambda study, name=name: study.motors_used[name] + study.reducers_used[name] for name in WEIGHED}
 
-FIGURES = {
-    "motor": {
-        "inertia": "jm",
-        "stall_torque": "motor_stall",
-        "rated_torque": "motor_rated",
-        "rated_speed": "motor_nn",
-        "peak_torque": "motor_peak",
-        "max_speed": "motor_nmax",
-    },
-    "reducer": {
-        "ratio": "i1",
-        "efficiency": "eta1",
-        "inertia": "j_reducer",
-        "no_load_torque": "no_load",
-        "peak_torque": "reducer_peak",
-        "full_cycles": "reducer_full",
-        "cycle_factor": "reducer_fs",
-        "mean_torque": "reducer_mean",
-        "max_speed": "reducer_nmax",
-    },
-}
-"""of motor and reducer by figure, the cell that it stands in; limits are over their reserves"""
-
 SLOW = ("highest", "binds", "lowest", "binds_low", "t_hold")
 """results for which the points of each design are worked out"""
 
@@ -82,9 +60,11 @@ def results(study: DriveStudy) -> Computations:
     """Return all results by name, each worked out when it is called."""
     asked = RESULTS | ({"brake_load": lambda study: study.brake_load} if study.bases[0].brakes else {})
     asked |= {"spare": lambda study: study.extremes.spare} if study.products.knows_falling else {}
-    for kind, figures_of in FIGURES.items():
-        cells = {cell: (name, KG_CM2 if name == "inertia" else 1.0) for name, cell in figures_of.items()}
-        cells |= {f"{kind}_{name}": (name, 1.0) for name in ("row", *WEIGHED)}
+    for kind, figures in IN_USE.items():
+        cells = figures | {f"{kind}_{name}": name for name in WEIGHED}
         used = attrgetter(f"{kind}s_used")
-        asked |= {cell: lambda study, used=used, of=of: shown(used(study)[of[0]], of[1]) for cell, of in cells.items()}
+        asked |= {
+            cell: lambda study, used=used, name=name: shown(used(study)[name], UNITS.get(name, 1.0))
+            for cell, name in cells.items()
+        }
     return {f"drive{study.axis.number}_{name}": partial(figure, study) for name, figure in asked.items()}

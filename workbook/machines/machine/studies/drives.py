@@ -10,7 +10,7 @@ from engine.drive.limits import cycle_factor_at
 from engine.drive.motor import continuous
 from engine.drive.results import Energy, MeanBusPower
 from engine.laws.base import Array
-from engine.selection.point_load import DriveBatch, Extremes, MotorLimits, PairArrays, PointLoad, shares_of
+from engine.selection import point_load
 from engine.timing import shaft_speed, turn_time
 from workbook.fields.units import PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive import in_use
@@ -80,7 +80,7 @@ class DriveStudy:
         return [DriveView(self.rows(), self.drive(0, 0, k)) for k in range(len(self.rates.values))]
 
     @cached_property
-    def loads(self) -> list[PointLoad]:
+    def loads(self) -> list[point_load.PointLoad]:
         """The demands of the cycle behind the reducer, at each rate."""
         return [load_of(base) for base in self.bases]
 
@@ -89,18 +89,20 @@ class DriveStudy:
         return np.array([figure(base) for base in self.bases])[self.rates.places]
 
     @cached_property
-    def gears(self) -> PairArrays:
+    def gears(self) -> point_load.PairArrays:
         """Motors with their reducers."""
         used = self.reducers_used
         inertia = self.motors_used["inertia"] + (used["inertia"] + self.bases[0].driven.beside_motor)
-        return PairArrays(*self._lined(inertia, used["ratio"], used["efficiency"], used["no_load_torque"]))
+        return point_load.PairArrays(*self._lined(inertia, used["ratio"], used["efficiency"], used["no_load_torque"]))
 
     def _lined(self, *values: Any) -> list[Any]:
         """Return arrays with a value for each design."""
         return list(np.broadcast_arrays(*values, self.rates.places))[:-1]
 
     def gathered(
-        self, figures_of: Callable[[float, DriveBatch], tuple[Array, ...]], loads: Sequence[PointLoad] | None = None
+        self,
+        figures_of: Callable[[float, point_load.DriveBatch], tuple[Array, ...]],
+        loads: Sequence[point_load.PointLoad] | None = None,
     ) -> list[Array]:
         """Return figures of each design, from the time of a cycle (s) at each rate and the motors on the load."""
         names, each = ("peak_torque", "knee", "fall", "copper"), []
@@ -109,7 +111,11 @@ class DriveStudy:
             some = np.flatnonzero(places == k)
             if not some.size:  # a rate of designs that are left out
                 continue
-            many = DriveBatch(load, PairArrays(*(v[some] for v in self.gears)), MotorLimits(*(v[some] for v in limits)))
+            many = point_load.DriveBatch(
+                load,
+                point_load.PairArrays(*(v[some] for v in self.gears)),
+                point_load.MotorLimits(*(v[some] for v in limits)),
+            )
             each.append((some, figures_of(self.bases[k].time, many)))
         order = np.argsort(np.concatenate([some for some, _ in each]), kind="stable")
         return [
@@ -118,9 +124,9 @@ class DriveStudy:
         ]
 
     @cached_property
-    def extremes(self) -> Extremes:
+    def extremes(self) -> point_load.Extremes:
         """Peaks over the cycle."""
-        return Extremes(*self.gathered(lambda _, many: many.extremes))
+        return point_load.Extremes(*self.gathered(lambda _, many: many.extremes))
 
     @cached_property
     def works(self) -> Energy:
@@ -161,7 +167,7 @@ class DriveStudy:
     @property
     def inertias(self) -> Any:
         """Inertia at each motor over the motor's own."""
-        return shares_of(self.at_motor, self.motors_used["inertia"])
+        return point_load.shares_of(self.at_motor, self.motors_used["inertia"])
 
     @property
     def brake_load(self) -> Array:

@@ -4,14 +4,13 @@ import math
 from typing import Any
 
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import FIRST, Quantity, Sheet, given
+from workbook.book.declare import FIRST, Quantity, Sheet
 from workbook.entries.facts import table_of
 from workbook.fields.units import PER_MINUTE, shown, si
 from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.view import MachineView, MovingAxis
 
 CELLS = cell_tables(__file__)
-COMPARED = "timing_compared"  # the cell with the rate to compare at
 
 
 def units(machine: MachineView, order: int = 0) -> str:
@@ -22,7 +21,7 @@ def units(machine: MachineView, order: int = 0) -> str:
 
 def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
     """Declare the names of the axes, what each must do and what it comes to; shifts as taken behind so many columns."""
-    cell, axes, over, unit = CELLS["axes"], machine.axes, machine.over, units(machine)
+    axes, over, unit = machine.axes, machine.over, units(machine)
     entry = table_of(Axis).columns([axis.typed for axis in axes], "axes", len(axes))
     size = max(shown(axis.motion.size(0), axis.unit) for axis in axes)
     lows, highs = ([shown(axis.motion.reach[end], axis.unit) for axis in axes] for end in (0, 1))
@@ -30,6 +29,7 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
     numbers, parts = [axis.number for axis in axes], in_units(axes)
     speed, acceleration = (units(machine, order) for order in (1, 2))
     sheet.row += 1
+    cell = CELLS["axes"].sharing(unit=unit, i=numbers)
     table = sheet.table(
         "axes",
         "Axes",
@@ -41,11 +41,11 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
         entry("smooth"),
         entry("shift", place=over.unit, format=over.format),
         entry("position", unit=unit),
-        cell("travel", travels, unit=unit, scale=max(greatest_lifts(axes)) or 1.0, **parts),
-        cell("low", lows, unit=unit, scale=size, **parts),
-        cell("high", highs, unit=unit, scale=size, **parts),
-        cell("v", [axis.max_velocity for axis in axes], symbol=over.symbols[1], unit=speed, i=numbers),
-        cell("a", [axis.max_acceleration for axis in axes], symbol=over.symbols[2], unit=acceleration, i=numbers),
+        cell("travel", travels, scale=max(greatest_lifts(axes)) or 1.0, **parts),
+        cell("low", lows, scale=size, **parts),
+        cell("high", highs, scale=size, **parts),
+        cell("v", [axis.max_velocity for axis in axes], symbol=over.symbols[1], unit=speed),
+        cell("a", [axis.max_acceleration for axis in axes], symbol=over.symbols[2], unit=acceleration),
         *extremes_compared(machine),
     )
     sheet.workings(table, "axes_taken", "Workings", FIRST + columns + 1, *taken(machine))
@@ -92,25 +92,10 @@ def compared_rate(machine: MachineView) -> float | None:
 
 def rate_to_compare(machine: MachineView) -> list[Quantity]:
     """Return the rows of the rate at which extremes are shown too, if it is entered."""
-    cell = CELLS["rate_to_compare"]
-    rate = compared_rate(machine)
-    return (
-        []
-        if rate is None
-        else [
-            given(
-                COMPARED,
-                "Compare at a rate of",
-                "N_c",
-                "cycles/min",
-                rate,
-                "master.compare_rate",
-                format="0.0##",
-                source="velocity and acceleration of each axis there, below",
-            ),
-            cell("omega_compared", math.tau * si(rate, PER_MINUTE), compared=COMPARED),
-        ]
-    )
+    cell, rate = CELLS["rate_to_compare"], compared_rate(machine)
+    if rate is None:
+        return []
+    return [cell("timing_compared", rate), cell("omega_compared", math.tau * si(rate, PER_MINUTE))]
 
 
 def extremes_compared(machine: MachineView) -> list[Quantity]:
@@ -121,14 +106,6 @@ def extremes_compared(machine: MachineView) -> list[Quantity]:
         return []
     faster = rate / machine.given.per_minute
     return [
-        cell(
-            "vc", [a.max_velocity * faster for a in axes], symbol=symbols[1], unit=units(machine, 1), compared=COMPARED
-        ),
-        cell(
-            "ac",
-            [a.max_acceleration * faster**2 for a in axes],
-            symbol=symbols[2],
-            unit=units(machine, 2),
-            compared=COMPARED,
-        ),
+        cell("vc", [a.max_velocity * faster for a in axes], symbol=symbols[1], unit=units(machine, 1)),
+        cell("ac", [a.max_acceleration * faster**2 for a in axes], symbol=symbols[2], unit=units(machine, 2)),
     ]

@@ -24,7 +24,6 @@ EARLIER = "([theta]-@late-[p])*@lap"  # the travel of the turns that its phases 
 
 def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int) -> None:
     """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
-    cell = CELLS["cycle_sheet"]
     over, axis, i, unshifted = machine.over, tables.axis, tables.axis.number, tables.axis.unshifted(machine.samples)
     title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
@@ -32,29 +31,26 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     by_lift = LANE_SHARE / (high - low) if high > low else 0.0
     lane = floor + by_lift * (shown(axis.motion.at(unshifted.x).y, axis.unit) - low)
+    cell = CELLS["cycle_sheet"].sharing(i=i, unit=unit, lowest=lowest)
     with sheet.scoped(f"cycle{i}_"):
         sheet.rows(
-            cell("@name", axis.given.name, i=i),
-            cell("@late", axis.given.shift, i=i),
+            cell("@name", axis.given.name),
+            cell("@late", axis.given.shift),
             cell(
                 "@lap",
                 shown(axis.motion.lifts_sum, axis.unit) / 360.0,
-                unit=unit,
-                i=i,
                 scale=shown(axis.motion.size(0), axis.unit) / 360.0,
             ),
-            cell("@scale", by_lift, unit=unit, highest=highest, lowest=lowest),
-            cell("@floor", floor - by_lift * low, floor=floor, lowest=lowest, scale=1.0),
+            cell("@scale", by_lift, highest=highest),
+            cell("@floor", floor - by_lift * low, floor=floor, scale=1.0),
         )
         sheet.row += 1
         theta = cell("theta", machine.angles.tolist(), label=over.angle)
         time = cell(
             "time", over.shown(machine.angles), label=over.name, symbol=over.symbol, unit=over.unit, format=over.format
         )
-        sheet.table(
-            f"cycle{i}",
-            f"The axis over the {over.name}",
-            len(machine.angles),
+        cell.sharing(name=over.name).place(
+            sheet,
             time if over.measured else theta,
             *results(tables),
             cell("lane", lane, earlier=EARLIER),

@@ -74,7 +74,6 @@ def own(tables: AxisTables, column: str, formula: str) -> str:
 
 def entered(tables: AxisTables) -> list[Quantity]:
     """Return the columns of kind and entries, of the kinds of both ends if phases hand over, and of the end."""
-    cell = CELLS["entered"]
     over, axis, steps = tables.machine.over, tables.axis, f"{tables.name}_steps"
     key = f"axes.{axis.number - 1}.phases.*"
 
@@ -82,6 +81,7 @@ def entered(tables: AxisTables) -> list[Quantity]:
         return filled([getattr(p, name) for p in axis.typed.phases], tables.rows, None)
 
     passing: list[Quantity] = []
+    cell = CELLS["entered"].sharing(unit=over.unit, key=key)
     if tables.ends:
         units, symbols = (tables.at.unit(1), tables.at.unit(2)), ("y'", "y''")
         if over.measured:
@@ -92,27 +92,23 @@ def entered(tables: AxisTables) -> list[Quantity]:
             passing.append(cell("{end}s", filled(values, tables.rows, ""), end=end, tables=tables, source=KINDS))
     y = f"INDEX([{steps}.y0],2*[k])+INDEX([{steps}.h],2*[k])-[lack]"
     reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
-    ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
+    ends, size = (
+        [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered],
+        shown(axis.motion.size(0), axis.unit),
+    )
     return [
         cell("kind", sampling.kinds(axis.phases, tables.rows), formula=doubled(sampling.kind(tables.at.ends))),
-        cell("start", entry("start"), unit=over.unit, key=key, format=over.format, upper_limit=over.upper_limit),
-        cell("stop", entry("stop"), unit=over.unit, key=key, format=over.format, upper_limit=over.upper_limit),
-        cell("lift", entry("lift"), unit=axis.given.unit, key=key),
-        cell("law", entry("law"), key=key),
+        cell("start", entry("start"), format=over.format, upper_limit=over.upper_limit),
+        cell("stop", entry("stop"), format=over.format, upper_limit=over.upper_limit),
+        cell("lift", entry("lift"), unit=axis.given.unit),
+        cell("law", entry("law")),
         *passing,
-        cell(
-            "y",
-            filled(ends, tables.rows),
-            unit=axis.given.unit,
-            reached=reached,
-            scale=shown(axis.motion.size(0), axis.unit),
-        ),
+        cell("y", filled(ends, tables.rows), unit=axis.given.unit, reached=reached, scale=size),
     ]
 
 
 def extremes(tables: AxisTables) -> list[Quantity]:
     """Return the columns of each movement's greatest rates, and its duration where the cycle's length is entered."""
-    cell = CELLS["extremes"]
     axis, over, by = tables.axis, tables.machine.over, "t" if tables.machine.over.timed else "δ"
     symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
     figures = [
@@ -126,6 +122,7 @@ def extremes(tables: AxisTables) -> list[Quantity]:
 
     durations = [1000.0 * p.duration / axis.speed for p in axis.phases]
     pauses = [1000.0 * si(gap, DEGREE) / axis.speed for gap in gaps(tables)]
+    cell = CELLS["extremes"].sharing(unit=over.unit, length=over.length)
     in_ms = [cell("ms", filled(durations, tables.rows)), cell("pause", pauses, scale=1000.0 * math.tau / axis.speed)]
     return [
         *([] if over.measured else in_ms),
@@ -155,16 +152,8 @@ def extremes(tables: AxisTables) -> list[Quantity]:
                     "lasts",
                     filled([over.shown(p.stop - p.start) for p in axis.given.phases], tables.rows),
                     symbol=over.lasting,
-                    unit=over.unit,
-                    scale=over.length,
                 ),
-                cell(
-                    "rests",
-                    [over.shown(gap) for gap in gaps(tables)],
-                    unit=over.unit,
-                    shown_formula=over.shown_formula("[gap]"),
-                    scale=over.length,
-                ),
+                cell("rests", [over.shown(gap) for gap in gaps(tables)], shown_formula=over.shown_formula("[gap]")),
             ]
             if over.measured
             else []
@@ -254,7 +243,6 @@ def no_fault(name: str, label: str, texts: str, called: str, rule: str) -> Quant
 
 def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
     """Declare the checks of an axis; each calls it by its number, as it may get another name."""
-    cell = CELLS["axis_checks"]
     axis, t, i = tables.axis, tables.name, tables.axis.number
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", tables.machine.over
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
@@ -263,6 +251,7 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
         called = f'[axes.name.{i}]&" row "'
         return no_fault(f"{t}_{rule}", f"{label}: {condition}", f"[{t}.{column}]", called, f":{rule}{i}")
 
+    cell = CELLS["axis_checks"].sharing(t=t, label=label, lift=lift, i=i)
     sheet.checks(
         none_in("backwards", "forward", "every phase runs forward"),
         none_in("early", "follows", "no phase begins before the one above ends"),
@@ -270,10 +259,7 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
         cell(
             "{t}_position",
             motion.complete,
-            t=t,
-            label=label,
             lack=lack,
-            lift=lift,
             says=amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}"),
         ),
         room_check(f"{t}_room", tables.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
@@ -283,16 +269,8 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
         cell(
             "{t}_closes",
             axis.closes,
-            t=t,
-            label=label,
-            i=i,
             gap=gap,
-            lift=lift,
             says=amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins"),
         ),
-        *(
-            []
-            if axis.given.motor is None
-            else [cell("{t}_repeats", True, t=t, label=label, i=i, i_before=i - 1, open_drive=OPEN_DRIVE)]
-        ),
+        *([] if axis.given.motor is None else [cell("{t}_repeats", True, i_before=i - 1, open_drive=OPEN_DRIVE)]),
     )

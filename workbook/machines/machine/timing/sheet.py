@@ -2,7 +2,7 @@
 
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series, colour
-from workbook.book.declare import FIRST, Book, Quantity, Sheet, calc, constant
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, constant
 from workbook.entries.abscissa import TAKEN, unit_cell_name
 from workbook.entries.facts import entry_cells
 from workbook.machines.machine.motion_tables import AxisTables
@@ -55,9 +55,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
         axis_checks(sheet, tables)
     sheet.heading("Workings")
     sheet.rows(
-        cell("eps", machine.near),
-        cell("timing_end", 360.0 - 2.0 * machine.near),
-        cell("timing_lane", LANE_SHARE),
+        cell("eps", machine.near), cell("timing_end", 360.0 - 2.0 * machine.near), cell("timing_lane", LANE_SHARE)
     )
     sheet.widths = {FIRST: LABELS} | dict.fromkeys(range(FIRST + 8, FIRST + 12), RATES)
     sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
@@ -82,36 +80,14 @@ def pace(machine: MachineView) -> list[Quantity]:
             *rate_to_compare(machine),
         ]
     what, symbol, forces = ("Time", "t_c", " and process forces") if over.timed else ("Length", f"{over.symbol}_c", "")
+    label = "Speed of a turn a cycle" if over.timed else f"A turn a cycle, per {over.unit}"
+    cell = CELLS["pace 2"].sharing(what=what, symbol=symbol, unit=over.unit, forces=forces, over=over, label=label)
     return [
-        CELLS["pace 2"](
-            "timing_cycle",
-            over.length,
-            what=what,
-            symbol=symbol,
-            unit=over.unit,
-            forces=forces,
-            over=over,
-            format=over.format,
-        ),
+        cell("timing_cycle", over.length, format=over.format),
         constant(unit_cell_name(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
-        *([CELLS["pace 2"]("timing_rate", rate)] if over.timed else []),
-        CELLS["pace 2"](
-            "omega",
-            machine.speed,
-            label="Speed of a turn a cycle" if over.timed else f"A turn a cycle, per {over.unit}",
-            over=over,
-            symbol=symbol,
-        ),
-        calc(
-            TAKEN,
-            f"{what} of a cycle, as taken",
-            "",
-            over.unit,
-            "=IF(timing_cycle>0,timing_cycle,360)",
-            over.length,
-            format=over.format,
-            source="by it places become degrees of that turn",
-        ),
+        *([cell("timing_rate", rate)] if over.timed else []),
+        cell("omega", machine.speed),
+        cell(TAKEN, over.length, format=over.format),
     ]
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from engine.motion import Motion
 from workbook.book.cell_tables import cell_tables
 from workbook.book.checks import ZERO
-from workbook.book.declare import Quantity, given
+from workbook.book.declare import Quantity
 from workbook.book.sentence import CheckSentence, amount
 from workbook.fields.units import shown
 from workbook.machines.machine.entries_beside import STOPS
@@ -87,16 +87,9 @@ def stops_of(axis: MovingAxis) -> list[HardStop]:
 
 def stop_cell(stop: HardStop) -> Quantity:
     """Return the row in which a stop is entered."""
-    return given(
-        stop.name,
-        f"{CALLED[stop.end].capitalize()} stop",
-        "",
-        stop.axis.given.unit,
-        stop.entered,
-        f"axes.{stop.axis.number - 1}.stops.{stop.end}",
-        format="0.0##",
-        source="empty: none",
-    )
+    i, called = stop.axis.number - 1, CALLED[stop.end].capitalize()
+    parts = {"name": stop.name, "called": called, "unit": stop.axis.given.unit, "i": i, "end": stop.end}
+    return CELLS["stop_cell"]("{name}", stop.entered, **parts)
 
 
 def stop_check(stop: HardStop) -> Quantity:
@@ -110,13 +103,5 @@ def stop_check(stop: HardStop) -> Quantity:
     feeds_on = f'AND([axes.closes.{i}]="feed",{onwards}>check_zero*{lift})'
     says = CheckSentence(f'IF({feeds_on},"{FEEDS_ON}",{says.says})', FEEDS_ON if stop.feeds_on else says.text)
     stays = f'OR([axes.closes.{i}]<>"feed",{onwards}<=check_zero*{lift})'
-    check_formula = f'OR({entered}="",AND({stays},{beyond}<=check_zero*({lift}+ABS({entered}))))'
-    label = f"Axis {i}: it stays within its {called} stop"
-    return cell(
-        "{entered}_kept",
-        stop.is_kept(stop.reached),
-        entered=entered,
-        label=label,
-        check_formula=check_formula,
-        says=says,
-    )
+    parts = {"entered": entered, "i": i, "called": called, "stays": stays, "beyond": beyond, "lift": lift}
+    return cell("{entered}_kept", stop.is_kept(stop.reached), says=says, **parts)

@@ -33,11 +33,7 @@ def area(linkage: SlideLinkage, d: Array | float) -> Any:
 def lengths(linkage: SlideLinkage, lever: str, link: str) -> list[Quantity]:
     """Return the rows of lever, link and offset in m, by the entries of the first two."""
     cell = CELLS["lengths"]
-    return [
-        cell("@r", linkage.lever, lever=lever),
-        cell("@l", linkage.link, link=link),
-        cell("@e", linkage.offset),
-    ]
+    return [cell("@r", linkage.lever, lever=lever), cell("@l", linkage.link, link=link), cell("@e", linkage.offset)]
 
 
 def begun(linkage: SlideLinkage) -> list[Quantity]:
@@ -54,44 +50,37 @@ def begun(linkage: SlideLinkage) -> list[Quantity]:
 
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
     """Return the columns of φ', φ'' and φ at the position in the column ``y``."""
-    cell = CELLS["ratios"]
     linkage = of_kind(SlideLinkage, driven.linkage)
+    cell = CELLS["ratios"].sharing(link=linkage.link, square=linkage.link**2)
     x = linkage.zero + linkage.direction * position
     psi = linkage.angle(x)
     turned, ratio, change = linkage.shaft(position)
     d = np.hypot(x, linkage.offset)
     return [
-        cell("X", of(x), scale=linkage.link),
-        cell("d", of(d), scale=linkage.link),
-        cell("K", of(area(linkage, d)), scale=linkage.link**2),
-        cell("psi", of(psi), scale=1.0),
+        cell("X", of(x)),
+        cell("d", of(d)),
+        cell("K", of(area(linkage, d))),
+        cell("psi", of(psi)),
         *pin(linkage.lever, psi, of),
         *travel(linkage.lever, linkage.offset, psi, x, of),
         cell("g", of(ratio)),
         cell("h", of(change), scale=float(np.abs(change).max())),
-        cell("phi", of(turned), scale=1.0),
+        cell("phi", of(turned)),
     ]
 
 
 def pin(lever: float, psi: Array, of: Column) -> list[Quantity]:
     """Return the columns of the lever's end at the angles in the column ``psi``."""
-    cell = CELLS["pin"]
-    return [
-        cell("c", of(lever * np.cos(psi)), scale=lever),
-        cell("above", of(lever * np.sin(psi)), scale=lever),
-    ]
+    cell = CELLS["pin"].sharing(lever=lever)
+    return [cell("c", of(lever * np.cos(psi))), cell("above", of(lever * np.sin(psi)))]
 
 
 def travel(lever: float, offset: float, psi: Array, x: Array, of: Column) -> list[Quantity]:
     """Return the columns of dx/dψ and d²x/dψ², by the slope of the link, behind those of :func:`pin` and ``X``."""
-    cell = CELLS["travel"]
+    cell = CELLS["travel"].sharing(lever=lever)
     lean = (lever * np.sin(psi) - offset) / (x - lever * np.cos(psi))
     first, second = slopes(lever, offset, psi, x)
-    return [
-        cell("tan", of(lean), scale=1.0),
-        cell("dx", of(first), scale=lever),
-        cell("ddx", of(second), scale=lever),
-    ]
+    return [cell("tan", of(lean)), cell("dx", of(first)), cell("ddx", of(second))]
 
 
 def crank_sizes(driven: Driven) -> list[Quantity]:
@@ -139,8 +128,8 @@ def rocker_sizes(driven: Driven) -> list[Quantity]:
 
 def rocker_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the places at which a rocker may lock."""
-    cell = CELLS["ends"]
     linkage = of_kind(SlideLinkage, driven.linkage)
+    cell = CELLS["ends"].sharing(link=linkage.link, square=linkage.link**2)
     places = linkage.lock_places(linkage.zero)
     ways = [1, 1, -1, -1, 1, 1, -1, -1]
     rests = [f"=(@l+{way}*@r)^2-@e^2" for way in ways[:4]] + [f"=@r^2-(@e+{way}*@l)^2" for way in ways[4:]]
@@ -152,22 +141,20 @@ def rocker_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     def of(name: str) -> list[float]:
         return [getattr(place, name) for place in places]
 
-    sheet.table(
-        "@ends",
-        "Where the mechanism may lock",
-        len(places),
+    cell.place(
+        sheet,
         cell("name", [place.name for place in places]),
         cell("k", list(range(1, len(places) + 1))),
         cell("sign", [1, -1] * 4),
         cell("rest", of("rest"), formula=rests, scale=linkage.far_off),
-        cell("at", of("at"), scale=linkage.link),
-        cell("d", distances, scale=linkage.link),
-        cell("K", areas, scale=linkage.link**2),
-        cell("psi", angles, scale=1.0),
-        cell("along", of("along"), scale=linkage.link),
-        cell("x", of("x"), scale=linkage.link),
-        cell("below", of("below"), scale=linkage.link),
-        cell("above", of("above"), scale=linkage.link),
+        cell("at", of("at")),
+        cell("d", distances),
+        cell("K", areas),
+        cell("psi", angles),
+        cell("along", of("along")),
+        cell("x", of("x")),
+        cell("below", of("below")),
+        cell("above", of("above")),
     )
 
 

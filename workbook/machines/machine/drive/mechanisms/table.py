@@ -29,14 +29,7 @@ def entered(sheet: Sheet, driven: Driven, rows: int) -> None:
     cell, given = CELLS["entered"], of_kind(Table, driven.given).points
     column = table_of(TablePoint).columns(given, f"axes.{driven.number - 1}.mechanism.points", rows)
     sheet.row += 1
-    sheet.table(
-        "@points",
-        "Points of the table: leave spare rows empty",
-        rows,
-        cell("k", list(range(1, rows + 1))),
-        column("angle"),
-        column("position", unit=driven.entered.unit),
-    )
+    cell.place(sheet, column("angle"), column("position", unit=driven.entered.unit))
 
 
 def sizes(driven: Driven) -> list[Quantity]:
@@ -56,15 +49,7 @@ def sizes(driven: Driven) -> list[Quantity]:
 def table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the curve between the points."""
     cell = CELLS["curve"]
-    sheet.table(
-        "@curve",
-        "The curve through the points",
-        rows,
-        cell("k", list(range(1, rows + 1))),
-        *points(driven, rows),
-        *slopes(driven, rows),
-        *powers(driven, rows),
-    )
+    cell.place(sheet, *points(driven, rows), *slopes(driven, rows), *powers(driven, rows))
 
 
 def points(driven: Driven, rows: int) -> list[Quantity]:
@@ -124,11 +109,7 @@ def powers(driven: Driven, rows: int) -> list[Quantity]:
     angle, _, first, second = linkage.columns
     w, size = linkage.widths, float(np.abs(linkage.powers).max())
     d1, d2 = first[:-1] * w, second[:-1] * w**2 / 2.0
-    beyond = {
-        "e0": np.diff(angle) - d1 - d2,
-        "e1": first[1:] * w - d1 - 2.0 * d2,
-        "e2": second[1:] * w**2 - 2.0 * d2,
-    }
+    beyond = {"e0": np.diff(angle) - d1 - d2, "e1": first[1:] * w - d1 - 2.0 * d2, "e2": second[1:] * w**2 - 2.0 * d2}
     return [
         *(cell(f"d{n}", filled(linkage.powers[:, n], rows), scale=size) for n in range(1, 6)),
         *(cell(name, filled(values, rows), scale=size) for name, values in beyond.items()),
