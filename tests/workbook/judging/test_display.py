@@ -3,6 +3,8 @@
 import copy
 
 import pytest
+from openpyxl.chart import ScatterChart
+from openpyxl.drawing.spreadsheet_drawing import AnchorMarker, TwoCellAnchor
 from openpyxl.formatting.rule import CellIsRule, DataBarRule, FormulaRule, IconSetRule, Rule
 from openpyxl.styles import Alignment, Font, GradientFill, PatternFill
 from openpyxl.styles.colors import Color
@@ -12,9 +14,11 @@ from openpyxl.utils import get_column_letter
 
 from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
 from tests.workbook.judging.synthetic import Small, spots
+from workbook.errors import ReadError
 from workbook.judging.display.formats import format_sections
 
 DRIVE, CHART, PICTURE = "xl/worksheets/sheet1.xml", "xl/charts/chart1.xml", "xl/drawings/drawing1.xml"
+RELS = "xl/worksheets/_rels/sheet1.xml.rels"
 
 
 @pytest.fixture(scope="module")
@@ -189,62 +193,43 @@ def test_a_book_in_another_language_is_listed_and_agrees(book):
 # looks of cells
 
 
-def white(cell):
-    cell.font, cell.fill = Font(color="FFFFFF"), PatternFill()
+UNREADABLE = {
+    "white": {"font": Font(color="FFFFFF"), "fill": PatternFill()},
+    "white of the theme": {"font": Font(color=Color(theme=0)), "fill": PatternFill()},
+    "in its ground's colour": {"font": Font(color="C00000"), "fill": PatternFill("solid", fgColor="C00000")},
+    "in Greek": {"font": Font(name="Calibri", charset=2)},
+    "struck": {"font": Font(name="Calibri", strike=True)},
+}
+ODD = {
+    "nearly white": {"font": Font(color="FFFEFE"), "fill": PatternFill("solid", fgColor="FEFEFE")},
+    "tiny": {"font": Font(sz=1)},
+    "in signs": {"font": Font(name="Wingdings", sz=10)},
+    "pushed out": {"alignment": Alignment(indent=200)},
+    "repeated": {"alignment": Alignment(horizontal="fill")},
+}
 
 
-def themed_white(cell):
-    cell.font, cell.fill = Font(color=Color(theme=0)), PatternFill()
+def dress(cell, look):
+    for name, value in look.items():
+        setattr(cell, name, value)
 
 
-def nearly_white(cell):
-    cell.font, cell.fill = Font(color="FFFEFE"), PatternFill("solid", fgColor="FEFEFE")
-
-
-def one_colour(cell):
-    cell.font, cell.fill = Font(color="C00000"), PatternFill("solid", fgColor="C00000")
-
-
-def tiny(cell):
-    cell.font = Font(sz=1)
-
-
-def in_signs(cell):
-    cell.font = Font(name="Wingdings", sz=10)
-
-
-def in_greek(cell):
-    cell.font = Font(name="Calibri", charset=2)
-
-
-def struck(cell):
-    cell.font = Font(name="Calibri", strike=True)
-
-
-def pushed_out(cell):
-    cell.alignment = Alignment(indent=200)
-
-
-def repeated(cell):
-    cell.alignment = Alignment(horizontal="fill")
-
-
-@pytest.mark.parametrize("change", [white, themed_white, one_colour, in_greek, struck])
+@pytest.mark.parametrize("look", UNREADABLE.values(), ids=UNREADABLE)
 @pytest.mark.parametrize(("block", "column"), [("peak", 0), ("peak", 1), ("peak", -1), ("peak", -2), ("within", 0),
                                                ("overall", 0), ("which", 0)])  # fmt: skip
-def test_a_figure_a_verdict_or_what_it_is_called_that_cannot_be_read_is_found(change, block, column, book):
+def test_a_figure_a_verdict_or_what_it_is_called_that_cannot_be_read_is_found(look, block, column, book):
     def made(workbook):
         if column == 0:
             without_rules(workbook["Drive"], workbook["Checks"])
-        change(book.cell(workbook, block, 0, column))
+        dress(book.cell(workbook, block, 0, column), look)
 
     assert spots(book.edited(made).findings) == {spot(book, block, column)}
 
 
-@pytest.mark.parametrize("change", [nearly_white, tiny, in_signs, pushed_out, repeated])
+@pytest.mark.parametrize("look", ODD.values(), ids=ODD)
 @pytest.mark.parametrize("column", [0, 1, -1, -2])
-def test_an_odd_look_is_told(change, column, book):
-    report = book.edited(lambda workbook: change(book.cell(workbook, "peak", 0, column)))
+def test_an_odd_look_is_told(look, column, book):
+    report = book.edited(lambda workbook: dress(book.cell(workbook, "peak", 0, column), look))
     assert report.findings == []
     assert spots(report.notices) == {spot(book, "peak", column)}
 
@@ -287,44 +272,31 @@ def test_a_colour_of_a_palette_or_theme_on_a_verdict_is_found(colour, failing):
 # what is out of sight
 
 
-def hide_row(book, workbook, block):
-    workbook[book.book.blocks[block].sheet.title].row_dimensions[book.at(block)[0]].hidden = True
+def dimensions(sheet, row, column):
+    return sheet.row_dimensions[row], sheet.column_dimensions[get_column_letter(column)]
 
 
-def flat_row(book, workbook, block):
-    workbook[book.book.blocks[block].sheet.title].row_dimensions[book.at(block)[0]].height = 0.5
-
-
-def column_of(book, block):
-    return get_column_letter(book.book.blocks[block].column)
-
-
-def hide_column(book, workbook, block):
-    workbook[book.book.blocks[block].sheet.title].column_dimensions[column_of(book, block)].hidden = True
-
-
-def narrow_column(book, workbook, block):
-    workbook[book.book.blocks[block].sheet.title].column_dimensions[column_of(book, block)].width = 0.1
-
-
-def group_columns(book, workbook, block):
-    workbook[book.book.blocks[block].sheet.title].column_dimensions.group("B", "Z", hidden=True)
-
-
-def frozen_out(book, workbook, block):
-    sheet, row = workbook[book.book.blocks[block].sheet.title], book.at(block)[0]
+def frozen_out(sheet, row, column):
     sheet.freeze_panes = f"A{row + 5}"
     sheet.sheet_view.topLeftCell = f"A{row + 1}"
 
 
-HIDING = [hide_row, flat_row, hide_column, narrow_column, group_columns, frozen_out]
+HIDING = {
+    "row": lambda *at: setattr(dimensions(*at)[0], "hidden", True),
+    "flat row": lambda *at: setattr(dimensions(*at)[0], "height", 0.5),
+    "column": lambda *at: setattr(dimensions(*at)[1], "hidden", True),
+    "narrow column": lambda *at: setattr(dimensions(*at)[1], "width", 0.1),
+    "columns of a group": lambda sheet, row, column: sheet.column_dimensions.group("B", "Z", hidden=True),
+    "frozen out": frozen_out,
+}
 
 
-@pytest.mark.parametrize("hide", HIDING)
+@pytest.mark.parametrize("hide", HIDING.values(), ids=HIDING)
 def test_a_failing_check_and_the_overall_verdict_out_of_sight_are_found(hide, book, failing):
     for one, block in ((failing, "within"), (book, "overall"), (book, "status1")):
-        report = one.edited(lambda workbook, one=one, block=block: hide(one, workbook, block))
-        assert {found.sheet for found in report.findings} == {one.book.blocks[block].sheet.title}
+        title, at = one.book.blocks[block].sheet.title, one.at(block)
+        report = one.edited(lambda workbook, title=title, at=at: hide(workbook[title], *at))
+        assert {found.sheet for found in report.findings} == {title}
         assert all(found.computed.startswith("hidden by") for found in report.findings)
 
 
@@ -538,33 +510,82 @@ def test_hidden_rows_that_a_chart_leaves_out_are_found(only, book):
     assert bool(found) == (only == b"1")
 
 
-def test_a_verdict_behind_a_shape_with_a_text_and_behind_a_note_always_shown_is_found(failing):
+def test_another_line_under_a_declared_name_is_found_and_one_of_its_own_is_taste(book):
+    def change(workbook, name=""):
+        chart = workbook["Drive"]._charts[1]
+        line = copy.deepcopy(chart.series[0])
+        line.yVal.numRef.f = "Drive!$A$1:$A$3"
+        if name:
+            line.tx.strRef, line.tx.v = None, name
+        chart.series.append(line)
+
+    assert {one.kind for one in book.edited(change).findings} == {"shown"}
+    assert book.edited(lambda workbook: change(workbook, "measured")).findings == []
+
+
+# what lies over a verdict
+
+
+@pytest.mark.parametrize("block", ["within", "overall"])
+def test_a_chart_over_a_verdict_is_found_and_beside_it_is_taste(block, failing):
+    row, column = failing.at(block)
+
+    def over(workbook, right=0):
+        chart = ScatterChart()
+        ends = [AnchorMarker(col=column + right + n, row=row + n) for n in (-1, 0)]
+        chart.anchor = TwoCellAnchor(_from=ends[0], to=ends[1])
+        workbook[failing.book.blocks[block].sheet.title].add_chart(chart, chart.anchor)
+
+    assert spots(failing.edited(over).findings) == {spot(failing, block)}
+    silent(failing.edited(lambda workbook: over(workbook, right=1)))
+
+
+ALTERNATIVE = (
+    b'<mc:AlternateContent xmlns:mc="http://schemas.openxmlformats.org/markup-compatibility/2006">'
+    b'<mc:Choice Requires="x">%s</mc:Choice></mc:AlternateContent>'
+)
+
+
+def over_the_verdict(book, size=b'cx="2000000" cy="300000"', fill=b"<noFill/>", text=b"", within=b"%s"):
+    """A shape on the cell of a check, by its size in EMU."""
+    row, column = book.at("within")
+    shape = (
+        b"<xdr:oneCellAnchor><xdr:from><xdr:col>%d</xdr:col><xdr:colOff>0</xdr:colOff><xdr:row>%d</xdr:row>"
+        b"<xdr:rowOff>0</xdr:rowOff></xdr:from><xdr:ext %s/><xdr:sp><xdr:spPr>%s</xdr:spPr>"
+        b"<xdr:txBody><xdr:t>%s</xdr:t></xdr:txBody></xdr:sp></xdr:oneCellAnchor>"
+    ) % (column - 1, row - 1, size, fill, text)
+    return {PICTURE: sub(rb"(?=</xdr:wsDr>)", within % shape)}
+
+
+@pytest.mark.parametrize(
+    ("size", "look", "hides"),
+    [
+        (900_000, {"fill": b"<solidFill/>"}, True), (900_000, {"fill": b""}, True), (900_000, {}, False),
+        (9_000, {"fill": b""}, False), (900_000, {"text": b"OK"}, True),
+        (900_000, {"fill": b"<solidFill/>", "within": ALTERNATIVE}, True),
+    ],
+)  # fmt: skip
+def test_a_shape_over_a_verdict_is_found_if_it_hides_it(size, look, hides, failing):
+    report = failing.with_parts(over_the_verdict(failing, b'cx="%d" cy="%d"' % (size, size), **look))
+    assert ("Drive!D18" in spots(report.findings)) is hides
+
+
+def test_a_drawing_that_is_none_is_refused(book):
+    link = {RELS: sub(rb"drawings/\w+\.xml", b"drawings/a.bin")}
+    with pytest.raises(ReadError, match="damaged"):
+        book.with_parts(link, [("xl/drawings/a.bin", b"no drawing")])
+
+
+@pytest.mark.parametrize(("state", "found"), [(b"visible", {"Drive!D18"}), (b"hidden", set())])
+def test_a_note_always_shown_over_a_verdict_is_found(state, found, failing):
     row, column = failing.at("within")
-    place = (
-        b"<xdr:oneCellAnchor><xdr:from><xdr:col>%d</xdr:col><xdr:colOff>0</xdr:colOff>"
-        b"<xdr:row>%d</xdr:row><xdr:rowOff>0</xdr:rowOff></xdr:from>"
-        b'<xdr:ext cx="2000000" cy="300000"/><xdr:sp>'
-        b"<xdr:spPr><noFill/></xdr:spPr><xdr:txBody><xdr:t>%s</xdr:t></xdr:txBody></xdr:sp></xdr:oneCellAnchor>"
-    )
-
-    def shape(text):
-        return {
-            PICTURE: lambda data: data.replace(b"</xdr:wsDr>", place % (column - 1, row - 1, text) + b"</xdr:wsDr>")
-        }
-
-    assert spots(failing.with_parts(shape(b"OK")).findings) == {"Drive!D18"}
-    silent(failing.with_parts(shape(b"")))
-    note = (
+    vml = (
         b'<xml xmlns:v="v" xmlns:x="x"><v:shape style="visibility:%s"><x:ClientData><x:Anchor>'
         b"%d, 0, %d, 0, %d, 0, %d, 0</x:Anchor></x:ClientData></v:shape></xml>"
-    )
-    name = "xl/worksheets/_rels/sheet1.xml.rels"
+    ) % (state, column - 1, row - 1, column + 2, row + 2)
     link = b'<Relationship Id="n" Type="http://x/vmlDrawing" Target="/xl/drawings/v.vml"/></Relationships>'
-    for state, found in ((b"visible", {"Drive!D18"}), (b"hidden", set())):
-        vml = note % (state, column - 1, row - 1, column + 2, row + 2)
-        changes = {name: sub(rb"</Relationships>", link)}
-        report = failing.with_parts(changes, [("xl/drawings/v.vml", vml)])
-        assert spots(report.findings) == found
+    report = failing.with_parts({RELS: sub(rb"</Relationships>", link)}, [("xl/drawings/v.vml", vml)])
+    assert spots(report.findings) == found
 
 
 def test_charts_that_are_gone_hidden_or_moved(book):
@@ -575,6 +596,33 @@ def test_charts_that_are_gone_hidden_or_moved(book):
         assert (report.findings, [one.expected for one in report.notices]) == ([], ["Both"])
     moved = {PICTURE: sub(rb"<xdr:row>\d+</xdr:row>", b"<xdr:row>90</xdr:row>", count=2)}
     silent(book.with_parts(moved))
+
+
+# names of sheets
+
+
+def renamed(book, names):
+    """What is told where sheets have other names, which formulas and charts follow, as where a program renames them."""
+
+    def change(data):
+        for old in names:
+            data = data.replace(f"'{old}'!".encode(), f"'@{old}'!".encode())
+            data = data.replace(f'name="{old}" sheetId'.encode(), f'name="@{old}" sheetId'.encode())
+        for old, new in names.items():
+            data = data.replace(f"@{old}".encode(), new.encode())
+        return data
+
+    return book.with_parts({name: change for name, data in book.parts.items() if change(data) != data})
+
+
+def test_names_of_two_sheets_exchanged_are_found_and_another_name_is_a_notice(failing):
+    findings = renamed(failing, {"Drive": "Checks", "Checks": "Drive"}).findings
+    assert {(one.kind, f"{one.sheet}!{one.cell}") for one in findings} == {
+        ("shown", "Drive!A1"),
+        ("shown", "Checks!A1"),
+    }
+    report = renamed(failing, {"Drive": "Other"})
+    assert (report.findings, [(one.sheet, one.computed) for one in report.notices]) == ([], [("Other", "Other")])
 
 
 # taste
