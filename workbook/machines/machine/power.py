@@ -67,9 +67,10 @@ class Mains:
 
 def supply(bus: Mains) -> list[Quantity]:
     """Return the results of the sheet Power that the first sheet repeats."""
-    cell, size = CELLS["supply"], kw(bus.size)
+    size = kw(bus.size)
     year = shown(bus.whole.energy_a_year(bus.entered.hours), MWH)
-    return [cell("about_peak", kw(bus.peak + bus.beside), scale=size), cell("about_bus_year", year, scale=size)]
+    cell = CELLS["supply"].sharing(size=size)
+    return [cell("about_peak", kw(bus.peak + bus.beside)), cell("about_bus_year", year)]
 
 
 def power_sheet(book: Book, bus: Mains) -> None:
