@@ -12,6 +12,7 @@ from tornado.web import HTTPError
 
 from workbook.build import read_inputs
 from workbook.controllers.registry import TARGETS
+from workbook.errors import WriteError
 from workbook.serve import editing, pages, shown, study, tables
 from workbook.serve.handler import REPORT, Action, Folder, Page, state
 from workbook.serve.server import SVG, serving, static
@@ -21,6 +22,7 @@ from workbook.text_files import read_text
 
 STATIC = ("favicon.ico", "busy.js", "home.js", "study.js")
 MODULES = r"/(page/(?:vendor/)?[\w-]+\.(?:js|css))"
+BIN = ".bin"  # of a folder: what was deleted on the first page
 ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 
@@ -48,7 +50,25 @@ async def home(page: Page) -> str:
         verdicts=page.verdicts,
         waiting=page.work.waiting,
         templates=TEMPLATES,
+        bin=len([*deleted.iterdir()]) if (deleted := page.folder.path / BIN).is_dir() else 0,
+        bin_name=BIN,
     )
+
+
+async def keep(page: Page) -> None:
+    """Duplicate or rename a file of the folder, under a name that is free, or move it into the folder's bin."""
+    path, do = page.file(), page.get_body_argument("do")
+    name = page.get_body_argument("as").removesuffix(path.suffix) + path.suffix
+    if do == "duplicate":
+        page.folder.free(name).write_bytes(path.read_bytes())
+    elif do == "rename":
+        path.rename(path if name == path.name else page.folder.free(name))
+    elif do == "delete":
+        path.parent.joinpath(BIN).mkdir(exist_ok=True)
+        path.rename(path.parent / BIN / f"{datetime.now():%Y-%m-%d %H-%M-%S} {path.name}")
+    else:
+        raise WriteError(f"{do!r}: expected duplicate, rename or delete")
+    page.redirect("/")
 
 
 async def download(page: Page, name: str) -> bytes:
@@ -60,7 +80,7 @@ async def download(page: Page, name: str) -> bytes:
 
 async def new(page: Page) -> str | None:
     """Write a new description, and edit it."""
-    path = page.folder.free(f"{page.get_body_argument('name')}.toml")
+    path = page.folder.free(f"{page.get_body_argument('name').removesuffix('.toml')}.toml")
     return await page.write_by("new", page.get_body_argument("template"), path)
 
 
@@ -130,7 +150,7 @@ async def export(page: Page) -> str:
             place = page.folder.free(file.name)
             with place.open("xb") as written:
                 written.write(file.read_bytes())
-            links.append(pages.link(f"/file/{place.name}", f"Download {place.name}"))
+            links.append(pages.link(pages.address("file", place.name), f"Download {place.name}"))
     return pages.framed(report, *links) if report else pages.printed(book.name, done.text, "not written")
 
 
@@ -158,13 +178,16 @@ GET: dict[str, Action] = {
     r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller, MODULES: static,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
+ACTIONS = (editing.change, editing.figures, editing.verdict, editing.discard, editing.theirs, editing.save)
+OWN = (new, keep, verify, upload, compare, export, read, study.begin, study.cancel)
 POST: dict[str, Action] = {
-    "/build": partial(write, "build", ".xlsx"), "/inputs": partial(write, "inputs", ".toml"),
-    "/regenerate": partial(write, "regenerate", ".xlsx"), "/open": editing.open_design, "/change": editing.change,
-    "/figures": editing.figures, "/verdict": editing.verdict, "/discard": editing.discard, "/theirs": editing.theirs,
-    "/new": new, "/save": editing.save, "/verify": verify, "/upload": upload, "/compare": compare,
-    "/study": study.new, "/begin": study.begin, "/cancel": study.cancel, "/export": export, "/read": read,
-}  # fmt: skip
+    **{f"/{action.__name__}": action for action in (*ACTIONS, *OWN)},
+    "/open": editing.open_design,
+    "/study": study.new,
+    "/build": partial(write, "build", ".xlsx"),
+    "/inputs": partial(write, "inputs", ".toml"),
+    "/regenerate": partial(write, "regenerate", ".xlsx"),
+}
 
 
 async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]) -> None:
@@ -173,7 +196,7 @@ async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]
     shared = {"folder": Folder(path), "work": work, "verdicts": dict[str, str]()}
     try:
         async with serving(GET, POST, shared, port, browse, tell):
-            work.worker().submit(tables.warm)
+            work.worker().submit(tables.schema, "machine")  # the first design page asks for it
             await asyncio.Event().wait()
     finally:
         work.stop()

@@ -2,7 +2,6 @@
 
 import json
 from collections.abc import Mapping
-from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -254,22 +253,15 @@ def figures(text: str, chosen: int, machine: bool = True) -> dict[str, Any]:
 
 def verdict(name: str, text: str) -> dict[str, Any]:
     """Return the checks of the book that a text describes; pictures of a kind of machine whose axes have none live."""
-    with suppress(MotionbookError):
+    try:
         whole = edited_design(text)
-        if not whole.faults:
-            shown = design(name, text)
-            fails = [{"ok": False, "sentence": ": ".join(filter(None, row[1:]))} for row in failing(shown)]
-            drawn = [] if whole.axes else pictures(shown, PICTURES)
-            return {
-                "verdict": "FAIL" if fails else "OK",
-                "number": len(shown.checks()),
-                "checks": fails,
-                "pictures": drawn,
-            }
-        lines = [f"{spoken(split(key), whole.data)}: {line}" for key, line in whole.faults.items()]
-        checks = [
-            {"ok": False, "sentence": line, "path": list(split(key))}
-            for line, key in zip(lines, whole.faults, strict=True)
-        ]
+        shown = None if whole.faults else design(name, text)
+    except MotionbookError as error:
+        return {"verdict": "unfinished", "number": 1, "checks": [{"sentence": str(error)}], "pictures": []}
+    if shown is None:
+        lines = [(split(key), line) for key, line in whole.faults.items()]
+        checks = [{"sentence": f"{spoken(path, whole.data)}: {line}", "path": list(path)} for path, line in lines]
         return {"verdict": "unfinished", "number": len(lines), "checks": checks, "pictures": []}
-    return {"verdict": "unfinished", "number": 1, "checks": [], "pictures": []}
+    fails = [{"sentence": ": ".join(filter(None, row[1:]))} for row in failing(shown)]
+    drawn, number = [] if whole.axes else pictures(shown, PICTURES), len(shown.checks())
+    return {"verdict": "FAIL" if fails else "OK", "number": number, "checks": fails, "pictures": drawn}

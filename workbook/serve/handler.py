@@ -19,6 +19,7 @@ from workbook.reports.html import STYLE
 from workbook.serve import pages
 from workbook.serve.work import Done, Work
 
+RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{k}" for port in ("COM", "LPT") for k in range(1, 10))}
 KINDS = (".toml", ".xlsx", ".xlsm")  # descriptions and workbooks: what the first page lists
 MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")  # what is written and downloaded
 NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
@@ -53,8 +54,10 @@ class Folder:
         return path
 
     def free(self, name: str) -> Path:
-        """Return the path for a new file: the name, or that with a number."""
+        """Return the path for a new file: the name, or that with a number; raise WriteError for no name of a file."""
         path = self._within(name)
+        if path.stem.split(".")[0].upper() in RESERVED:
+            raise WriteError(f"{name}: Windows has no such file; expected another name")
         if path.suffix.lower() not in MADE:
             raise WriteError(f"{name}: expected a name that ends in {', '.join(MADE)}")
         numbered = (path.with_stem(f"{path.stem}-{number}") for number in range(2, 1000))
@@ -172,7 +175,7 @@ class Page(RequestHandler):
         """Write a file by a command, under a name that is free; edit it where it is a description, else offer it."""
         done = await self.work.run(command, source, "-o", target)
         if target.suffix == ".toml" and not done.code:
-            self.redirect(f"/edit/{target.name}")
+            self.redirect(pages.address("edit", target.name))
             return None
         files = [path for path in (source, target) if isinstance(path, Path) and path.exists()]
         return pages.printed(Path(source).name, done.text, done.written, *files)

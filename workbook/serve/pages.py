@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from workbook.reports.html import document, rendered, shown
 
@@ -11,7 +12,14 @@ VERDICTS = {0: "agrees", 1: "disagrees", 2: "cannot be read", 3: "agrees; the de
 
 def page(title: str, template: str, *scripts: str, **values: Any) -> str:
     """Return a page with its scripts, and the script that shows when the server is at work."""
-    given = {"title": title, "link": link, "post": post, "choice": choice, "is_study": is_study} | values
+    given = {
+        "title": title,
+        "link": link,
+        "address": address,
+        "post": post,
+        "choice": choice,
+        "is_study": is_study,
+    } | values
     tags = (f'<script src="/{script}.js" type="module"></script>' for script in ("busy", *scripts))
     return document(title, rendered(f"serve/{template}.html", **given) + "".join(tags))
 
@@ -35,6 +43,11 @@ def framed(report: str, *links: str) -> str:
 def printed(title: str, words: str, verdict: str, *files: Path) -> str:
     """Return the page of what a command printed, and what can be done with the files of it."""
     return page(title, "printed", words=words, verdict=verdict, files=files)
+
+
+def address(page: str, name: str) -> str:
+    """Return the address of a page of a file, whatever the file is called."""
+    return f"/{page}/{quote(name, safe='')}"
 
 
 def link(href: str, words: str) -> str:

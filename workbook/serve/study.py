@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
+from urllib.parse import urlencode
 
 import tomlkit
 from pydantic import ValidationError
@@ -71,7 +72,7 @@ async def begin(page: Page, path: Path | None = None) -> None:
     done, size = folder.progress(results)
     more = ["--resume"] if size else []
     await page.work.study(path, done, "-o", results, "--jobs", str(max(1, cores() - 1)), *more)
-    page.redirect(f"/study/{path.name}")
+    page.redirect(pages.address("study", path.name))
 
 
 async def cancel(page: Page) -> None:
@@ -79,7 +80,7 @@ async def cancel(page: Page) -> None:
     name = page.file().name
     if name in page.work.jobs:
         page.work.jobs[name].interrupt()
-    page.redirect(f"/study/{name}")
+    page.redirect(pages.address("study", name))
 
 
 async def show(page: Page, name: str) -> str:
@@ -102,7 +103,7 @@ async def progress(page: Page, name: str) -> str:
         return f'<div data-running="yes">{bar}{pages.post("/cancel", path.name, "Cancel")}</div>'
     if path.with_suffix(".json").exists():
         front_page = await page.work.in_worker(front, path)
-        return front_page + pages.link(f"/file/{results.name}", "Download all designs")
+        return front_page + pages.link(pages.address("file", results.name), "Download all designs")
     done, size = folder.progress(results)
     words = f"{done:,} of {size:,} designs are worked out." if size else "No design is worked out."
     output = f"<pre>{shown(job.done.text)}</pre>" if job and job.done and job.done.text else ""
@@ -206,7 +207,10 @@ def front(path: Path) -> str:
     """Return the HTML of a study's results; each of the best designs is a link to its description."""
     plan, summary = read_results(path)
     named = require_names(plan, str(path))
-    links = [f"/edit/{plan.study.base}?study={path.name}&pick={n}" for n in range(1, len(summary.best) + 1)]
+    links = [
+        f"{pages.address('edit', str(plan.study.base))}?{urlencode({'study': path.name, 'pick': n})}"
+        for n in range(1, len(summary.best) + 1)
+    ]
     return reported.front(plan, summary, named, links=links)
 
 

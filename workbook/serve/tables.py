@@ -76,12 +76,6 @@ def catalogue() -> dict[str, Any]:
     return {"laws": laws, "products": products}
 
 
-def warm() -> None:
-    """Prepare what the first design page asks for."""
-    schema("machine")
-    catalogue()
-
-
 def choices(key: Key) -> list[str]:
     """Return the texts that an entry may be, where these are known: products, laws, words."""
     if key.path in PRODUCTS:

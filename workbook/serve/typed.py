@@ -12,9 +12,11 @@ from workbook.errors import InputError, visible
 PLAIN = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d{1,3})?")
 SUM = re.compile(r"[-+]?\s*[\d.]+(?:[eE][-+]?\d{1,2})?(?:\s*[-+*/]\s*[\d.]+(?:[eE][-+]?\d{1,2})?)*")
 WITH_UNIT = re.compile(r"([^a-zA-Z°µ%/²³]*?(?:\d[eE][-+]?\d+)?)\s*((?:[a-zA-Z°µ%]|1/).*)")
-SPELLED = {"cycles/min": "rpm", "1/min": "rpm", "min-1": "rpm", "cycle/min": "rpm", "rev/min": "rpm", "Nm": "N m",
-           "kNm": "kN m", "Ncm": "N cm", "mNm": "mN m", "kgcm²": "kg cm²", "kgm²": "kg m²", "gcm²": "g cm²",
-           "%": "percent", "1/h": "1/hour", "kWh": "kW hour"}  # fmt: skip
+OF_PINT = (
+    "cycles/min=rpm|cycle/min=rpm|rev/min=rpm|1/min=rpm|min-1=rpm|Nm=N m|kNm=kN m|Ncm=N cm|mNm=mN m|kgcm²=kg cm²|"
+    "kgm²=kg m²|gcm²=g cm²|%=percent|1/h=1/hour|kWh=kW hour"
+)
+SPELLED = dict(pair.split("=") for pair in OF_PINT.split("|"))
 LONGEST = 60  # characters of a number
 
 

@@ -6,11 +6,11 @@ from typing import Any
 
 from workbook.fields.paths import Place, get
 
-PARTS = {
-    "axes": "axis", "phases": "phase", "switches": "switch", "clearances": "clearance", "on": "time", "parts": "part",
-    "stages": "stage", "points": "point", "start": "from", "stop": "to", "master": "the machine", "windows": "force",
-    "edges": "edge", "orders": "order", "lasting": "duration", "motors": "motor", "reducers": "reducer",
-}  # fmt: skip
+SINGULAR = (
+    "axes:axis phases:phase switches:switch clearances:clearance on:time reducers:reducer parts:part stages:stage"
+    " points:point start:from stop:to master:machine windows:force edges:edge orders:order lasting:duration motors:motor"
+)
+PARTS = dict(pair.split(":") for pair in SINGULAR.split())
 FOUND = re.compile(r"^empty; (?:expected )?")
 COUNTED = re.compile(r"\s*\(counted from 1\)")
 

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 import time
+from urllib.parse import quote
 from xml.etree.ElementTree import fromstring
 
 import openpyxl
@@ -247,3 +248,17 @@ def test_hostile_names_and_titles_are_text(server):
     assert b"<b>" not in home.body
     assert "script-src 'self';" in home.headers["Content-Security-Policy"]
     assert "default-src 'none'" in home.headers["Content-Security-Policy"]
+
+
+def test_files_are_duplicated_renamed_and_deleted_into_a_bin_whatever_they_are_called(server):
+    for name in ("a#b.toml", "100%.toml", "größe ä.toml"):
+        server.ask("/keep", server.form(name="live.toml", do="duplicate", **{"as": name}))
+        assert quote(name, safe="") in server.ask("/").body.decode()
+        assert server.ask(f"/file/{quote(name, safe='')}").body == (server.root / "live.toml").read_bytes()
+        server.ask("/keep", server.form(name=name, do="rename", **{"as": f"new {name}"}))
+        assert (server.root / f"new {name}").exists()
+        server.ask("/keep", server.form(name=f"new {name}", do="delete", **{"as": ""}))
+        assert not (server.root / f"new {name}").exists()
+    assert len([*(server.root / ".bin").iterdir()]) == 3
+    for name in ("NUL", "com1.toml", "../mine", "a/b", ".hidden"):
+        assert server.ask("/keep", server.form(name="live.toml", do="duplicate", **{"as": name})).code == 400

@@ -54,8 +54,9 @@ async function open(fields = {}) {
   return opened;
 }
 
-/** Open the description that the page is of; tell of a draft that was kept. */
-export async function openFile({ dataset: { name, study, pick } }) {
+/** Open the description that the page is of; tell of a draft that was kept. @param {HTMLElement} body */
+export async function openFile(body) {
+  const { name = "", study, pick } = body.dataset;
   s.file.value = { ...s.file.value, name };
   const opened = await open(study ? { study, pick } : {});
   if (opened.note && study) tell(opened.note, "note");
