@@ -8,7 +8,7 @@ from workbook.fields.paths import Place, get
 
 SINGULAR = (
     "axes:axis phases:phase switches:switch clearances:clearance on:time reducers:reducer parts:part stages:stage"
-    " points:point start:from stop:to master:machine windows:force edges:edge orders:order lasting:duration motors:motor"
+    " points:point start:from stop:to master:machine windows:force edges:edge orders:order motors:motor"
 )
 PARTS = dict(pair.split(":") for pair in SINGULAR.split())
 FOUND = re.compile(r"^empty; (?:expected )?")
