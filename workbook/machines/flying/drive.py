@@ -30,7 +30,6 @@ BELOW_CHARTS = 45
 UNLISTED = "a name is not in the catalogue; expected one of its names, or an empty cell"
 PEAK = "at a point: exact; of a law of your own to 4 %"
 MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
-CUBIC = f"=IF({MOVING}>0,(SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5,([@pt.S]^2)^1.5)/{MOVING})^(1/3),0)"
 
 TITLE = "Where the tool turns round: four looks at each turn, each nearer"
 LEAST = "=fly_v+fly_h1/1000/fly_tm*[standing.v.1]"
@@ -83,7 +82,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
         continuous(view.motor, points.mean_speed),
         cell("@spare", float(view.left.min()), scale=max(size, view.motor.peak_torque)),
         cell("@smax", view.demand.torque, scale=view.torque),
-        cell("@smean", view.demand.mean_torque, formula=CUBIC, scale=view.torque),
+        cell("@smean", view.demand.mean_torque, scale=view.torque),
         cell("@balance", view.balance),
     )
 

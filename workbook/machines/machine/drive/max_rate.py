@@ -28,7 +28,6 @@ from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveVi
 CELLS = cell_tables(__file__)
 
 NOT_REACHED, NEVER_HELD = "–", "never"
-NOTE = "as a rule less than 1 % below the exact one; build and verify tell the exact range where not"
 ABOUT = (
     "At rest a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times it the "
     "torque is T_s + x I; of each limit, 1/x is the share that grows so and is used. T_rms is at its limit where "
@@ -218,7 +217,7 @@ def range_results(view: DriveView) -> Sequence[Quantity]:
     found, rates = view.rates, "[@between.high]"
     none = f'IF(@some=0,"{AT_NO_RATE}"'
     return [
-        cell("@highest", found.high, none=none, none_binds=NONE_BINDS, source=NOTE),
+        cell("@highest", found.high, none=none, none_binds=NONE_BINDS),
         cell("@binds", found.high_limit, rates=rates, none_binds=NONE_BINDS),
         cell("@lowest", found.low, none=none, format=RATE_LOOK),
         cell("@binds_low", found.low_limit, none=none, none_binds=NONE_BINDS),
