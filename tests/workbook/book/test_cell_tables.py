@@ -5,8 +5,30 @@ from pathlib import Path
 
 import pytest
 
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
+from workbook.book.declare import Book
 
+PLACED = """
+## points
+
+> Points of {what}
+> Where they lie.
+
+`{what}_points`: Points of {what}
+
+| kind | cell | label | symbol | unit | formula | scale |
+|---|---|---|---|---|---|---|
+| number | `k` | point | k | | | |
+| calc | `x` | place | x | m | `=[k]*{step}` | size |
+| calc | `y` | height | y | m | `=[x]+{more}` | 2 |
+
+## by case
+
+| case | low |
+|---|---|
+| short | `={from}` |
+| long | `=2*{from}` |
+"""
 ROOT = Path(__file__).parents[3]
 TABLE = """
 # Cells
@@ -71,6 +93,39 @@ def test_a_missing_part_and_one_that_no_text_has_are_named(cell, parts):
 def test_a_cell_that_no_row_has_is_refused(cell):
     with pytest.raises(KeyError, match="@weight"):
         cell("@weight", 1.0)
+
+
+@pytest.fixture
+def placed(tmp_path):
+    """The module of a table that is placed, and of formulas by row."""
+    (tmp_path / "placed.md").write_text(PLACED, encoding="utf-8")
+    return str(tmp_path / "placed.py")
+
+
+def test_a_table_is_placed_under_its_name_as_long_as_its_columns_and_counts_its_rows(placed):
+    book = Book("any", "Any")
+    sheet = book.sheet("Sheet", "")
+    cell = cell_tables(placed)["points"].sharing(what="cam", step="0.5", size=3.0)
+    cell.begin(sheet)
+    block = cell.place(sheet, cell("x", [0.5, 1.0]), cell("y", 1.0, more="1"))
+    assert (block.name, block.title, block.size) == ("cam_points", "Points of cam", 2)
+    assert [(q.name, q.value, q.scale) for q in block.quantities] == [
+        ("k", [1, 2], 0.0), ("x", [0.5, 1.0], 3.0), ("y", 1.0, 2.0),
+    ]  # fmt: skip
+    assert [text.text for text in sheet.texts[:2]] == ["Points of cam", "Where they lie."]
+
+
+def test_what_rows_share_gives_way_to_what_one_is_given(placed):
+    cell = cell_tables(placed)["points"].sharing(step="0.5", size=3.0)
+    assert cell("x", 1.0, step="2").formula == "=[k]*2"
+    with pytest.raises(TypeError, match=r"y: given \[\]; expected \['more'\]"):
+        cell("y", 1.0)
+
+
+def test_formulas_by_row_are_the_columns_of_their_table(placed):
+    formulas = formulas_by_row(placed, "by case", **{"from": "@low"})
+    assert formulas == {"case": ["short", "long"], "low": ["=@low", "=2*@low"]}
+    assert list(cell_tables(placed)) == ["points"]
 
 
 MODULES = sorted(
