@@ -93,7 +93,10 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name, sync_playwright() as driver:
         for axes in SIZES:
             text = description(axes)
-            for file, words in ((f"machine{axes}", text), (f"missing{axes}", text.replace("peak_torque = 900.0", "", 1))):
+            for file, words in (
+                (f"machine{axes}", text),
+                (f"missing{axes}", text.replace("peak_torque = 900.0", "", 1)),
+            ):
                 Path(name, f"{file}.toml").write_text(words, encoding="utf-8")
         for number in range(FILES - 2 * len(SIZES)):
             Path(name, f"other{number}.toml").write_text(text.replace("rate = 200", f"rate = {100 + number}"))

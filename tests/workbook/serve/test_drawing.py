@@ -216,6 +216,19 @@ def test_charts_have_one_cursor_a_zoom_and_a_choice(opened):
     ]
 
 
+def test_a_chart_holds_all_of_its_line_as_it_grows(opened):
+    page = opened(viewport={"width": 1440, "height": 900})
+    page.evaluate("""() => {
+      const { axes } = state.figures.value;
+      const charts = axes[1].charts.map((chart) => ({ ...chart, y: chart.y.map((value) => 3 * value) }));
+      state.figures.value = { axes: { ...axes, 1: { ...axes[1], charts } } };
+    }""")
+    page.wait_for_function("document.querySelector('.chart output').textContent === 'peak 3'")
+    page.evaluate("state.cursor.value = 45")  # where the torque is largest
+    mark, plot = page.locator(".mark.point").bounding_box(), page.locator(".u-over:has(.point)").bounding_box()
+    assert plot["y"] < mark["y"] + mark["height"] / 2 < plot["y"] + plot["height"]
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nothing_shuts_anybody_out(opened, scheme):
     page = opened(color_scheme=scheme)

@@ -78,7 +78,8 @@ export function drawAll(plot, { chart, saved }) {
     ctx.fillStyle = ink;
     ctx.fill();
     const isRight = left > bbox.left + bbox.width * 0.6;
-    write(plot, label, left + (isRight ? -8 : 8) * devicePixelRatio, top - 2, ink, isRight ? "right" : "left");
+    const below = top + 18 * devicePixelRatio; // the name of the continuous limit stands above
+    write(plot, label, left + (isRight ? -6 : 6) * devicePixelRatio, below, ink, isRight ? "right" : "left");
   }
   ctx.restore();
 }

@@ -9,7 +9,6 @@ import { held } from "./pieces.js";
 
 const MOTION = ["y", "v", "a", "j"];
 const CHOICES = ["motion", "drive", "both"];
-const FOUR = ["v", "a", "T", "Tn"]; // of both, what fits a screen
 
 /** @param {HTMLElement} box @param {() => any} shown @param {any} cursor @param {any} view what of the cycle is shown, for all charts */
 function plotIn(box, shown, cursor, view) {
@@ -91,8 +90,13 @@ function Chart({ chart, saved, cursor, view }) {
     };
   }, []);
   useEffect(() => {
-    plot.current.setData(dataOf(chart), !view.peek() || !isOverCycle(chart));
-    plot.current.redraw(false, true);
+    const { x, y } = rangesOf(chart, saved);
+    plot.current.batch(() => {
+      plot.current.setData(dataOf(chart), false);
+      plot.current.setScale("y", { min: y[0], max: y[1] });
+      if (!isOverCycle(chart)) plot.current.setScale("x", { min: x[0], max: x[1] });
+      plot.current.redraw(false, true);
+    });
   }, [chart, saved]);
   const range = view.value;
   useEffect(() => {
@@ -100,7 +104,10 @@ function Chart({ chart, saved, cursor, view }) {
   }, [range]);
   const unit = isOverCycle(chart) ? chart.unit : `${chart.unit.split(" over ")[0]}, ${chart.x_title}`;
   return html`<figure class="chart">
-    <h3><span>${chart.title} [${unit}]</span><${Readout} chart=${chart} saved=${saved} cursor=${cursor} /></h3>
+    <h3>
+      <span title=${chart.title}>${chart.title} [${unit}]</span
+      ><${Readout} chart=${chart} saved=${saved} cursor=${cursor} />
+    </h3>
     <div class="plot" ref=${box}></div>
   </figure>`;
 }
@@ -113,7 +120,7 @@ export function AxisCharts({ axis, figures, saved, cursor, chosen }) {
   const figure = held(figures)?.axes?.[axis.index];
   const before = held(saved)?.axes?.[axis.index];
   const isShown = (/** @type {any} */ { key }) =>
-    chosen.value === "both" ? FOUR.includes(key) : MOTION.includes(key) === (chosen.value === "motion");
+    chosen.value === "both" || MOTION.includes(key) === (chosen.value === "motion");
   const all = (figure?.charts ?? []).filter(isShown);
   const missing =
     figure?.error ?? (all.length ? "" : figure ? `no ${chosen.value} to be shown yet` : "being worked out …");

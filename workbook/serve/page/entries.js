@@ -49,7 +49,7 @@ function Rows({ entry, path }) {
   const at = (k, row) => [...path, k, Array.isArray(rows[k]) ? entry.rows.findIndex((each) => each.name === row.name) : row.name];
   const one = isPhases ? "phase" : entry.name.replace(/s$/, "");
   return html`<table class="rows"><thead><tr>${columns.map((row) => html`<th scope="col" title=${row.label}>
-      ${HEADS[row.name] ?? row.name.replaceAll("_", " ")}</th>`)}<th></th></tr></thead>
+      ${HEADS[row.name] ?? row.name.replaceAll("_", " ")}</th>`)}<td></td></tr></thead>
     <tbody>${rows.map((_, k) => html`<tr key=${k} class=${isPhases && s.selected.value.phase === k ? "on" : ""}
         onFocusIn=${() => isPhases && choosePhase(k)}>
       ${columns.map((row) => html`<td key=${row.name}><${row.name === "law" ? LawChoice : row.options.length && !row.expected.startsWith("a text") ? Choice : Input}
@@ -87,8 +87,8 @@ function Table({ path, pattern, of }) {
     unused=${named && entry.name !== "name" && isSet(entries[entry.name]) && !["holding", "temperature", "limit", "rated_at"].includes(entry.name)
       ? `${named} has its own` : ""} />`;
   return html`<section>
-    <h4>${title(path)} ${path.length > 2 && isSet(entries) && html`<button class="quiet" aria-label=${`remove ${name}`}
-      onClick=${() => commit([{ path, do: "remove" }])}>×</button>`}</h4>
+    <h3>${title(path)} ${path.length > 2 && isSet(entries) && html`<button class="quiet" aria-label=${`remove ${name}`}
+      onClick=${() => commit([{ path, do: "remove" }])}>×</button>`}</h3>
     ${kind && html`<${Choice} entry=${kind} path=${[...path, "kind"]} />`}
     ${["motor", "reducer"].includes(name) && html`<${Products} entry=${fields.find((each) => each.name === "name")} path=${[...path, "name"]} kind=${name} />`}
     ${first.filter((entry) => !(entry.name === "name" && MAIN[name]?.[0] === "name")).map(field)}
@@ -97,7 +97,7 @@ function Table({ path, pattern, of }) {
     ${isOpen && rest.filter((entry) => entry.name !== "name" || !MAIN[name]).map(field)}
     ${keys.filter((entry) => entry.rows.length && !(path[0] === "axes" && entry.name === "phases"))
       .filter((entry) => isOpen || isSet(entries?.[entry.name]) || entry.required)
-      .map((entry) => html`<h5 key=${entry.name} title=${entry.label}>${entry.name.replaceAll("_", " ")}</h5>
+      .map((entry) => html`<h4 key=${entry.name} title=${entry.label}>${entry.name.replaceAll("_", " ")}</h4>
         <${Rows} entry=${entry} path=${[...path, entry.name]} />`)}
   </section>`;
 }
@@ -118,7 +118,7 @@ function Axis({ index }) {
       <span class="do"><button onClick=${() => commit([{ path: ["axes", index], do: "copy" }])}>copy</button>
       ${s.data.value.axes.length > 1 && html`<button onClick=${() => commit([{ path: ["axes", index], do: "remove" }])}>delete</button>`}</span></h2>
     <${Wrong} path=${["axes", index]} />
-    <section><h4>Phases <small>° and ${axis.unit ?? "mm"}</small></h4>
+    <section><h3>Phases <small>° and ${axis.unit ?? "mm"}</small></h3>
       <${Rows} entry=${own.keys.find((each) => each.name === "phases")} path=${["axes", index, "phases"]} /></section>
     ${!driven && html`<button class="add" onClick=${() => commit([{ path: ["axes", index, "drive"], do: "add" }])}>+ mechanism and motor</button>`}
     ${there.map((name) => html`<${Table} key=${name.join(".")} path=${["axes", index, ...name]} pattern=${`axes.*.${name.join(".")}`} />`)}

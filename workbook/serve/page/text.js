@@ -37,7 +37,7 @@ export function Bottom() {
   const { took } = s.figures.value;
   return html`<footer class=${isOpen ? "open" : ""}>
     ${isOpen?.theirs !== undefined
-      ? html`<div class="differ"><h4>Lines that differ</h4>${differing(s.text.value, isOpen.theirs).map(([whose, row]) => html`<pre class=${whose}>${whose === "mine" ? "here: " : "on disk: "}${row}</pre>`)}</div>`
+      ? html`<div class="differ"><h3>Lines that differ</h3>${differing(s.text.value, isOpen.theirs).map(([whose, row]) => html`<pre class=${whose}>${whose === "mine" ? "here: " : "on disk: "}${row}</pre>`)}</div>`
       : isOpen && html`<${Text} />`}
     <div class="foot"><button aria-expanded=${Boolean(isOpen)} onClick=${() => (s.drawer.value = !isOpen)}><b>Text</b> ${s.file.value.name} ${isOpen ? "▾" : "▴"}</button>
       ${s.broken.value && html`<span class="wrong" role="alert">${s.broken.value}; the figures are of the text before</span>`}

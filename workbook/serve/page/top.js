@@ -38,7 +38,7 @@ export function Top() {
   const link = encodeURIComponent(name);
   return html`<header>
     <a class="brand" href="/">motionbook</a>
-    <span class="file" title=${s.data.value.title}>${s.data.value.title}<small>${target} · ${s.isChanged.value ? "not saved" : "saved"}</small></span>
+    <h1 class="file" title=${s.data.value.title}>${s.data.value.title}<small>${target} · ${s.isChanged.value ? "not saved" : "saved"}</small></h1>
     ${entry && html`<div class="kpi"><small>${entry.name === "rate" ? "Production rate" : "Length of a cycle"}</small><${Input} entry=${{ ...entry, default: "" }} path=${["master", entry.name]} /></div>`}
     ${machine?.highest && html`<${Figure} title="Highest rate" value=${machine.highest.value} note=${machine.highest.reason} before=${before?.highest?.value} />`}
     ${typeof machine?.peak_power === "number" && html`<${Figure} title="Peak power" value=${machine.peak_power} unit="kW" before=${before?.peak_power} />`}
