@@ -1,4 +1,4 @@
-"""The design page in Chromium: pictures a second of a drag, from an edit to its figures, the first picture, the folder."""
+"""The design page in Chromium: pictures a second of a drag, edits to figures, the first picture, the folder."""
 
 import shutil
 import tempfile

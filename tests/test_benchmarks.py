@@ -6,6 +6,7 @@ import importlib
 import pytest
 
 from tests.tiers import by_day
+from tests.workbook.serve.chromium import CHROMIUM
 from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import libreoffice_path
 
@@ -19,6 +20,7 @@ SMALL = {
     "pycel_speed": {"SIZES": ((4, 4),)},
     "scale": {"ROUNDS": 1, "COUNTS": (1,), "JOBS": (1,), "AXES": (), "TEMPLATES": SMALLEST},
     "serve": {"EDITS": 1, "GOALS": {2: 1.0}, "BUILT": 2},
+    "serve_page": {"SIZES": (4,), "ROUNDS": 1, "MOVES": 5, "FILES": 3},
     "study": {},
 }
 
@@ -39,6 +41,8 @@ def test_a_benchmark_runs(benchmark, monkeypatch, capsys):
     name = benchmark.__name__.removeprefix("benchmarks.")
     if name == "scale" and libreoffice_path() is None:
         pytest.skip("LibreOffice is not on this machine")
+    if name == "serve_page" and CHROMIUM is None:
+        pytest.skip("Chromium is not on this machine")
     if name == "serve":
         asyncio.run(benchmark.main())
         benchmark.pages()

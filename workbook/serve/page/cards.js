@@ -56,15 +56,15 @@ export function Cards() {
   };
   const known = new Set(s.schema.value.map((each) => each.path.split(".")[0]));
   const others = [...known].filter((name) => name && !LISTS.includes(name) && !["master", "power", "limits", "laws"].includes(name));
-  const family = (name, title, note) => known.has(name) && html`<h3>${title}</h3>
+  const family = (name, title, note) => known.has(name) && html`<h2>${title}</h2>
     ${(tree[name] ?? []).map((row, k) => html`<${Item} key=${k} part=${[name, k]} words=${row.name || `${title} ${k + 1}`} note=${note(row)} />`)}
     <button class="add" onClick=${add(name)}>+ ${name === "switches" ? "switch" : name.slice(0, -1)}</button>`;
   return html`<nav aria-label="Parts of the machine">
-    ${s.live.value && known.has("axes") && html`<h3>Axes</h3>${(tree.axes ?? []).map((_, k) => html`<${Card} key=${k} index=${k} />`)}
+    ${s.live.value && known.has("axes") && html`<h2>Axes</h2>${(tree.axes ?? []).map((_, k) => html`<${Card} key=${k} index=${k} />`)}
       <button class="add" onClick=${add("axes")}>+ axis</button>`}
     ${family("clearances", "Between axes", (row) => `≥ ${row.least ?? 0}`)}
     ${family("switches", "Switches", (row) => (row.on ?? []).map(time).join(", "))}
-    <h3>Machine</h3>
+    <h2>Machine</h2>
     <${Item} part=${[]} words="Cycle, power, limits" note=${tree.power?.efficiency ? `η ${tree.power.efficiency}` : ""} />
     ${others.map((name) => html`<${Item} key=${name} part=${[name]} words=${name[0].toUpperCase() + name.slice(1).replaceAll("_", " ")}
       note=${typeof tree[name]?.axis === "string" ? tree[name].axis : ""} />`)}

@@ -55,7 +55,7 @@ addEventListener("keydown", (event) => {
   event.preventDefault();
 });
 
-const opened = await openFile(document.body);
+const opened = await openFile(/** @type {any} */ (document.body));
 laws.value = opened.laws;
 products.value = opened.products;
 for (const entry of opened.schema.flatMap((each) => each.keys)) if (entry.options.length && entry.expected.startsWith("a text")) options(entry.name, entry.options);
