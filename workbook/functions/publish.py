@@ -4,6 +4,7 @@ LibreOffice's SDK made ``motion.rdb``: unoidl-write program/types.rdb program/ty
 """
 
 import re
+import sys
 import tempfile
 from filecmp import cmp
 from importlib import resources
@@ -35,6 +36,16 @@ there (right-click its tab > Move or Copy); the names come with it.
 By hand: Formulas > Name Manager > New for each entry below: its name, and its formula under Refers to.
 The names that begin with _ are called by the others: take them all.
 """
+MENU = {
+    "verify": "Verify",
+    "cancel": "Cancel",
+    "mark": "Mark Findings",
+    "clear": "Clear Marks",
+    "put-back": "Put Back",
+    "regenerate": "Regenerate",
+    "insert": "Insert Function…",
+}
+"""the commands of the menu of Calc, with their titles"""
 PACKAGE = resources.files("workbook.functions") / "addin"
 
 
@@ -72,24 +83,36 @@ def stale_files() -> list[Path]:
     return stale
 
 
-def write_add_in(path: Path, overwrite: bool = False) -> None:
-    """Write the add-in; raise WriteError where ``path`` exists, is not named .oxt, or cannot be written."""
+def write_add_in(path: Path, overwrite: bool = False, python: str = sys.executable) -> None:
+    """Write the add-in, whose menu runs motionbook by a Python.
+
+    Raises WriteError where ``path`` exists, is not named .oxt, or cannot be written.
+    """
     if path.suffix.lower() != ".oxt":
         raise WriteError(f"{path}: LibreOffice installs only files named .oxt; expected such a name")
     refuse_existing(path, overwrite)
-    data = archive.zipped(add_in())
+    data = archive.zipped(add_in(python))
     replace(path, lambda draft: draft.write_bytes(data), overwrite)
 
 
-def add_in() -> dict[str, bytes]:
+def add_in(python: str) -> dict[str, bytes]:
     """Return the files of the add-in by name, in order: texts are on every system the same bytes."""
     described = [f"description/{language}.txt" for language in Text._fields]
-    texts = ["META-INF/manifest.xml", "description.xml", *described, "motion.py"]
+    texts = [
+        "META-INF/manifest.xml",
+        "description.xml",
+        *described,
+        "motion.py",
+        "motion_menu.py",
+        "ProtocolHandler.xcu",
+    ]
     category = Text(*TEXTS["category"])
     wizard = Template((PACKAGE / "CalcAddIns.xcu").read_text(encoding="utf-8"))
     registry = wizard.generate(namespace=NAMESPACE, functions=FUNCTIONS, category=category)
     files = {name: (PACKAGE / name).read_text(encoding="utf-8").encode() for name in texts}
     files["description.xml"] = files["description.xml"].replace(b"VERSION", __version__.encode())
+    menu = Template((PACKAGE / "Addons.xcu").read_text(encoding="utf-8")).generate(commands=MENU)
+    files |= {"Addons.xcu": menu, "pythonpath/motionbook_python.py": f"PYTHON = {python!r}\n".encode()}
     files |= {"CalcAddIns.xcu": registry, "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
     for module in sorted((PACKAGE / "motion_functions").iterdir(), key=attrgetter("name")):
         if module.name.endswith(".py"):

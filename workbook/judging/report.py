@@ -104,6 +104,7 @@ class Report:
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
     cells: dict[str, int] = field(default_factory=dict)  # declared formula cells of each sheet
     witnesses: list[WitnessRun] = field(default_factory=list)
+    formulas: dict[tuple[str, str], str] = field(default_factory=dict)  # of findings' cells, where no cell has moved
     own: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
     not_evaluated: int = 0  # of these
     notes: list[str] = field(default_factory=list)

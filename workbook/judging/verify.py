@@ -24,7 +24,7 @@ from workbook.judging.report import NOTICE, ORDER, Check, Report, WitnessRun
 from workbook.judging.structure import audit, check_structure, stale_functions
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
-from workbook.reading.files import BookFile, open_book, require_little_work
+from workbook.reading.files import BookFile, is_formula, open_book, require_little_work
 from workbook.reading.table_fit import tear_lines
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreement import agreed_values
@@ -106,6 +106,10 @@ def judge(
         check_display(match, type(machine), comparison.values, report)
     set_consequences_aside(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
+    if report.findings and match.is_unmoved:
+        wrong = {(f.sheet, f.cell) for f in report.findings}
+        cells = (((pair.address.sheet, pair.address.a1), pair.cell.content) for pair in match.pairs)
+        report.formulas = {at: text for at, text in cells if at in wrong and is_formula(text)}
     count_cells(match, report)
 
 

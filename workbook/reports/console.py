@@ -59,7 +59,11 @@ def report_data(report: Report) -> dict[str, Any]:
         "witnesses": [{name: getattr(ran, name) for name in WITNESS} for ran in report.witnesses],
         "deviations": report.deviations,
         **{
-            name: [{field: plain(getattr(finding, field)) for field in FINDING} for finding in getattr(report, name)]
+            name: [
+                {field: plain(getattr(finding, field)) for field in FINDING}
+                | {"formula": report.formulas.get((finding.sheet, finding.cell), "")}
+                for finding in getattr(report, name)
+            ]
             for name in ("findings", "notices")
         },
         "following": len({(f.sheet, f.cell) for f in report.following}),
