@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from workbook.differences.design import Change, Design, changes
+from workbook.errors import MotionbookError
 from workbook.judging.batch import Outcome, SentBook, Target, file_state, judge, no_report, verify_sent
 from workbook.judging.warm import WarmBook
 from workbook.pool import collector_paused
@@ -78,7 +79,7 @@ def judge_values(path: Path, data: bytes) -> tuple[Outcome, Changes] | None:
     _books.move_to_end(path)
     while len(_books) > MOST_HELD:
         _books.popitem(last=False)
-    with tempfile.TemporaryDirectory() as folder, suppress(Exception):  # verify says what is wrong
+    with tempfile.TemporaryDirectory() as folder, suppress(MotionbookError):  # verify says what is wrong
         copy = Path(folder, path.name)
         copy.write_bytes(data)
         with collector_paused():
@@ -171,6 +172,9 @@ class Saves:
             outcome = await self._work.in_worker(verify_whole, path, data)
         except WorkError as error:
             outcome = no_report(path, str(error))
+        except Exception as error:  # a strange file must not end the watch over others, and is told
+            failed = f"({type(error).__name__}: {error})"
+            outcome = no_report(path, f"verifying it failed inside motionbook {failed}; please report this")
         changed = last.changes if last else Changes()
         self._say(path, digest, Verdict(datetime.now().astimezone(), outcome, changed, whole=True))
 

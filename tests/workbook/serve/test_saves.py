@@ -12,6 +12,7 @@ from openpyxl import load_workbook
 from tests.workbook import press
 from tests.workbook.judging.test_warm import cell_named
 from workbook.build import build
+from workbook.judging.warm import WarmBook
 from workbook.serve import saves
 from workbook.serve.saves import Saves
 
@@ -109,6 +110,37 @@ def test_what_a_save_changed_is_told_entries_and_results(book):
         ("Speed of the master", 30.0, 60.0)
     ]
     assert ("Cycle time", 2.0, 1.0) in [(change.label, change.old, change.new) for change in changes.results]
+
+
+def test_a_fault_of_our_own_is_told_and_does_not_end_the_watch(book, monkeypatch):
+    told = []
+
+    def fails(self, path):
+        raise KeyError("a fault of our own")
+
+    async def save():
+        watched = Saves(Here(), lambda path, verdict: told.append(verdict))
+        judging = asyncio.create_task(watched.judge_each())
+        with monkeypatch.context() as broken:
+            broken.setattr(WarmBook, "judge_values", fails)
+            watched.note(book)
+            while not told:
+                await asyncio.sleep(0.005)
+        book.write_bytes(edited_bytes(book))
+        watched.note(book)
+        while not (told[-1].whole and told[-1].outcome.verdict == "agrees"):
+            await asyncio.sleep(0.005)
+        judging.cancel()
+
+    asyncio.run(asyncio.wait_for(save(), 60))
+    assert "failed inside motionbook (KeyError: 'a fault of our own')" in told[0].outcome.reason
+
+
+def edited_bytes(book):
+    workbook, saved = load_workbook(book), io.BytesIO()
+    cell_named(workbook, "timing_rate").value = 31.0
+    workbook.save(saved)
+    return saved.getvalue()
 
 
 def test_a_book_that_is_gone_or_no_workbook_does_not_take_the_verdict_away(book):
