@@ -191,6 +191,7 @@ def read_entered(path: Path) -> tuple[Match, Machine, list[str]]:
     match = Match(file, entries.template.declare(machine))
     machine.laws.built_as({})
     machine.built_as({})
+    machine.verified_at(None)
     return match, machine, notes + entries.beyond
 
 

@@ -22,8 +22,8 @@ LONGEST, MOST, HALF = 200, 135, 60
 """characters of any formula, of 95 % of a book's formulas and of half of them"""
 DEEPEST, WIDEST, STEPS, LONG = 4, 40, 8, 40
 """functions within each other, columns of a sheet, precedents from a result to an entry, rows of a long table"""
-LISTS = ("pieces", "checks", "switch_lanes")
-"""pieces of all laws from their sheets, all checks, the corners of switches' lanes from their times"""
+LISTS = ("pieces", "checks", "switch_lanes", "stamp")
+"""pieces of all laws from their sheets, all checks, corners of switches' lanes from their times, sums of entries"""
 CALL = re.compile(r'"[^"]*"|([A-Z][A-Z0-9]*)\(|[()]')
 NUMBER = re.compile(r"(?<![\w.$])\d+\.?\d*(?:[eE][+-]?\d+)?(?![\w.$(])")
 PLAIN = re.compile(r"\d{1,6}(\.\d{1,6})?|1E[+-]?\d+|10{9}", re.I)

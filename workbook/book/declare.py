@@ -54,6 +54,7 @@ class Book:
     # by unit, the scale of quantities that name none
     sizes: Mapping[str, float] = field(default_factory=dict)
     print_also: Sequence[str] = ()  # what is printed besides: catalogue, laws, parts, workings
+    stamp: float | None = None  # the fingerprint of the entries at which it was last verified
     guards: list[Guard] = field(default_factory=list)
     summed: dict[str, list[list[int]]] = field(default_factory=dict)
     """columns ``table.column`` that sum up some checks: of each row the places of these among all"""

@@ -11,6 +11,7 @@ import workbook
 from workbook.book.cell_tables import cell_tables
 from workbook.book.checks import FAILING, IN_ONE, failing_table, in_one, repeat_verdicts, summary
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text
+from workbook.book.stamp import stamp_line, stamp_table
 
 CELLS = cell_tables(__file__)
 
@@ -71,6 +72,7 @@ def summary_sheet(
     """
     cell = CELLS["summary_sheet"]
     sheet = book.sheet(TITLE, purpose)
+    book.stamp = machine.stamp
     sheet.one_page, sheet.print_columns, sheet.widths, sheet.more = True, COLUMNS, dict(WIDTHS), more
     entered = (
         cell("book_title", machine.title),
@@ -99,6 +101,7 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
     drawn = [chart for other in book.sheets[1:] for chart, *_ in other.charts]
     for picture in sorted(drawn, key=lambda chart: not chart.in_short)[:1]:
         sheet.charts.append((picture, PICTURE_ROW, FIRST, COLUMNS - FIRST + 1, PICTURE_ROWS))
+    stamp_line(book, sheet, SENTENCE + 1, ENTERED)
     to_mend(book, sheet)
     sheet.not_printed_below()
     if sheet.more:
@@ -122,6 +125,7 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
     sheet.heading("Sources")
     for key in sources:
         entry(sheet, Text(sheet.row, FIRST, key, "label"), SOURCES[key])
+    stamp_table(book, book.blocks["checks"].sheet)
 
 
 MARK = '=book_title&IF(book_number="","",", no. "&book_number)&IF(book_revision="","",", revision "&book_revision)'

@@ -160,14 +160,19 @@ def verify(
     cases: int = option("N", "With --against: values tried.", default=100, min=1, max=100_000),
     cover: float | None = option("PER CENT", "With --against: fail if less is covered.", min=0, max=100),
     marked: Path | None = to("OUT.xlsx", "With --against: colour a copy by class.", "--marked"),
+    stamp: bool = flag("--stamp", "Write of each book that agrees a copy, BOOK-verified.xlsx, which says so."),
+    in_place: bool = flag("--in-place", "With --stamp: write it into the book itself."),
 ) -> None:
     """Compare every formula cell of workbooks with the engine, at the values entered in them.
 
-    Of a folder, and the folders in it, every workbook that motionbook built is verified. No workbook is written to.
+    Of a folder, and the folders in it, every workbook that motionbook built is verified. No workbook is written to
+    unless by --stamp --in-place.
 
     Exit code 0: every cell agrees, and the machine passes its own checks. 1: some cells do not agree. 2: a book cannot
     be read, or there is none to verify. 3: the cells agree, and the design is unfinished or fails a check of its own.
     """
+    if in_place and not stamp:
+        raise typer.BadParameter("--in-place says where the stamp goes; expected --stamp with it")
     if against is not None:
         from workbook.commands import oracle as command
 
@@ -176,7 +181,8 @@ def verify(
         raise typer.Exit(command.against(books[0], against, cases, cover, marked, as_json, force, witnesses))
     from workbook.commands.verify import verify as run
 
-    raise typer.Exit(run(books, as_json, report, junit, sarif, force, witnesses, jobs, everything, scheduler))
+    more = everything, scheduler, stamp, in_place
+    raise typer.Exit(run(books, as_json, report, junit, sarif, force, witnesses, jobs, *more))
 
 
 @app.command()

@@ -12,7 +12,7 @@ from workbook import __version__
 from workbook import build as making
 from workbook.cluster import pool
 from workbook.entries.machine import Machine
-from workbook.errors import DISAGREES, TargetError
+from workbook.errors import DISAGREES, TargetError, WriteError
 from workbook.file_cache import load_cached, store_cached
 from workbook.judging import batch
 from workbook.judging.batch import file_digest, file_state
@@ -26,6 +26,7 @@ from workbook.reports.page import sarif as as_sarif
 from workbook.reports.terminal import ERR, OUT, say, shown
 from workbook.text_files import irregular_kind
 from workbook.writing.output_files import refuse_same_file
+from workbook.writing.stamp import write_stamp
 
 VERDICT = "verdict"
 DAILY = "pycel"  # the witness that is asked unless given otherwise
@@ -42,8 +43,10 @@ def verify(
     jobs: int | None,
     everything: bool,
     scheduler: str | None = None,
+    stamp: bool = False,
+    in_place: bool = False,
 ) -> int:
-    """Verify books, print what came of them and write the reports asked for; return the exit code."""
+    """Verify books, print what came of them and write the reports and stamps asked for; return the exit code."""
     page.require_writable(report, (".html", ".htm"), force)
     page.require_writable(junit, (".xml",), force)
     page.require_writable(sarif, (".sarif", ".json"), force)
@@ -63,7 +66,23 @@ def verify(
     page.write(report, lambda: page.page(outcomes, when), force)
     page.write(junit, lambda: junit_xml(outcomes, when), force)
     page.write(sarif, lambda: as_sarif(outcomes), force)
+    for outcome in outcomes if stamp else ():
+        write_stamped(outcome, in_place, force)
     return batch.exit_code(outcomes)
+
+
+def write_stamped(outcome: batch.Outcome, in_place: bool, force: bool) -> None:
+    """Write a book that agrees with the stamp of its entries, ``-verified`` behind its name unless ``in_place``."""
+    path, agrees = outcome.path, outcome.report is not None and outcome.report.agrees
+    if not agrees:
+        say(ERR, f"{path}: not stamped: its cells do not agree", "yellow")
+        return
+    match, *_ = making.read_entered(path)
+    target = path if in_place else path.with_name(f"{path.stem}-verified{path.suffix}")
+    if outcome.sha256 != digest_of(path):
+        raise WriteError(f"{path}: it changed since it was verified; verify it again")
+    write_stamp(match.file, match.declared, target, in_place or force)
+    say(ERR, f"{target}: stamped")
 
 
 State = tuple[int, int] | None

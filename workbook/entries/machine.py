@@ -71,6 +71,7 @@ class Machine(Model):
     laws: Laws = Laws({})
     sizes: Sizes = Sizes()
     _design: Design = PrivateAttr(default_factory=lambda: Design({}))
+    _stamp: float | None = PrivateAttr(None)
 
     @classmethod
     def spelled(cls, data: Any) -> Any:
@@ -98,6 +99,15 @@ class Machine(Model):
     def design(self) -> Design:
         """The entries that were replaced because they break a rule, as they were entered."""
         return self._design
+
+    @property
+    def stamp(self) -> float | None:
+        """The fingerprint of the entries at which its book was last verified."""
+        return self._stamp
+
+    def verified_at(self, stamp: float | None) -> None:
+        """Set the fingerprint of the entries at which its book was last verified."""
+        self._stamp = stamp
 
     @model_validator(mode="after")
     def _named(self) -> Self:

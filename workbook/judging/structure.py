@@ -12,6 +12,7 @@ from pydantic import BaseModel
 from workbook.book.address import Address, Place
 from workbook.book.declare import FIRST, Block
 from workbook.book.rows import is_number
+from workbook.book.stamp import TABLE
 from workbook.entries.rules import field_at
 from workbook.errors import listed
 from workbook.functions.declarations import NAMESPACE
@@ -76,7 +77,9 @@ def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     for findings in (*of_names, stray_blocks, mislabelled_cells, displaced_texts, exchanged_tables):
         yield from findings(match)
     inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
-    read = match.file.contents.read([pair.address for pair in inputs])
+    sums = {pair.address for pair in match.pairs if pair.cell.block.name == TABLE}  # of all entries: no use of them
+    contents = match.file.contents
+    read = contents.read([pair.address for pair in inputs], contents.formulas.keys() - sums)
     for pair in inputs:  # that no formula reads; texts that only describe are left out
         q, at = pair.cell.quantity, pair.address
         if at not in read and (field_at(template, q.key)[0] is not str or q.choices):

@@ -7,6 +7,8 @@ from pydantic import BaseModel
 
 from workbook.book.address import Address, Place
 from workbook.book.declare import Block, Book, Quantity
+from workbook.book.rows import is_number
+from workbook.book.stamp import NAME as STAMP
 from workbook.book_layout import INPUTS, NAME, input_keys, read_layout
 from workbook.entries import rules
 from workbook.entries.machine import Machine
@@ -67,6 +69,8 @@ class Entries:
         }
         machine.laws.built_as({name: built[f"{key}_built"] for name, key in named.items() if f"{key}_built" in built})
         machine.built_as(built)
+        stamp = self.file.places.get(STAMP)
+        machine.verified_at(held if stamp and is_number(held := self.file.value(stamp.cell(0, 0))) else None)
         return machine
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
