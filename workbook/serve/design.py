@@ -171,9 +171,9 @@ def without(data: dict[str, Any], place: Place) -> dict[str, Any]:
     return {key: value for key, value in data.items() if key != place[0]}
 
 
-def names_of(axes: list[Any]) -> set[str]:
+def names_of(axes: Any) -> set[str]:
     """Return the names of axes."""
-    return {str(axis.get("name")) for axis in axes if isinstance(axis, Mapping)}
+    return {str(axis.get("name")) for axis in (axes if isinstance(axes, list) else ()) if isinstance(axis, Mapping)}
 
 
 def without_names(data: dict[str, Any], names: set[str]) -> dict[str, Any]:

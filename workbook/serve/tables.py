@@ -143,7 +143,7 @@ def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
         for path, value in changes:
             put(document, path, value)
         before, after = text.split("\n"), tomlkit.dumps(document).split("\n")
-    except (TOMLKitError, LookupError, TypeError, ValueError) as error:
+    except (TOMLKitError, AttributeError, LookupError, TypeError, ValueError) as error:
         raise InputError([f"the text cannot be changed there: {error}"]) from None
     if len(before) == len(after):  # each comment keeps its column, where the line leaves room for it
         for k, (old_line, new_line) in enumerate(zip(before, after, strict=True)):

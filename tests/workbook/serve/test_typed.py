@@ -1,10 +1,13 @@
 """Entries as people type them, and parts that are added: what is taken works, what is refused leaves the file alone."""
 
 import tomllib
+from contextlib import suppress
 
 import pytest
+import tomlkit
 
-from workbook.errors import InputError
+from workbook.errors import InputError, ReadError
+from workbook.fields.paths import put, split
 from workbook.serve.design import Edited, edited_design, figures, verdict
 from workbook.serve.parts import changed
 from workbook.serve.tables import schema
@@ -118,3 +121,18 @@ def test_the_page_has_the_figures_of_the_book():
         for pieces, _ in zip(shown["axes"][str(k)]["pieces"], axis["phases"], strict=True):
             assert (pieces[0]["from"], pieces[-1]["to"]) == (0.0, 1.0)
             assert sum(pieces[-1]["x"]) == pytest.approx(1.0, abs=1e-6)
+
+
+ODD = ["5", '"x"', "[]", "{}", "[5]", "[[1.0]]", "true", "1e300", "nan", "[{}]"]
+ANYWHERE = ["axes", "axes.1", "axes.1.phases", "axes.1.phases.0", "master", "axes.1.phases.0.start", "axes.1.motor"]
+
+
+@pytest.mark.parametrize("wrong", ODD)
+@pytest.mark.parametrize("place", ANYWHERE)
+def test_whatever_stands_in_the_text_is_told_or_shown(wrong, place):
+    data = tomllib.loads(TEXT)
+    put(data, split(place), tomllib.loads(f"x = {wrong}")["x"])
+    for path, do in ((["axes"], "add"), (["axes", 1], "copy"), (["axes", 1, "phases"], "add"), (["clearances"], "add")):
+        with suppress(InputError, ReadError):
+            text, _ = changed(tomlkit.dumps(data), [{"path": path, "do": do}])
+            figures(text, 1)

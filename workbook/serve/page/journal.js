@@ -1,6 +1,6 @@
 // The journal: numbered changes in their order, undo and redo. An answer older than the last change replaces no field.
 import { batch } from "./html.js";
-import { post } from "./server.js";
+import { Gone, post } from "./server.js";
 import * as s from "./state.js";
 
 const IDLE = 400; // ms without a change, after which the machine is judged
@@ -62,6 +62,7 @@ async function run() {
       await answer(entry);
     } catch (error) {
       tell(error);
+      if (error instanceof Gone) return; // the entry waits for the next
       batch(() => {
         s.waiting.value = {};
         s.data.value = { ...s.data.value };

@@ -11,13 +11,13 @@ const tell = (words, kind = "bad", actions = []) => {
 };
 
 /** Save what is on the page, also what stands in a field; true where it is saved. */
-export async function save(isForced = false) {
+export async function save() {
   takeActive();
   await settled();
   const { name, target, disk } = s.file.value;
   const text = s.text.value;
   try {
-    const given = await post("/save", { text, as: target, state: isForced ? await onDisk() : disk });
+    const given = await post("/save", { text, as: target, state: disk });
     s.file.value = { name: given.name, target: given.name, disk: given.state, saved: text };
     s.saved.value = { axes: {}, machine: s.figures.value.machine };
     compare();

@@ -2,6 +2,7 @@
 import { file } from "./state.js";
 
 export class Refused extends Error {}
+export class Gone extends Refused {}
 
 /** Post fields; return the answer. Throws Refused with the server's sentence. */
 export async function post(address, fields = {}) {
@@ -13,7 +14,7 @@ export async function post(address, fields = {}) {
       body: new URLSearchParams({ name: file.value.name, ...fields }),
     });
   } catch {
-    throw new Refused("The server has ended: run motionbook serve again. Nothing here is lost while this page is open.");
+    throw new Gone("The server has ended: run motionbook serve again. Nothing here is lost while this page is open.");
   }
   const words = await answer.text();
   if (!answer.ok) {
