@@ -13,6 +13,7 @@ from workbook.witnesses.engines import libreoffice_path
 SMALLEST = {"flying-cutter": TEMPLATES["flying-cutter"]}
 SMALL = {
     "any_workbook": {"SIZES": (20,), "CASES": 3, "GOAL": {}},
+    "audit": {"FAULTS": 2, "SIZES": (40,)},
     "build": {"ROUNDS": 1, "TEMPLATES": SMALLEST},
     "cam_tables": {"INTERVALS": (8,), "AXES": 1, "POINTS": 20, "ROUNDS": 1, "targets": list},
     "improve": {"ROUNDS": 1, "DEGREES": (7,), "STAGES": {}},

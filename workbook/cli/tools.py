@@ -227,6 +227,24 @@ def oracle(
 
 
 @app.command()
+def audit(
+    books: Annotated[list[Path], Argument(metavar="BOOK|FOLDER...", parser=named_place, help="Any workbooks.")],
+    as_json: Json = False,
+    sarif: Path | None = to("FILE.sarif", "Write SARIF 2.1.0 for code hosts.", "--sarif"),
+    force: bool = flag("--force", "Replace the SARIF file if it exists."),
+    everything: bool = flag("--all", "List also what is less sure."),
+) -> None:
+    """Name faults of any workbook, without a declaration: each with its cell, why, how sure, and what stands beside it.
+
+    Nothing is evaluated, and no workbook is written to. Exit code 0: nothing found. 1: findings. 2: a book cannot
+    be read.
+    """
+    from workbook.commands import audit as command
+
+    raise typer.Exit(command.audit(books, as_json, sarif, force, everything))
+
+
+@app.command()
 def addin(
     output: Path = to("MOTION.oxt", "Where to write the add-in.", default=Path("motion.oxt")), force: Force = False
 ) -> None:

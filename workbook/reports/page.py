@@ -6,7 +6,7 @@ Source: OASIS, Static Analysis Results Interchange Format (SARIF) Version 2.1.0,
 import json
 import math
 import platform
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -202,24 +202,29 @@ def line(finding: Finding) -> str:
 
 def sarif(outcomes: Sequence[Outcome]) -> str:
     """Return the run: each finding is an error, each failing check of a machine a warning."""
-    rules = [{"id": kind, "shortDescription": {"text": words}} for kind, words in (KINDS | OTHERS).items()]
-    driver = {"name": "motionbook", "version": workbook.__version__, "rules": rules}
     results = []
     for outcome in outcomes:
         if outcome.verdict == "unreadable":
-            results.append(result(outcome, "unreadable", "error", outcome.reason))
+            results.append(result(outcome.path, "unreadable", "error", outcome.reason))
         for f in outcome.report.findings if outcome.report else ():
-            results.append(result(outcome, f.kind, "error", line(f), f"{f.sheet}!{f.cell}"))
+            results.append(result(outcome.path, f.kind, "error", line(f), f"{f.sheet}!{f.cell}"))
         for check in outcome.report.failing if outcome.report else ():
-            results.append(result(outcome, "design", "warning", check.line, f"{check.sheet}!{check.cell}"))
+            results.append(result(outcome.path, "design", "warning", check.line, f"{check.sheet}!{check.cell}"))
+    return sarif_log(KINDS | OTHERS, results)
+
+
+def sarif_log(kinds: Mapping[str, str], results: Sequence[dict[str, Any]]) -> str:
+    """Return the log of a run by its kinds of findings, in words, and its results."""
+    rules = [{"id": kind, "shortDescription": {"text": words}} for kind, words in kinds.items()]
+    driver = {"name": "motionbook", "version": workbook.__version__, "rules": rules}
     run = {"tool": {"driver": driver}, "columnKind": "unicodeCodePoints", "results": results}
     log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
     return json.dumps(log, ensure_ascii=False, indent=1) + "\n"
 
 
-def result(outcome: Outcome, rule: str, level: str, text: str, cell: str = "") -> dict[str, Any]:
+def result(path: Path, rule: str, level: str, text: str, cell: str = "") -> dict[str, Any]:
     """Return a result; the cell is its logical location, as a workbook has no lines."""
-    where: dict[str, Any] = {"physicalLocation": {"artifactLocation": {"uri": outcome.path.as_posix()}}}
+    where: dict[str, Any] = {"physicalLocation": {"artifactLocation": {"uri": path.as_posix()}}}
     if cell:
         where["logicalLocations"] = [{"fullyQualifiedName": cell}]
     return {"ruleId": rule, "level": level, "message": {"text": text}, "locations": [where]}

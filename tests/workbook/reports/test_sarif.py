@@ -67,8 +67,8 @@ def test_sarif_names_file_cell_and_kind_of_each_finding(ran):
 
 
 def test_the_hook_and_the_action_call_what_there_is():
-    (hook,) = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))
-    assert hook["entry"].split() == ["motionbook", "verify"]
+    hooks = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))
+    assert [hook["entry"].split() for hook in hooks] == [["motionbook", "verify"], ["motionbook", "audit"]]
     action = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
     scripts = " ".join(step.get("run", "") for step in action["runs"]["steps"])
     assert ".ci/verify" in scripts

@@ -1,0 +1,227 @@
+"""Rules on patterns: formulas, numbers and gaps among copied formulas; references that move or stay and should not."""
+
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+from workbook.audit.finding import Finding, Sure
+from workbook.audit.lines import FEW, Lines, Stretch, at, beside, held, nearest, place
+from workbook.audit.view import Form, View
+from workbook.book.address import Address
+
+SEVERAL = 4  # exceptions in a stretch that make a structure
+TABLES = frozenset("VLOOKUP HLOOKUP LOOKUP XLOOKUP MATCH XMATCH RANK PERCENTRANK FORECAST".split())
+AGGREGATES = frozenset("SUM AVERAGE MAX MIN COUNT COUNTA PRODUCT MEDIAN STDEV SUBTOTAL SUMPRODUCT SUMSQ".split())
+
+
+def different(lines: Lines) -> Iterator[Finding]:
+    """Yield formulas that differ from the pattern of their line."""
+    view = lines.view
+    for stretch in lines.stretches:
+        others = [c for c in stretch.between if c in view.forms]
+        if len(stretch.cells) < FEW or repeats(view, others, stretch.down):
+            continue
+        count = len(stretch.cells) if len(stretch.between) < SEVERAL else 0
+        for cell in others:
+            if not is_meant(lines, cell, stretch.down) and not totals(view, cell, stretch.down):
+                yield differing(view, cell, nearest(stretch, cell), count, any(stretch.modes))
+    for cell, down, neighbour, at_end in lines.shifted:
+        if not is_meant(lines, cell, down):
+            near = {at(cell, down, max(1, place(cell, down) + k)) for k in (-1, 1)}
+            count = FEW + (not at_end) if near.isdisjoint(view.numbers) else 0
+            yield differing(view, cell, neighbour, count, True)
+
+
+def is_meant(lines: Lines, cell: Address, down: bool) -> bool:
+    """Whether a cell that stands out does so with its neighbour, or is one of a pattern in the other direction."""
+    across = (cell, not down)
+    return lines.is_structure(cell, down) or (across in lines.members and across not in lines.between)
+
+
+def differing(view: View, cell: Address, neighbour: Address, count: int, moves: bool) -> Finding:
+    """Return the finding of a formula that differs from its neighbour's, of which there are so many."""
+    sure: Sure = ("high" if moves else "medium") if count > FEW else ("medium" if moves and count else "low")
+    return Finding(
+        cell, "pattern", f"{view.text(cell)} differs from the formulas around it", sure, held(view, neighbour)
+    )
+
+
+def repeats(view: View, cells: Sequence[Address], down: bool) -> bool:
+    """Whether several of the cells have formulas of a form of their own, as subtotals have."""
+    skeletons = Counter(view.forms[c].skeleton for c in cells if not adjoining(c, cells, down))
+    return any(count > 1 for count in skeletons.values())
+
+
+def adjoining(cell: Address, cells: Iterable[Address], down: bool) -> bool:
+    """Whether the cell before a cell is among the cells."""
+    return at(cell, down, place(cell, down) - 1) in cells
+
+
+def totals(view: View, cell: Address, down: bool) -> bool:
+    """Whether a cell sums up, or counts, cells of its own line."""
+    form = view.forms[cell]
+    own = [(a.left <= cell.column <= a.right) if down else (a.top <= cell.row <= a.bottom) for a in form.areas]
+    ranges = [not a.single and o for a, o in zip(form.areas, own, strict=True)]
+    return bool(form.functions & AGGREGATES) and any(ranges)
+
+
+def typed_over(lines: Lines) -> Iterator[Finding]:
+    """Yield numbers where the cells around have formulas, and cells that were emptied."""
+    view = lines.view
+    for stretch in lines.stretches:
+        if len(stretch.cells) < FEW:
+            continue
+        for cell in stretch.between:
+            kind = lines.kind(cell)
+            if kind in ("=", "a") or lines.is_structure(cell, stretch.down) or in_row(lines, cell, stretch):
+                continue
+            neighbour = held(view, nearest(stretch, cell))
+            if kind:
+                pair = [at(cell, stretch.down, place(cell, stretch.down) + step) in view.numbers for step in (-1, 1)]
+                sure: Sure = "low" if any(pair) or len(stretch.between) >= SEVERAL else "high"  # a series begins anew
+                yield Finding(cell, "typed-over", f"the number {view.text(cell)} among formulas", sure, neighbour)
+            elif any(view.figure(c) for c in beside(cell, stretch.down)):
+                yield Finding(cell, "gap", "an empty cell among formulas", "medium", neighbour)
+        yield from at_the_end(lines, stretch)
+
+
+def in_row(lines: Lines, cell: Address, stretch: Stretch) -> bool:
+    """Whether a number stands among numbers to both sides, where the formulas of the stretch do not."""
+    numbers = lines.view.numbers
+    here = [c in numbers for c in beside(cell, stretch.down)]
+    there = [c in numbers for c in beside(nearest(stretch, cell), stretch.down)]
+    return any(h and not t for h, t in zip(here, there, strict=True))
+
+
+def at_the_end(lines: Lines, stretch: Stretch) -> Iterator[Finding]:
+    """Yield the number before or behind a pattern, where the pattern's formula would go on among figures."""
+    view, down = lines.view, stretch.down
+    for end, step in ((stretch.cells[0], -1), (stretch.cells[-1], 1)):
+        if place(end, down) + step < 1:
+            continue
+        cell, behind = (at(end, down, max(1, place(end, down) + k * step)) for k in (1, 2))
+        if cell not in view.numbers or (behind != cell and view.figure(behind)) or lines.is_structure(cell, down):
+            continue
+        if in_row(lines, cell, stretch) or not goes_on_to(lines, stretch, end, step):
+            continue
+        why = f"the number {view.text(cell)} where the pattern of formulas would go on"
+        yield Finding(cell, "typed-over", why, "medium", held(view, end))
+
+
+def goes_on_to(lines: Lines, stretch: Stretch, end: Address, step: int) -> bool:
+    """Whether the formula of the end of a pattern, copied on, reads figures, of its own line none."""
+    view, down, form = lines.view, stretch.down, lines.view.forms[end]
+    moved = False
+    for n, area in enumerate(form.areas):
+        first, last = area.first, Address(area.sheet, area.bottom, area.right)
+        own = (area.left <= end.column <= area.right) if down else (area.top <= end.row <= area.bottom)
+        if own and area.sheet == end.sheet and any(stretch.modes[2 * n : 2 * n + 2]):
+            return False
+        for cell, moves in ((first, stretch.modes[2 * n]), (last, stretch.modes[2 * n + 1])):
+            to = place(cell, down) + step if moves else place(cell, down)
+            if to < 1 or not view.figure(at(cell, down, to)):
+                return False
+            moved |= moves
+    return moved
+
+
+def typed_totals(lines: Lines) -> Iterator[Finding]:
+    """Yield numbers under, or over, a column of figures, beside formulas that sum up such columns."""
+    view = lines.view
+    for cell, form in view.forms.items():
+        area = form.areas[0] if len(form.areas) == 1 and form.functions & AGGREGATES else None
+        if area is None or area.single or not area.left == area.right == cell.column or area.sheet != cell.sheet:
+            continue
+        if area.top <= cell.row <= area.bottom or area.bottom - area.top < 2:
+            continue
+        for other in beside(cell, True):
+            ends = (other._replace(row=row) for row in (area.top, area.top + 1, area.bottom))
+            if other in view.numbers and all(end in view.forms for end in ends):
+                why = f"the number {view.text(other)} beside a formula that sums up such a column"
+                yield Finding(other, "typed-over", why, "medium", held(view, cell))
+
+
+def dollars(lines: Lines) -> Iterator[Finding]:
+    """Yield references that lack a ``$`` their neighbours have, or have one they lack: wrong at the next copying."""
+    view = lines.view
+    for stretch in lines.stretches:
+        if len(stretch.cells) < FEW + 1:
+            continue
+        kinds = defaultdict(list)
+        for cell in stretch.cells:
+            kinds[view.forms[cell].fixed].append(cell)
+        most = max(kinds.values(), key=len)
+        for cells in kinds.values():
+            if len(cells) == 1 and len(most) >= FEW and len(kinds) == 2 and cells[0] not in (stretch.cells[0],):
+                why = f"{view.text(cells[0])} has its $ elsewhere than the formulas around it"
+                yield Finding(cells[0], "dollar", why, "medium", held(view, most[-1]))
+
+
+def wandering(lines: Lines) -> Iterator[Finding]:
+    """Yield patterns a reference of which moves off the figure that it begins at, into empty cells, texts or others."""
+    view = lines.view
+    for stretch in lines.stretches:
+        if len(stretch.cells) < FEW:
+            continue
+        forms = [view.forms[c] for c in stretch.cells]
+        for n in range(0, len(stretch.modes), 2):
+            area = forms[0].areas[n // 2]
+            if not area.single or not stretch.modes[n] or not view.figure(area.first):
+                continue
+            met = [form.areas[n // 2].first for form in forms]
+            off = next((k for k, c in enumerate(met) if not view.figure(c)), None)
+            entry = place(met[0], stretch.down) == place(
+                stretch.cells[0], stretch.down
+            )  # of the row itself, and left empty
+            if off is None or entry or off > min(2, len(met) // 2):
+                continue
+            if goes_on(view, forms[off], stretch.modes, n):
+                why = f"its reference to {met[0].a1} moves along with the cells, to {met[off].a1}"
+                holds = "nothing" if view.empty(met[off]) else f"the text {view.text(met[off])!r}"
+                yield Finding(stretch.cells[off], "moved-off", why, "high", f"{met[off].a1} has {holds}")
+
+
+def goes_on(view: View, form: Form, moves: Sequence[bool], but: int) -> bool:
+    """Whether another moving reference of a formula still meets a figure: the row is not an empty one."""
+    others = [area for n, area in enumerate(form.areas) if moves[2 * n] and 2 * n != but and area.single]
+    return bool(others) and all(view.figure(area.first) for area in others) and "" not in form.texts
+
+
+def stuck(lines: Lines) -> Iterator[Finding]:
+    """Yield patterns that all read the figure in their first row, of a column that goes on beside them."""
+    view = lines.view
+    for stretch in lines.stretches:
+        cells, down, model = stretch.cells, stretch.down, view.forms[stretch.cells[0]]
+        if len(cells) < FEW:
+            continue
+        for n, area in enumerate(model.areas):
+            first = area.first
+            if not area.single or stretch.modes[2 * n] or first.sheet != cells[0].sheet:
+                continue
+            others = [at(first, down, place(c, down)) for c in cells[1:]]
+            if place(first, down) != place(cells[0], down) or not all(view.figure(c) for c in others):
+                continue
+            unread = view.read.isdisjoint(others)
+            if unread or not any(stretch.modes):
+                more = "none reads the figures behind it" if unread else "so all are the same"
+                why = f"all {len(cells)} formulas read {first.a1}, and {more}"
+                yield Finding(cells[1], "stuck", why, "high", held(view, others[0]))
+
+
+def moving_tables(lines: Lines) -> Iterator[Finding]:
+    """Yield patterns of look-ups the table of which moves along."""
+    view = lines.view
+    for stretch in lines.stretches:
+        form = view.forms[stretch.cells[0]]
+        if len(stretch.cells) < FEW or not form.functions & TABLES:
+            continue
+        for n, area in enumerate(form.areas):
+            size = area.bottom - area.top if stretch.down else area.right - area.left
+            if size >= 2 and any(stretch.modes[2 * n : 2 * n + 2]):
+                why = f"its table {area.a1} moves along with the cells"
+                yield Finding(stretch.cells[1], "moved-off", why, "high", held(view, stretch.cells[0]))
+                break
+
+
+RULES: tuple[Callable[[Lines], Iterator[Finding]], ...] = (
+    different,  typed_over, typed_totals, dollars, wandering, stuck, moving_tables
+)  # fmt: skip

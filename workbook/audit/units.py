@@ -1,0 +1,207 @@
+"""Units of cells from labels and unit cells; what cannot be added, and conversions that are missing or there twice."""
+
+import math
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator
+from functools import cached_property, lru_cache
+
+from workbook.audit.finding import Finding
+from workbook.audit.lines import FEW, Lines, held
+from workbook.audit.view import View
+from workbook.book.address import Address
+from workbook.book.columns import tree
+from workbook.book.formula import Area, FormulaError
+from workbook.dimensions.rules import FormulaChecker, Term, UnitWalk
+from workbook.dimensions.units import NONE, POWERS, dimension_of, dimension_text, is_either
+
+BRACKETS = re.compile(r"(?:(?<=\s)\(|^\(|\[)([^\])(\[]{1,12})[\])]")
+BEHIND = re.compile(r"(?:,|\bin)\s+([^\s,]{1,8})$")
+NOTHING = frozenset("- – 1 / . —".split())
+GRAVITY = frozenset("9.81 9.80665 9.807 9.8".split())
+ACCELERATION = Term(dimension_of("m/s²"))
+CONVERTING = frozenset(
+    (*map(float, GRAVITY), 24, 25, 30, 32, 36, 60, 64, 90, 120, 180, 270, 360, 365, 3600, 6000, 9549, 9550, 60000, 25.4,
+     0.0254, 3.6, 9.55)
+)  # fmt: skip
+WORDS = frozenset(
+    ("m mm cm dm km µm μm um nm in inch ft kg g t mg lb s ms min h d N kN mN MN Nm kNm mNm Nmm Ncm W kW MW "
+     "mW J kJ MJ Wh kWh V mV kV A mA Ω ohm H mH F µF nF Hz kHz rpm rad mrad deg ° C K Pa kPa MPa GPa bar mbar l L ml "
+     "% ‰ Ws Nms pieces cycles").split()
+)  # fmt: skip
+INDEX = re.compile(r"^1/|[a-zA-ZµΩ]\^?-?[1-4](?!\d)")  # where a unit has digits
+
+
+class Units:
+    """The unit of each figure, as far as the workbook tells it."""
+
+    def __init__(self, view: View) -> None:
+        self.view = view
+
+    @cached_property
+    def of(self) -> dict[Address, str]:
+        """The units by cells: right of a figure, in brackets left of it, or over its column."""
+        units = {}
+        for cell, (_, above) in self.view.headings.items():
+            unit = self.right(cell) or bracketed(self.view.beside(cell)) or (self.over(above) if above else "")
+            if unit:
+                units[cell] = unit
+        return units
+
+    def right(self, cell: Address) -> str:
+        """Return the unit in the cell right of a figure, where most texts there are units."""
+        other = cell._replace(column=cell.column + 1)
+        text = self.view.texts.get(other, "")
+        return text if text and (cell.sheet, other.column) in self.unit_columns and is_unit(text) else ""
+
+    @cached_property
+    def unit_columns(self) -> set[tuple[str, int]]:
+        """The columns the texts of which, right of figures, are units."""
+        counts: dict[tuple[str, int], list[bool]] = defaultdict(list)
+        for cell in self.view.headings:
+            other = cell._replace(column=cell.column + 1)
+            if other in self.view.texts:
+                counts[cell.sheet, other.column].append(is_unit(self.view.texts[other]))
+        return {line for line, units in counts.items() if sum(units) * 5 >= 3 * len(units)}
+
+    def over(self, heading: Address) -> str:
+        """Return the unit in the heading of a column."""
+        text = self.view.texts[heading]
+        return bracketed(text) or (text if heading in self.bare else "")
+
+    @cached_property
+    def bare(self) -> set[Address]:
+        """The texts in rows of nothing but units; of a row of single letters, which may be symbols, none."""
+        rows = defaultdict(list)
+        for cell in self.view.texts:
+            rows[cell.sheet, cell.row].append(cell)
+        units = [c for c in rows.values() if len(c) > 1 and all(is_unit(self.view.texts[t]) for t in c)]
+        return {c for cells in units if any(len(self.view.texts[t]) > 1 for t in cells) for c in cells}
+
+    @cached_property
+    def checked(self) -> dict[Address, str]:
+        """The contradictions of dimensions, in words, by cell."""
+        return Walk(self.view, {c: "1" if u in NOTHING else u for c, u in self.of.items()}).contradictions()
+
+
+@lru_cache(maxsize=10_000)
+def is_unit(text: str) -> bool:
+    """Whether a text is a unit, or a dash for none: of words that engineers write, so that symbols are none."""
+    plain = text.strip(" []()")
+    if plain in NOTHING:
+        return True
+    words = re.findall(r"[^\W\d_]+|[%‰°]", plain.translate(POWERS))
+    if not words or len(plain) > 12 or re.search(r"\d", INDEX.sub("", plain.translate(POWERS))):
+        return False
+    return all(word in WORDS for word in words) and dimension_of(plain) is not None
+
+
+@lru_cache(maxsize=10_000)
+def bracketed(text: str) -> str:
+    """Return the unit in brackets in a text, or behind a comma or ``in`` at its end."""
+    found = [*BRACKETS.findall(text), *BEHIND.findall(text.strip())]
+    return next((unit.strip() for unit in found if is_unit(unit)), "")
+
+
+class Walk(UnitWalk):
+    """Units run through all formulas; formulas of the same shape with the same terms are judged once."""
+
+    def __init__(self, view: View, units: dict[Address, str]) -> None:
+        super().__init__(view.contents, units)
+        self.view = view
+        self.judged: dict[tuple[str, tuple[Term, ...]], tuple[Term, tuple[str, ...]]] = {}
+        self.read_cells = 0
+
+    def contradictions(self) -> dict[Address, str]:
+        """Return the contradictions in words, by cell."""
+        wrong = {}
+        for cell in self.view.order[0]:
+            formula = self.contents.formulas.get(cell)
+            if formula is None:
+                continue
+            terms = tuple(self.argument(argument) for argument in formula.arguments)
+            key = formula.shape, terms
+            if key not in self.judged:
+                self.judged[key] = judge(formula.shape, terms, self.view.forms[cell].numbers)
+            term, faults = self.judged[key]
+            label = self.terms.setdefault(cell, term).dimension
+            if label is not None and term.dimension is not None and term.dimension != label:
+                faults = (*faults, f"{dimension_text(term.dimension)} where the unit says {dimension_text(label)}")
+            if faults and not is_either(self.units.get(cell, "")):
+                wrong[cell] = "; ".join(dict.fromkeys(faults))
+        return wrong
+
+    def range(self, area: Area) -> Term:
+        """Return the term of a range; of more cells than can be walked, unknown."""
+        self.read_cells += area.size
+        return Term() if self.read_cells > 2_000_000 else super().range(area)
+
+
+def judge(shape: str, terms: tuple[Term, ...], numbers: tuple[str, ...]) -> tuple[Term, tuple[str, ...]]:
+    """Return the term of a formula and its faults; 9.81 has the unit of an acceleration, or none."""
+    if "LOG" in shape or "10^" in shape or any(may_have_unit(number) for number in numbers):
+        return Term(), ()  # decibels; a density, 0.05 s
+    readings = [(shape, terms)]
+    if gravity := GRAVITY.intersection(numbers):
+        pattern = r"(?<![\w.])(?:" + "|".join(map(re.escape, gravity)) + r")(?![\w.])"
+        readings = [(re.sub(pattern, f"A{len(terms) + 1}", shape), (*terms, way)) for way in (ACCELERATION, Term(NONE))]
+    results: list[tuple[Term, tuple[str, ...]]] = []
+    for text, arguments in readings:
+        checker = FormulaChecker(arguments)
+        try:
+            results.append((checker.of(tree(text)), tuple(checker.wrong)))
+        except (FormulaError, RecursionError, IndexError, TypeError):
+            return Term(), ()
+    if len({term for term, _ in results}) > 1:
+        sound = [faults for _, faults in results if not faults]
+        return Term(), () if sound else results[0][1]
+    return min(results, key=lambda result: len(result[1]))
+
+
+@lru_cache(maxsize=10_000)
+def may_have_unit(number: str) -> bool:
+    """Whether a number that is a count, or a part of a whole number, is no usual conversion: a density, 0.05 s."""
+    value = float(number)
+    return not converts(value) and (value > 16 or value < 1) and (value.is_integer() or (1 / value).is_integer())
+
+
+@lru_cache(maxsize=10_000)
+def converts(value: float) -> bool:
+    """Whether a number is a count, a half, a quarter or such, a power of ten, or converts units."""
+    small = value.is_integer() and value <= 16
+    power = value > 0 and (math.log10(value) % 1.0) in (0.0, 1.0)
+    return small or power or value in (0.125, 0.25, 0.5, 1.5) or value in CONVERTING
+
+
+def dimensions(lines: Lines, units: Units) -> Iterator[Finding]:
+    """Yield formulas whose units do not go together, each form of a column once."""
+    yield from once(lines, ((cell, "dimension", why) for cell, why in units.checked.items()))
+
+
+def once(lines: Lines, rows: Iterable[tuple[Address, str, str]]) -> Iterator[Finding]:
+    """Yield a finding for the first cell of each form in a column, with how many others have the same."""
+    view, groups = lines.view, defaultdict[tuple[str, int, str, str, str], list[Address]](list)
+    for cell, rule, why in rows:
+        groups[cell.sheet, cell.column, view.forms[cell].skeleton, rule, why].append(cell)
+    for (_, _, _, rule, why), cells in groups.items():
+        first = min(cells)
+        more = f" ({len(cells)} cells)" if len(cells) > 1 else ""
+        yield Finding(first, rule, why + more, "high", view.text(first))
+
+
+def wandering(lines: Lines, units: Units) -> Iterator[Finding]:
+    """Yield patterns a reference of which moves along through figures of unlike units."""
+    view = lines.view
+    for stretch in lines.stretches:
+        for n in range(0, len(stretch.modes) if len(stretch.cells) >= FEW else 0, 2):
+            areas = [view.forms[c].areas[n // 2] for c in stretch.cells[:4]]
+            if not areas[0].single or not stretch.modes[n] or not stretch.down:
+                continue
+            found = Counter(dimension_of(units.of[a.first]) for a in areas if a.first in units.of)
+            if len(found) > 1:
+                why = f"its reference to {areas[0].a1} moves along, to {areas[1].a1} of another unit"
+                yield Finding(stretch.cells[1], "moved-off", why, "high", held(view, areas[1].first))
+                break
+
+
+RULES = (dimensions, wandering)

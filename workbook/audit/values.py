@@ -1,0 +1,131 @@
+"""Cells that are something else than they look, and formulas that hide or hang on what nobody sees."""
+
+from collections.abc import Iterator
+
+from workbook.audit.finding import Finding, Sure
+from workbook.audit.lines import Lines, held
+from workbook.audit.ranges import calls
+from workbook.book.address import Address
+from workbook.book.columns import Node, tree
+from workbook.book.formula import FormulaError
+
+VOLATILE = frozenset("OFFSET INDIRECT NOW TODAY RAND RANDBETWEEN RANDARRAY CELL INFO".split())
+BLANKS = frozenset("ISBLANK COUNTA COUNT COUNTIF COUNTBLANK ISNUMBER IFERROR IFNA N ISERROR IF".split())
+LOOK_UPS = frozenset("VLOOKUP HLOOKUP LOOKUP XLOOKUP MATCH XMATCH INDEX INDIRECT".split())
+
+
+def text_number(text: str) -> float | None:
+    """Return the number that a text looks like; None where it is no number."""
+    plain = text.strip().replace("\u00a0", "").replace(" ", "").replace("−", "-").lstrip("'")
+    if plain.count(",") == 1 and "." not in plain:
+        plain = plain.replace(",", ".")
+    try:
+        return float(plain) if plain and plain[-1].isdigit() and plain[0] in "+-.0123456789" else None
+    except ValueError:
+        return None
+
+
+def texts(lines: Lines) -> Iterator[Finding]:
+    """Yield texts that look like numbers where numbers are expected: sums leave them out."""
+    view = lines.view
+    alike = {cell for cell, text in view.texts.items() if text_number(text) is not None}
+    for cell in sorted(alike):
+        sides = [cell._replace(row=cell.row + k) for k in (-1, 1) if cell.row + k]
+        readers = [r for r in view.readers.get(cell, ()) if not view.forms[r].functions & LOOK_UPS]
+        codes = any(side in alike for side in sides)
+        others = readers or ([] if codes else [side for side in sides if view.figure(side)])
+        if others:
+            yield Finding(cell, "text-number", f"{view.texts[cell]!r} is a text", "high", held(view, others[0]))
+
+
+def blanks(lines: Lines) -> Iterator[Finding]:
+    """Yield empty cells that formulas read as zero."""
+    view = lines.view
+    for empty, readers in sorted(view.readers.items()):
+        judged = [r for r in readers if not view.forms[r].functions & BLANKS and "" not in view.forms[r].texts]
+        if judged and view.empty(empty) and empty not in view.contents.arrays:
+            reader = min(judged)
+            why = f"{reader.a1} on {reader.sheet} reads an empty cell"
+            yield Finding(empty, "blank", why, sure_of_blank(lines, empty, reader), held(view, reader))
+
+
+def sure_of_blank(lines: Lines, empty: Address, reader: Address) -> Sure:
+    """Return how sure it is that an empty cell should not be: a list has room for more, a series begins with none."""
+    view = lines.view
+    near = [empty._replace(row=empty.row + k) for k in (-1, 1) if empty.row + k]
+    inside = all(view.figure(c) for c in near)
+    first = reader.row == empty.row + 1 and (empty._replace(row=reader.row - 1), True) not in lines.members
+    if any(c in view.readers and view.empty(c) for c in near) and not inside:
+        return "low"
+    return "high" if inside or view.beside(empty) else "low" if first else "medium"
+
+
+def hidden_errors(lines: Lines) -> Iterator[Finding]:
+    """Yield formulas that give a number for every error, whatever its reason."""
+    view = lines.view
+    met = set()
+    for cell, form in view.forms.items():
+        if "IFERROR" not in form.functions or (formula := view.contents.formulas.get(cell)) is None:
+            continue
+        if form.skeleton in met:
+            continue
+        try:
+            nodes = list(calls(tree(formula.shape)))
+        except (FormulaError, RecursionError):
+            continue
+        for node in nodes:
+            if node.value == "IFERROR" and len(node.parts) == 2 and hides(node):
+                met.add(form.skeleton)
+                why = f"every error becomes {node.parts[1].value:g}, and goes on as a value"
+                yield Finding(cell, "hidden-error", why, "medium", view.text(cell))
+                break
+
+
+def hides(node: Node) -> bool:
+    """Whether a call of IFERROR gives a number for what is no look-up and may fail by a fault."""
+    inner = {call.value for call in calls(node.parts[0])}
+    return not inner & LOOK_UPS and node.parts[1].kind == "number"
+
+
+def circles(lines: Lines) -> Iterator[Finding]:
+    """Yield the cells of circular references."""
+    for circle in lines.view.order[1]:
+        path = ", ".join(c.a1 for c in circle[:6])
+        for cell in circle[:10]:
+            yield Finding(cell, "circular", f"it needs its own value: {path}", "high", lines.view.text(cell))
+
+
+def links(lines: Lines) -> Iterator[Finding]:
+    """Yield formulas that read another file."""
+    view = lines.view
+    for cell in view.contents.failed:
+        text = view.text(cell)
+        if "[" in text and "]" in text and "!" in text.partition("]")[2]:
+            yield Finding(cell, "link", "it reads another file, which may be gone or changed", "medium", text)
+
+
+def volatile(lines: Lines) -> Iterator[Finding]:
+    """Yield formulas that change without an entry, or read cells that nobody sees named; a date alone is little."""
+    view, met = lines.view, set()
+    for cell, form in view.forms.items():
+        names = form.functions & VOLATILE
+        if not names or form.skeleton in met:
+            continue
+        met.add(form.skeleton)
+        dates = names <= {"TODAY", "NOW"} and cell not in view.read
+        why = f"{', '.join(sorted(names))} is volatile: no trace shows what it reads, or its value changes by itself"
+        yield Finding(cell, "volatile", why, "low" if dates else "medium", view.text(cell))
+
+
+def hidden(lines: Lines) -> Iterator[Finding]:
+    """Yield the first formula that reads figures of a hidden sheet, for each such sheet."""
+    view = lines.view
+    left = {s.title for s in view.file.workbook.worksheets if s.sheet_state != "visible"}
+    for cell, form in view.forms.items() if left else ():
+        for area in form.areas:
+            if area.sheet in left and area.sheet != cell.sheet and any(map(view.figure, view.within(area))):
+                left.discard(area.sheet)
+                yield Finding(cell, "hidden", f"it reads the hidden sheet {area.sheet}", "medium", view.text(cell))
+
+
+RULES = (texts, blanks, hidden_errors, circles, links, volatile, hidden)
