@@ -5,19 +5,11 @@ import tomllib
 import pytest
 
 from workbook.errors import InputError
+from workbook.fields.paths import put
 from workbook.serve.tables import edited
 from workbook.template import FOLDER
 
 TEXT = (FOLDER / "machine.toml").read_text(encoding="utf-8")
-
-
-def with_value(data, path, value):
-    """A description with another value at a path."""
-    table = data
-    for part in path[:-1]:
-        table = table[int(part)] if isinstance(table, list) else table[part]
-    table[int(path[-1]) if isinstance(table, list) else path[-1]] = value
-    return data
 
 
 @pytest.mark.parametrize(
@@ -37,13 +29,15 @@ def test_one_entry_changes_in_one_line_and_comments_stay(path, value):
     assert len(lines) == 1
     before, after = (line.partition("#")[1:] for line in lines[0])
     assert before == after
-    assert tomllib.loads(changed) == with_value(tomllib.loads(TEXT), path, value)
+    put(data := tomllib.loads(TEXT), path, value)
+    assert tomllib.loads(changed) == data
 
 
 def test_an_entry_is_added_and_taken_away():
     path = ("axes", "2", "motor", "rated_torque")
     more = edited(TEXT, iter([(path, 12.0)]))
-    assert tomllib.loads(more) == with_value(tomllib.loads(TEXT), path[:-1], {"rated_torque": 12.0})
+    put(data := tomllib.loads(TEXT), path, 12.0)
+    assert tomllib.loads(more) == data
     less = edited(TEXT, iter([(("axes", "1", "group"), None)]))
     assert "group" not in tomllib.loads(less)["axes"][1]
 

@@ -7,7 +7,7 @@ import pytest
 import tomlkit
 
 from workbook.errors import InputError, ReadError
-from workbook.fields.paths import put, split
+from workbook.fields.paths import get, put, split
 from workbook.serve.design import Edited, edited_design, figures, verdict
 from workbook.serve.parts import changed
 from workbook.serve.tables import schema
@@ -72,13 +72,8 @@ def test_every_button_leads_to_a_valid_design_or_to_one_that_names_what_is_missi
             assert text == TEXT
             continue
         design = Edited(text)
-        data = design.data
         for key in design.faults:
-            above = key.split(".")[:-1]
-            table = data
-            for part in above:
-                table = table[int(part)] if isinstance(table, list) else table.get(part, {})
-            assert isinstance(table, dict | list), (path, do, key)
+            assert isinstance(get(design.data, split(key)[:-1], {}), dict | list), (path, do, key)
         if do == "add" and len(path) < 3:
             assert design.faults == {}, (path, do)
 
