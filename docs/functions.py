@@ -21,7 +21,7 @@ from tests.functions.calc import Calc
 from workbook.book.address import Address
 from workbook.functions import publish
 from workbook.functions.names import definitions
-from workbook.witnesses.engine_process import formulon
+from workbook.reading.files import open_book
 from workbook.witnesses.engines import Formulon, IronCalc, LibreOffice
 
 PAGE = Path(__file__).with_suffix(".md")
@@ -77,7 +77,7 @@ def written_to(path: Path, names: bool, told: Callable[[str], str] = str) -> Pat
 
 def by_formulon(path: Path) -> list[Any]:
     """Return what the names answer, computed by formulon."""
-    held = formulon(written_to(path, True, all_required).read_bytes())
+    held = Formulon().values(open_book(written_to(path, True, all_required)))
     return [held.get(Address("Sheet", row, 7)) for row in range(1, len(ASKED) + 1)]
 
 

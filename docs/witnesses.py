@@ -8,10 +8,13 @@ from __future__ import annotations
 
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 from typing import Any
 
 from openpyxl import Workbook
+from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet.table import Table
 
 from workbook.book.address import Address
 from workbook.judging.comparison import TOLERANCE
@@ -19,74 +22,59 @@ from workbook.reading.files import open_book
 from workbook.witnesses.registry import WITNESSES
 
 PAGE = Path(__file__).with_suffix(".md")
+DATA = Path(__file__).parents[1] / "tests/workbook/witnesses/semantics.toml"
 ENTERED = {"B1": 1, "B2": 2, "B3": 3, "C1": "a", "C2": "B", "C3": "c", "D1": True, "E1": "3"}
+OTHER = [["k", "x", "a b"], ["p", 1, 10], ["q", 2, 20], ["p", 3, 30]]  # a table called T on a second sheet, D
+BELOW = {"E12": 1, "E13": "=1/0", "E14": 3, "F12": 1, "F13": 2, "F14": 3}  # also there; row 13 is hidden
+NAMED = {"g": "9.81", "first": "Sheet!$B$1", "area": "Sheet!$B$1:$B$3", "twice": "Sheet!$B$1*2", "local": "8",
+         "both": "Sheet!$B$1:$B$2,Sheet!$B$3", "area_sum": "SUM(Sheet!$B$1:$B$3)"}  # fmt: skip
 HEAD = """\
 # Where the witnesses differ
 
 Made by `python -m docs.witnesses`: each witness is asked what Microsoft documents for Excel (for roots of negative
 numbers, of which it says nothing: what formulon's makers measured), on a sheet with nothing in A1, the numbers 1, 2, 3
-in B1:B3, the texts a, B, c in C1:C3, TRUE in D1 and the text 3 in E1. Empty where it agrees. Where one differs, no
-formula of ours may lean on what is asked.
+in B1:B3, the texts a, B, c in C1:C3, TRUE in D1 and the text 3 in E1, beside a sheet D with a table T, a hidden row and
+an error. Each question with its source is in [semantics.toml](../tests/workbook/witnesses/semantics.toml). The tables
+below are empty where a witness agrees. Where pycel differs, no formula of ours may lean on what is asked; in a workbook
+of yours, that cell is judged by those that agree ([any-workbook.md](any-workbook.md)).
 
 """
-ASKED: dict[str, dict[str, Any]] = {
-    "Operators": {
-        "-2^2": 4, "0-2^2": -4, "2^-1": 0.5, "2^3^2": 64, "-20^2+900": 1300, "50%": 0.5, "200*10%": 20, "1&2": "12",
-        "1/0": "#DIV/0!", "0^0": "#NUM!", "(-8)^(1/3)": -2, '"a"="A"': True, '"a"<"B"': True,
-    },
-    "Texts, truth values and empty cells in arithmetic": {
-        '"2"+3': 5, '"2"*"3"': 6, '"x"+1': "#VALUE!", "E1+1": 4, "TRUE+1": 2, "D1+1": 2, "A1+1": 1, 'A1=""': True,
-        "A1=0": True, '"1"=1': False, "TRUE=1": False, '"5"%': 0.05,
-    },
-    "Fifteen digits": {
-        "0.1+0.2=0.3": True, "1*(0.5-0.4-0.1)=0": False, "1+1E-16=1": True, "12345678901234567890": 1.23456789012345e19,
-    },
-    "AND, OR, NOT, IF": {
-        'AND("a",TRUE)': "#VALUE!", "AND(C1,TRUE)": True, "OR(C1:C3)": "#VALUE!", "AND(D1,1)": True, "NOT(0)": True,
-        'IF("a",1,2)': "#VALUE!", "IF(A1,1,2)": 2, "IF(1,,5)": 0,
-    },
-    "SUM, MAX, COUNT, AVERAGE": {
-        'SUM("3",4)': 7, "SUM(E1,4)": 4, "SUM(TRUE,1)": 2, "SUM(D1,1)": 1, "MAX(C1:C3)": 0, "MIN(D1,B2)": 2,
-        "COUNT(B1:E1)": 1, "AVERAGE(C1:C3)": "#DIV/0!", "SUMPRODUCT(B1:B3,C1:C3)": 0, "SUMPRODUCT(B1:B3,B1:B3)": 14,
-        'COUNTIF(C1:C3,"b")': 1, 'COUNTIF(B1:B3,">1")': 2, 'COUNTIF(B1:B3,"2")': 1, "COUNTIF(E1,3)": 1,
-    },
-    "INDEX, MATCH, CHOOSE, LARGE, SMALL": {
-        "INDEX(B1:B3,2.9)": 2, "INDEX(B1:B3,4)": "#REF!", "MATCH(2.5,B1:B3,1)": 2, "MATCH(0.5,B1:B3,1)": "#N/A",
-        "MATCH(2-1E-13,B1:B3,1)": 1, "MATCH(2-1E-13,B1:B3,0)": "#N/A", 'MATCH("b",C1:C3,0)': 2, 'MATCH("?",C1:C3,0)': 1,
-        'MATCH("3",B1:B3,0)': "#N/A", 'CHOOSE(2.9,"a","b","c")': "b", "CHOOSE(4,1,2,3)": "#VALUE!", "LARGE(B1:B3,1)": 3,
-        "SMALL(B1:B3,4)": "#NUM!",
-    },
-    "Rounding": {
-        "ROUND(2.5,0)": 3, "ROUND(-2.5,0)": -3, "ROUND(1.005,2)": 1.01, "INT(-2.5)": -3, "MOD(-3,2)": 1,
-        "ROUND(1234,-2)": 1200,
-    },
-    "Mathematics": {
-        "POWER(-2,3)": -8, "POWER(-8,1/3)": -2, "SQRT(-1)": "#NUM!", "LN(0)": "#NUM!", "LOG10(1000)": 3,
-        "ATAN2(1,2)": 1.10714871779409, "ATAN2(0,0)": "#DIV/0!", "SIGN(-0.5)": -1, 'ABS("-3")': 3,
-        'ABS("x")': "#VALUE!", "EXP(710)": "#NUM!", "RADIANS(180)": 3.14159265358979, "DEGREES(PI())": 180,
-        "ISNUMBER(E1)": False,
-    },
-}  # fmt: skip
+KINDS = tomllib.loads(DATA.read_text(encoding="utf-8"))["kind"]
+ASKED: dict[str, dict[str, Any]] = {kind["name"]: kind["asked"] for kind in KINDS}
+COLUMN = 7  # of the formulas
+
+
+def asked_book() -> Workbook:
+    """Return the workbook that asks every formula, one below the other."""
+    book = Workbook()
+    sheet, other = book.active, book.create_sheet("D")
+    for place, value in ENTERED.items():
+        sheet[place] = value
+    for row in OTHER:
+        other.append(row)
+    for place, value in BELOW.items():
+        other[place] = value
+    other.row_dimensions[13].hidden = True
+    other.add_table(Table(displayName="T", ref="A1:C4"))
+    for name, text in NAMED.items():
+        book.defined_names[name] = DefinedName(name, attr_text=text)
+    sheet.defined_names["local"] = DefinedName("local", attr_text="7")
+    for row, formula in enumerate((formula for asked in ASKED.values() for formula in asked), 1):
+        sheet.cell(row, COLUMN, f"={formula}")
+    return book
 
 
 def answers() -> dict[str, list[Any]]:
     """Return what each witness on this machine says to each formula in order, by its name and version."""
-    book = Workbook()
-    sheet = book.active
-    for place, value in ENTERED.items():
-        sheet[place] = value
-    formulas = [formula for asked in ASKED.values() for formula in asked]
-    places = [Address(sheet.title, row, 7) for row in range(1, len(formulas) + 1)]
-    for place, formula in zip(places, formulas, strict=True):
-        sheet.cell(place.row, place.column, f"={formula}")
+    places = [Address("Sheet", row, COLUMN) for row in range(1, sum(map(len, ASKED.values())) + 1)]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "asked.xlsx"
-        book.save(path)
+        asked_book().save(path)
         found = {}
         for witness in (make() for make in WITNESSES.values()):
             if not witness.kept and (version := witness.version()):
                 values = witness.values(open_book(path))
-                found[f"{witness.name} {version}"] = [values[place] for place in places]
+                found[f"{witness.name} {version}"] = [values.get(place) for place in places]
     return found
 
 
@@ -109,16 +97,25 @@ def written(value: Any) -> str:
 
 
 def page(found: dict[str, list[Any]]) -> str:
-    """Return the page."""
-    lines, at = [HEAD.rstrip(), ""], 0
+    """Return the page: how many answers of each kind agree, and the answers that do not."""
+    heads, rule = " | ".join(found), "|---" * (len(found) + 2) + "|"
+    counts, lines, at = [f"| kind | asked | {heads} |", rule], [""], 0
     for title, asked in ASKED.items():
-        lines += [f"## {title}", "", f"| asked | Excel | {' | '.join(found)} |", "|---" * (len(found) + 2) + "|"]
-        for formula, expected in asked.items():
-            said = [shown(values[at], expected) for values in found.values()]
-            lines.append(" | ".join([f"| `={formula}`", written(expected), *said]) + " |")
-            at += 1
+        told = {name: [*map(shown, values[at:], asked.values())] for name, values in found.items()}
+        at += len(asked)
+        counts.append(f"| {title} | {len(asked)} | {' | '.join(str(said.count('')) for said in told.values())} |")
+        rows = [*zip(asked.items(), *told.values(), strict=True)]
+        lines += [f"## {title}", "", f"| formula | Excel | {heads} |", rule]
+        lines += [" | ".join([f"| `={f}`", written(value), *said]) + " |" for (f, value), *said in rows if any(said)]
         lines.append("")
-    return "\n".join(lines)
+    total = [sum(not shown(*pair) for pair in zip(v, every(ASKED), strict=True)) for v in found.values()]
+    counts.append(f"| all | {at} | {' | '.join(map(str, total))} |")
+    return "\n".join([HEAD.rstrip(), "", "How many answers are Excel's:", "", *counts, *lines])
+
+
+def every(asked: dict[str, dict[str, Any]]) -> list[Any]:
+    """Return what is expected of all formulas, in order."""
+    return [value for kind in asked.values() for value in kind.values()]
 
 
 def columns(text: str) -> dict[str, list[str]]:
@@ -127,7 +124,7 @@ def columns(text: str) -> dict[str, list[str]]:
     heads: list[str] = []
     for line in text.splitlines():
         cells = [cell.strip() for cell in line.strip("|").split(" |")] if line.startswith("| ") else []
-        if cells and cells[0] == "asked":
+        if cells and cells[0] in ("asked", "formula", "kind"):
             heads = cells
         elif cells:
             for head, cell in zip(heads, cells, strict=True):

@@ -78,9 +78,5 @@ class WitnessError(MotionbookError):
     """A witness that is absent, or that cannot evaluate the file."""
 
 
-class TooLargeError(WitnessError):
-    """A file that is larger than a witness takes."""
-
-
 class DisputedError(ValueError):
     """A formula whose value is in doubt, in words that follow the formula."""

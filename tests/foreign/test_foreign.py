@@ -27,7 +27,7 @@ def sound(there, tmp_path):
     return there.mend(tmp_path / "sound.xlsx")
 
 
-def judged(path, book, witnesses=("pycel", "formualizer")):
+def judged(path, book, witnesses=("pycel", "formulon")):
     return Judge(open_book(path), load_oracle(book.declarations)).judge(100, witnesses=witnesses)
 
 

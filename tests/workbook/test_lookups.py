@@ -1,6 +1,6 @@
 """No look-up of any book hangs on less than 1e-9 of ξ or of the abscissa's range.
 
-Spreadsheet programs take numbers for equal that differ in the twelfth decimal (formualizer's MATCH, LibreOffice's =),
+Spreadsheet programs take numbers for equal that differ in the twelfth decimal (formulon's MATCH, LibreOffice's =),
 and another processor's sine rounds otherwise: a key so near to what is looked up would give another row there.
 """
 
@@ -18,7 +18,7 @@ from workbook.entries.machine import Machine
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
-from workbook.witnesses.engines import Formualizer
+from workbook.witnesses.engines import Formulon
 
 LEAST = 1e-9
 CALL = re.compile(r"\b(MATCH|INT)\(")
@@ -173,7 +173,7 @@ def scaled(duration):
 
 @pytest.mark.parametrize("total", [1.0, 0.25, 1e-3, 1e-6])
 @pytest.mark.sample(1)
-def test_a_motion_of_any_length_is_computed_by_formualizer_too(total, tmp_path):
+def test_a_motion_of_any_length_is_computed_by_formulon_too(total, tmp_path):
     machine: Machine = scaled(total)
     build(machine, tmp_path / "book.xlsx")
-    assert verify(tmp_path / "book.xlsx", [Formualizer.name]).findings == []
+    assert verify(tmp_path / "book.xlsx", [Formulon.name]).findings == []

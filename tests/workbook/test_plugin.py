@@ -4,12 +4,12 @@ import tomllib
 
 import pytest
 import tomli_w
+from tests.workbook.serve.test_fields import entries, parts, values
 
 from tests.mutation.bench import Bench
 from tests.mutation.examine import Tally, examined, names_it_first
 from tests.workbook.cells import disagreeing, entered
 from tests.workbook.dimensions.test_dimensions import Labelled, not_named
-from tests.workbook.serve.test_fields import entries, parts, values
 from workbook.build import build, read_inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
@@ -39,7 +39,7 @@ def test_every_formula_cell_has_an_engine_value(hoist):
 
 def test_its_book_agrees_and_its_inputs_come_back(hoist, tmp_path):
     build(hoist, tmp_path / "hoist.xlsx")
-    assert verify(tmp_path / "hoist.xlsx", ["pycel", "formualizer"]).findings == []
+    assert verify(tmp_path / "hoist.xlsx", ["pycel", "formulon"]).findings == []
     assert read_inputs(tmp_path / "hoist.xlsx") == (hoist, [])
 
 

@@ -7,11 +7,13 @@ from openpyxl import load_workbook
 from openpyxl.styles import PatternFill
 
 from workbook.differences.design import compare, read_design
-from workbook.errors import AGREES, DISAGREES, InputError
+from workbook.errors import AGREES, DISAGREES, UNREADABLE, InputError
 from workbook.judging.verify import available_witnesses
 from workbook.oracle.cells import draft
 from workbook.oracle.declarations import load_oracle
-from workbook.oracle.judge import FIRST, Judge, OracleReport, describe
+from workbook.oracle.evaluators import FIRST, NAMES
+from workbook.oracle.findings import OracleReport, describe
+from workbook.oracle.judge import Judge
 from workbook.reading.files import BookFile, open_book
 from workbook.reports import differences as difference_reports
 from workbook.reports import page
@@ -20,7 +22,6 @@ from workbook.reports.terminal import ERR, OUT, print_or_write, say, say_json, s
 from workbook.witnesses.registry import WITNESSES as REGISTER
 from workbook.writing.output_files import refuse_existing, refuse_itself, replace
 
-WITNESSES = (FIRST, "formualizer")  # the evaluators asked by default, where they are there
 COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
 
 
@@ -59,7 +60,7 @@ def against(
         refuse_existing(marked, force)
     with ERR.status(shown(f"Comparing {path} with {declarations} …")):
         file = open_book(path)
-        asked = witnesses or [name for name in WITNESSES if REGISTER[name]().version() is not None]
+        asked = witnesses or [name for name in NAMES if REGISTER[name]().version() is not None]
         names = [name for name in available_witnesses(asked)[0] if not REGISTER[name]().kept]
         report = Judge(file, load_oracle(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
     # a copy in which the formula cells of each class have a colour of their own
@@ -72,11 +73,23 @@ def against(
         wrong = [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.wrong]
         cells = {str(cell): kind for cell, kind in report.coverage.items()}
         known = {"known": report.dimensions.known, "formulas": report.dimensions.formulas}
-        data = {"cases": report.cases, "covered": report.covered, "findings": wrong}
-        data |= {"cells": cells, "dimensions": known, "notes": report.notes}
+        data = {
+            "cases": report.cases,
+            "covered": report.covered,
+            "findings": wrong,
+            "warnings": [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.warnings],
+            "unusable": report.unusable,
+            "cells": cells,
+            "states": {str(cell): state for cell, state in report.states.items()},
+            "evaluators": {str(cell): name for cell, name in report.evaluators.items()},
+            "dimensions": known,
+            "notes": report.notes,
+        }
         say_json(data, default=str)
     else:
         show(file, report)
+    if report.unusable:
+        return UNREADABLE
     return DISAGREES if report.wrong or (cover is not None and report.covered < cover) else AGREES
 
 
@@ -87,10 +100,10 @@ def write_draft(path: Path, output: Path | None, force: bool) -> None:
 
 def show(file: BookFile, report: OracleReport) -> None:
     """Print the findings as a table, and how many formula cells are of each class."""
-    if report.wrong:
+    if report.wrong or report.warnings:
         rows = [
             (describe(file, fault.cell), fault.kind, figure(fault.found, 9), figure(fault.expected, 9), fault.at)
-            for fault in report.wrong
+            for fault in (*report.wrong, *report.warnings)
         ]
         show_table(OUT, ("cell", "kind", "found", "expected", "at"), rows, box=None, pad_edge=False)
     counts = f"{report.count('compared')} compared, {report.count('step')} steps to them"
@@ -101,4 +114,11 @@ def show(file: BookFile, report: OracleReport) -> None:
     for note in report.notes:
         say(OUT, note)
     count = f"{len(report.wrong)} {'finding' if len(report.wrong) == 1 else 'findings'}"
-    say(OUT, count if report.wrong else "Every compared cell is what the declarations give")
+    if report.warnings:
+        count += f", {len(report.warnings)} disputed"
+    for line in report.unusable:
+        say(ERR, line, "red")
+    cannot = sum(state == "cannot" for state in report.states.values())
+    left = f"; {cannot} of {len(report.states)} could not be computed" if cannot else ""
+    sound = f"Every compared cell is what the declarations give{left}"
+    say(OUT, count + left if report.wrong or report.warnings or report.unusable else sound)

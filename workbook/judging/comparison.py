@@ -12,7 +12,7 @@ from workbook.book.declare import Book
 from workbook.book.rows import as_rows, is_number
 from workbook.book.sentence import Sentence
 from workbook.entries.machine import Machine
-from workbook.errors import TooLargeError, WitnessError
+from workbook.errors import WitnessError
 from workbook.judging.matching import Match, Pair
 from workbook.judging.report import CAUSES, Finding, Report, WitnessRun
 from workbook.reading.contents import Cells
@@ -97,7 +97,7 @@ class Comparison:
         except WitnessError as error:
             if witness is self.single:
                 raise
-            ran.why, ran.too_large = str(error), isinstance(error, TooLargeError)
+            ran.why = str(error)
             return
         if witness.kept:
             self._kept(ran, values)
@@ -115,9 +115,9 @@ class Comparison:
             raise WitnessError(f"{in_full(witness.name, witness.version())} failed {most}")
 
     def require_answers(self, named: Collection[str]) -> None:
-        """Enter a finding for each failed witness if it was named and the file not too large, or if none computed."""
+        """Enter a finding for each failed witness if it was named, or if none computed."""
         for ran in self.report.witnesses:
-            if ran.why and (not self.values or (ran.name in named and not ran.too_large)):
+            if ran.why and (not self.values or ran.name in named):
                 self.report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
 
     def _computed(self, ran: WitnessRun, values: Cells) -> None:

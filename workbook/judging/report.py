@@ -47,7 +47,6 @@ class WitnessRun:
     at_fault: int = 0  # by what this witness computes, or by what the file holds
     unfinished: int = 0  # the engine has no value for these
     why: str = ""  # it computed none
-    too_large: bool = False  # whether it was the file's size
 
     @property
     def absent(self) -> bool:

@@ -14,6 +14,7 @@ from scipy.stats import qmc
 
 from workbook.book.rows import is_number
 from workbook.errors import ReadError
+from workbook.oracle.calls import CallError, call
 
 
 @dataclass(eq=False)
@@ -34,7 +35,10 @@ class Input:
 
 @dataclass(eq=False)
 class Output:
-    """A cell that is compared: ``of`` gives its value of ``inputs``, else of those called like its parameters."""
+    """A cell or range that is compared: ``of`` gives its value of ``inputs``, else of those called like its parameters.
+
+    Of a range it gives a value for all of its cells, or an array of its shape.
+    """
 
     cell: str
     of: Callable[..., Any]
@@ -67,6 +71,7 @@ class Oracle:
     outputs: list[Output] = field(default_factory=list)
     tables: list[Table] = field(default_factory=list)
     names: dict[str, Input] = field(default_factory=dict)
+    path: Path = Path()
 
     def input(
         self,
@@ -89,7 +94,7 @@ class Oracle:
         source: str = "",
         inputs: Sequence[Input] | None = None,
     ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-        """Declare the decorated function as what gives a cell's value of ``inputs``, to a relative ``tolerance``."""
+        """Declare the decorated function as what gives a cell's or range's value of ``inputs``, to a ``tolerance``."""
 
         def declare(of: Callable[..., Any]) -> Callable[..., Any]:
             self.outputs.append(Output(cell, of, unit, tolerance, source, inputs))
@@ -119,12 +124,13 @@ def load_oracle(path: Path) -> Oracle:
     if not path.is_file():
         raise ReadError(f"{path}: there is no such file; expected declarations in Python")
     try:
-        variables = runpy.run_path(str(path))
-    except Exception as error:
-        raise ReadError(f"{path}: {type(error).__name__}: {error}") from error
+        variables = call(runpy.run_path, [str(path)], path)
+    except CallError as error:
+        raise ReadError(f"{path}: {error}") from error
     if len(oracles := [value for value in variables.values() if isinstance(value, Oracle)]) != 1:
         raise ReadError(f"{path}: {len(oracles)} oracles; expected one, such as pump = Oracle('Pump sizing')")
     oracle = oracles[0]
+    oracle.path = path
     oracle.names = {name: value for name, value in variables.items() if isinstance(value, Input)}
     require_inputs(oracle, path)
     if not oracle.outputs and not oracle.tables:

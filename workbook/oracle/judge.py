@@ -1,64 +1,39 @@
 """Compare a workbook with its oracle at many values of the inputs, and count what was covered."""
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Literal
+from itertools import chain
+from typing import Any
 
 import numpy as np
 
 from workbook.book.address import Address
-from workbook.book.formula import Area
 from workbook.book.rows import is_number
 from workbook.dimensions.rules import Dimensions, UnitWalk
-from workbook.dimensions.units import POWERS
-from workbook.errors import ReadError, WitnessError
-from workbook.oracle.cells import cells_of, find_cell, label_of, unit_of
-from workbook.oracle.declarations import SMALLEST, Case, Oracle, Output, Table, cases, close, magnitude
+from workbook.errors import ReadError, WitnessError, quoted
+from workbook.oracle.calls import CallError, block_of, call, columns_of, plain_result
+from workbook.oracle.cells import cells_of, find_cell, unit_of
+from workbook.oracle.declarations import Case, Input, Oracle, Output, Table, cases, close, magnitude
+from workbook.oracle.evaluators import FIRST, Evaluators, is_no_value
+from workbook.oracle.findings import Coverage, Fault, OracleReport, empty_cells, other_units, replaced_formulas
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
-from workbook.witnesses.agreement import UNKNOWN, same_value
 from workbook.witnesses.pycel.model import PycelModel, require_working
 from workbook.witnesses.registry import WITNESSES
-from workbook.witnesses.witness import naming_failures
 
-Coverage = Literal["compared", "step", "unaccounted"]
 PROBES = 8  # cases at which a step is changed, to see whether an output follows
-CHANGES: tuple[Callable[[float], float], ...] = (lambda value: value * 1.01 + 1e-3, lambda value: -value - 1.0)
-SPELLINGS = POWERS | str.maketrans("µ", "μ", "·*^. -()[]")  # of units: powers and products as people write them
-BLANK = frozenset(["ISBLANK", "COUNTA", "COUNT", "COUNTIF", "COUNTBLANK", "SUM", "SUMIF"])  # they take empty cells
-FIRST = "pycel"  # the evaluator whose values everything else is asked of
-
-
-@dataclass(frozen=True)
-class Fault:
-    """A fault of a cell: its kind, the value and the expected value, and the inputs at which they differ."""
-
-    cell: Address
-    kind: str
-    found: Any
-    expected: Any
-    at: str = ""
 
 
 @dataclass
-class OracleReport:
-    """The result of a comparison: findings, cases, notes, dimensions, and the class of each formula cell."""
+class Deviation:
+    """A compared cell that an evaluator gives otherwise than the oracle, at the first case where it does."""
 
-    cases: int
-    wrong: list[Fault] = field(default_factory=list)
-    coverage: dict[Address, Coverage] = field(default_factory=dict)
-    dimensions: Dimensions = field(default_factory=Dimensions)
-    notes: list[str] = field(default_factory=list)
-
-    def count(self, kind: Coverage) -> int:
-        """Return the number of formula cells of a class."""
-        return sum(coverage == kind for coverage in self.coverage.values())
-
-    @property
-    def covered(self) -> float:
-        """The share of formula cells that are compared or are steps to such, in per cent."""
-        return 100.0 * (1.0 - self.count("unaccounted") / len(self.coverage)) if self.coverage else 100.0
+    case: Case
+    value: Any
+    expected: Any
+    allowed: float
+    row: Output | Table
 
 
 class Judge:
@@ -68,77 +43,136 @@ class Judge:
         require_working()
         self.file, self.oracle = file, oracle
         self.cells = {entry: find_cell(file, entry.cell) for entry in oracle.inputs}
-        for entry, cell in self.cells.items():
-            if cell in file.contents.formulas and not entry.macro:
-                raise ReadError(f"{file.path.name}: {cell} is an input and holds a formula; expected a value")
-        self.outputs = [(find_cell(file, output.cell), output) for output in oracle.outputs]
+        require_values(file, self.cells)
+        self.outputs = [
+            (cells_of(file, x.cell) if ":" in x.cell else [[find_cell(file, x.cell)]], x) for x in oracle.outputs
+        ]
         self.tables = [(cells_of(file, table.cells), table) for table in oracle.tables]
+        require_names(oracle, self.tables)
         formulas = file.contents.formula_cells
         self.formulas = [cell for cell in formulas if not oracle.sheets or cell.sheet in oracle.sheets]
         self.counted, self.sheets = set(self.formulas), {cell.sheet for cell in self.formulas}
         units = {self.cells[entry]: entry.unit for entry in oracle.inputs}
-        self.units = units | {cell: output.unit for cell, output in self.outputs}
+        self.units = units | {rows[0][0]: output.unit for rows, output in self.outputs}
         asked = {*self.formulas, *self.targets}
         self.model = PycelModel(file.contents, file.contents.needed(set(formulas) - asked, asked) | asked)
+        self.unusable: dict[int, str] = {}  # why a function of the declarations is called no more
 
     def judge(self, number: int, seed: int = 0, witnesses: Sequence[str] = (FIRST,)) -> OracleReport:
-        """Compare the outputs at so many cases by each witness; look at units, saved values and gaps; count cells."""
+        """Compare the outputs at so many cases; look at units, saved values and gaps; count cells."""
         tried = cases(self.oracle.inputs, self.entered, number, seed)
         report = OracleReport(len(tried))
-        report.wrong += self.deviating(tried, witnesses, report.notes)
+        macros = {x: self.entered[x] for x in self.cells if x.macro}
+        self.evaluators = Evaluators(self.file, self.model, witnesses, self.given(macros))
+        self.compare(tried, report)
         report.dimensions = self.check_units()
         report.wrong += self.other_findings()
         wrong = report.dimensions.wrong.items()
         report.wrong += [Fault(cell, "dimension", text, "one dimension") for cell, text in wrong]
-        report.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)])
+        report.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)], report)
+        report.evaluators = {cell: " and ".join(self.evaluators.trusted.get(cell, ())) for cell in self.formulas}
+        report.unusable += self.unusable.values()
+        report.notes += [self.evaluators.line(self.formulas), *self.evaluators.notes]
         return report
+
+    def compare(self, tried: Sequence[Case], report: OracleReport) -> None:
+        """Enter the state of each compared cell, with findings: each by the first evaluator that is trusted for it."""
+        left = set(self.targets)
+        reasons = self.evaluators.reasons()
+        report.states |= {cell: "cannot" for cell in left if cell in reasons}
+        left -= report.states.keys()
+        for _ in WITNESSES:
+            deviating = self.deviating(tried, left) if left else {}
+            report.states |= dict.fromkeys(left - deviating.keys() - self.without_function(), "agrees")
+            left = set()
+            if not deviating:
+                break
+            others = self.asked_again(deviating)
+            left = {cell for cell, deviation in deviating.items() if self.decide(cell, deviation, others[cell], report)}
+        report.states |= dict.fromkeys(left, "cannot")
+
+    def decide(self, cell: Address, deviation: Deviation, others: Mapping[str, Any], report: OracleReport) -> bool:
+        """Enter a deviating cell as different or disputed; return whether it is to be compared by others instead."""
+        first = self.evaluators.first(cell) or FIRST
+        alike = [name for name, value in others.items() if close(value, deviation.expected, deviation.allowed)]
+        if len(alike) > 1 and cell in self.evaluators.trusted:  # two give what the first does not
+            self.evaluators.trusted[cell] = [name for name in self.evaluators.names if name in alike]
+            return True
+        at = self.case_text(deviation.row, deviation.case)
+        if alike or (self.evaluators.is_alone(cell) and not others):
+            report.states[cell] = "disputed"
+            values = {first: deviation.value, **others}
+            text = ", ".join(f"{name} {quoted(value)}" for name, value in values.items())
+            report.warnings.append(Fault(cell, "disputed", text, deviation.expected, at))
+        else:
+            report.states[cell] = "differs"
+            by = "" if first == FIRST else f"{first}: "
+            report.wrong.append(Fault(cell, "value", deviation.value, deviation.expected, by + at))
+        return False
+
+    def without_function(self) -> set[Address]:
+        """Return the cells of which a function of the declarations cannot be used."""
+        declared: list[tuple[list[list[Address]], Output | Table]] = [*self.outputs, *self.tables]
+        return {cell for rows, row in declared if id(row.of) in self.unusable for line in rows for cell in line}
+
+    def deviating(self, tried: Sequence[Case], asked: Collection[Address]) -> dict[Address, Deviation]:
+        """Return the cells ``asked`` that are not what the oracle says, each at the first case where it is not."""
+        deviations: dict[Address, Deviation] = {}
+        for case, values in zip(tried, self.computed(tried), strict=False):
+            for cell, expected, allowed, row in self.expected(case, values):
+                if cell in asked and cell not in deviations and not close(values.get(cell), expected, allowed):
+                    deviations[cell] = Deviation(case, values.get(cell), expected, allowed, row)
+        return {cell: deviation for cell, deviation in deviations.items() if id(deviation.row.of) not in self.unusable}
+
+    def computed(self, tried: Sequence[Case]) -> Iterator[Cells]:
+        """Yield the values of all cells at each case, those compared by the evaluator that is trusted first."""
+        read = {*self.targets, *(row[0] for rows, _ in self.tables for row in rows)} & self.evaluators.cells
+        by: dict[str, list[Address]] = {}
+        for cell in read:
+            if (name := self.evaluators.first(cell)) not in (None, FIRST):
+                by.setdefault(str(name), []).append(cell)
+        others: list[list[Cells]] = []
+        for name, cells in by.items():
+            try:
+                others.append(self.evaluators.values(name, [self.given(case) for case in tried], cells))
+            except WitnessError as error:
+                self.evaluators.drop(name, error)
+        for at, case in enumerate(tried):
+            values = self.values(case)
+            for answers in others:
+                values |= answers[at]
+            yield values
+
+    def asked_again(self, deviating: Mapping[Address, Deviation]) -> dict[Address, dict[str, Any]]:
+        """Return the values by the other evaluators of deviating cells, each at the case where it deviates."""
+        answered: dict[Address, dict[str, Any]] = {cell: {} for cell in deviating}
+        tried = list({id(deviation.case): deviation.case for deviation in deviating.values()}.values())
+        for name in list(self.evaluators.names):
+            cells = [
+                cell for cell in deviating if name in self.evaluators.others(self.evaluators.first(cell) or FIRST, cell)
+            ]
+            try:
+                answers = self.evaluators.values(name, [self.given(case) for case in tried], cells) if cells else []
+            except WitnessError as error:
+                self.evaluators.drop(name, error)
+                continue
+            by_case = {id(case): values for case, values in zip(tried, answers, strict=bool(answers))}
+            for cell in cells:
+                value = by_case[id(deviating[cell].case)].get(cell)
+                if not is_no_value(value) and value != "#NAME?":
+                    answered[cell][name] = value
+        return answered
 
     def other_findings(self) -> Iterator[Fault]:
         """Yield stale saved values, unread inputs, other units beside cells, numbers in place of formulas, gaps."""
         inputs = list(self.cells.values())
-        macros = {x: self.file.saved.get(cell) for x, cell in self.cells.items() if x.macro}
-        values = self.values(self.entered | macros)
-        for cell, saved in self.file.saved.items():
-            computed = values.get(cell)
-            known = cell in self.counted and saved is not None and computed not in UNKNOWN
-            if known and not same_value(saved, computed, SMALLEST):
-                yield Fault(cell, "saved", saved, computed)
+        stale = self.evaluators.stale.items()
+        yield from (Fault(x, "saved", self.file.saved[x], value) for x, value in stale if x in self.counted)
         read = self.file.contents.read(inputs)
         yield from (Fault(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
-        yield from self.other_units()
-        yield from self.replaced_formulas(inputs)
-        yield from self.empty()
-
-    def other_units(self) -> Iterator[Fault]:
-        """Yield the cells beside which another unit stands than is declared."""
-        for cell, unit in self.units.items():
-            beside = unit_of(self.file, cell)
-            if unit and beside and normalised_unit(beside) != normalised_unit(unit):
-                yield Fault(cell, "unit", beside, unit)
-
-    def replaced_formulas(self, inputs: Sequence[Address]) -> Iterator[Fault]:
-        """Yield the numbers that stand where the cells above and below have the same formula, inputs aside."""
-        formulas = self.file.contents.formulas
-        for cell, value in self.file.contents.constants.items():
-            above, below = (formulas.get(cell._replace(row=cell.row + step)) for step in (-1, 1))
-            alike = above is not None and below is not None and above.shape == below.shape
-            if alike and is_number(value) and cell.sheet in self.sheets and cell not in inputs:
-                yield Fault(cell, "replaced", value, "a formula, as above and below it")
-
-    def empty(self) -> Iterator[Fault]:
-        """Yield the empty cells that a formula reads by themselves, each with the first such formula."""
-        contents, readers = self.file.contents, dict[Address, Address]()
-        filled = {*contents.formula_cells, *(cell for cell, value in contents.constants.items() if value is not None)}
-        for cell in self.counted & contents.formulas.keys():
-            formula = contents.formulas[cell]
-            for area in (
-                formula.arguments if BLANK.isdisjoint(formula.functions) and "" not in formula.arguments else ()
-            ):
-                if isinstance(area, Area) and area.single and area.first not in filled:
-                    readers[area.first] = min(cell, readers.get(area.first, cell))
-        yield from (
-            Fault(cell, "empty", None, f"a value: {reader} reads it") for cell, reader in sorted(readers.items())
-        )
+        yield from other_units(self.file, self.units)
+        yield from replaced_formulas(self.file, self.sheets, inputs)
+        yield from empty_cells(self.file, self.counted)
 
     def check_units(self) -> Dimensions:
         """Return the contradictions of units: of those declared, and those beside the cells of the same sheets."""
@@ -156,68 +190,56 @@ class Judge:
         numbers = {x: value if is_number(value) else x.low for x, value in macros.items()}
         return {x: constants.get(cell) for x, cell in self.cells.items()} | numbers
 
-    def deviating(self, tried: Sequence[Case], witnesses: Sequence[str], notes: list[str]) -> Iterator[Fault]:
-        """Yield the outputs that are not what the oracle says, each at the first case and by the first witness."""
-        named = set[Address]()
-        for name in witnesses:
-            unable, by = set[Address](), "" if name == FIRST else f"{name}: "
-            try:
-                for case, values in zip(tried, self.values_by(name, tried), strict=True):
-                    for cell, expected, allowed, output in self.expected(case, values):
-                        value = values.get(cell)
-                        if cell in named or close(value, expected, allowed):
-                            continue
-                        if value in UNKNOWN and name != FIRST:
-                            unable.add(cell)
-                        else:
-                            named.add(cell)
-                            yield Fault(cell, "value", value, expected, by + self.case_text(output, case))
-            except WitnessError as error:
-                notes.append(f"{name}: {error}")
-            if unable:
-                notes.append(f"{name} cannot evaluate {len(unable)} of {len(self.targets)} compared cells")
-
-    def values_by(self, name: str, tried: Sequence[Case]) -> Iterator[Cells]:
-        """Yield what a witness computes at each case."""
-        if name == FIRST:
-            yield from (self.values(case) for case in tried)
-        else:
-            constants = self.file.contents.constants
-            witness = WITNESSES[name]()
-            with naming_failures(witness):
-                answers = witness.varied(self.file, map(self.given, tried))
-                yield from (constants | given | values for given, values in answers)
-
     def given(self, case: Case) -> Cells:
         """Return the values of a case by their cells."""
         return {self.cells[entry]: value for entry, value in case.items()}
 
-    def values(self, case: Case, others: Cells | None = None) -> Cells:
-        """Return the values of all cells at a case; ``others`` stand in for formula cells."""
+    def values(self, case: Case) -> Cells:
+        """Return the values of all cells at a case."""
         given = self.given(case)
-        return self.file.contents.constants | self.model.evaluate(given | (others or {})) | given
+        return self.file.contents.constants | self.model.evaluate(given) | given
 
     def expected(self, case: Case, values: Cells) -> Iterator[tuple[Address, Any, float, Output | Table]]:
         """Yield each compared cell with what the oracle says of it, the deviation that is allowed, and who says it."""
-        for cell, output in self.outputs:
-            value = self.called(output, case)
-            value = value.item() if isinstance(value, np.generic) else value
-            yield cell, value, output.tolerance * magnitude(value), output
-        for rows, table in self.tables:
-            first = np.array([values.get(row[0]) for row in rows], dtype=float)
-            columns = self.called(table, case, first)
-            for j, column in enumerate(columns, 1):
-                allowed = table.tolerance * float(np.max(np.abs(column)))
-                for row, value in zip(rows, np.broadcast_to(column, first.shape).tolist(), strict=True):
-                    yield row[j], value, allowed, table
+        declared: list[tuple[list[list[Address]], Output | Table]] = [*self.outputs, *self.tables]
+        for rows, row in declared:
+            if id(row.of) in self.unusable:
+                continue
+            try:
+                if isinstance(row, Output):
+                    yield from self.expected_of_output(rows, row, case)
+                else:
+                    yield from self.expected_of_table(rows, row, case, values)
+            except CallError as error:
+                at = f" at {inputs}" if (inputs := self.case_text(row, case)) else ""
+                self.unusable[id(row.of)] = f"{self.oracle.path}: {row.of.__name__}{at}: {error}"
 
-    def called(self, output: Output | Table, case: Case, *first: Any) -> Any:
-        """Return the result of a declared function; raise ReadError where it cannot be computed."""
-        try:
-            return output.of(*first, *(case[x] for x in self.oracle.arguments(output)))
-        except (ArithmeticError, TypeError, ValueError) as error:
-            what = f"{output.of.__name__} of the declarations at {self.case_text(output, case)}"
-            raise ReadError(f"{what}: {type(error).__name__}: {error}") from error
+    def expected_of_output(
+        self, rows: list[list[Address]], output: Output, case: Case
+    ) -> Iterator[tuple[Address, Any, float, Output | Table]]:
+        """Yield the cells of an output as :meth:`expected` does."""
+        result = self.called(output, case)
+        held = block_of(result, len(rows), len(rows[0])) if ":" in output.cell else [[plain_result(result)]]
+        for cell, value in zip(chain.from_iterable(rows), chain.from_iterable(held), strict=True):
+            yield cell, value, output.tolerance * magnitude(value), output
+
+    def expected_of_table(
+        self, rows: list[list[Address]], table: Table, case: Case, values: Cells
+    ) -> Iterator[tuple[Address, Any, float, Output | Table]]:
+        """Yield the cells of a table as :meth:`expected` does; raise CallError where the first column has texts."""
+        column = [values.get(row[0]) for row in rows]
+        odd = next((row[0] for row, value in zip(rows, column, strict=True) if not is_number(value)), None)
+        if odd is not None:
+            raise CallError(f"the first column has {quoted(values.get(odd))} in {odd}; expected numbers")
+        columns = columns_of(self.called(table, case, np.array(column, dtype=float)), len(rows), table.columns[1:])
+        for j, held in enumerate(columns, 1):
+            allowed = table.tolerance * max(map(abs, held))
+            for row, value in zip(rows, held, strict=True):
+                yield row[j], value, allowed, table
+
+    def called(self, row: Output | Table, case: Case, *first: Any) -> Any:
+        """Return the result of a declared function; raise CallError where it cannot be computed."""
+        return call(row.of, [*first, *(case[x] for x in self.oracle.arguments(row))], self.oracle.path)
 
     def case_text(self, output: Output | Table, case: Case) -> str:
         """Return the inputs of a function with their values at a case."""
@@ -228,38 +250,48 @@ class Judge:
     @cached_property
     def targets(self) -> list[Address]:
         """The cells that are compared."""
-        columns = [cell for rows, _ in self.tables for row in rows for cell in row[1:]]
-        return [*(cell for cell, _ in self.outputs), *columns]
+        outputs = [cell for rows, _ in self.outputs for row in rows for cell in row]
+        return [*outputs, *(cell for rows, _ in self.tables for row in rows for cell in row[1:])]
 
-    def covered(self, tried: list[Case]) -> dict[Address, Coverage]:
-        """Return the class of each formula cell: a step is a cell whose change alters a compared cell at some case."""
+    def covered(self, tried: list[Case], report: OracleReport) -> dict[Address, Coverage]:
+        """Return the class of each formula cell: of a step a change goes on, formula by formula, to a compared cell.
+
+        What pycel does not compute is taken to change with all that it reads.
+        """
         coverage: dict[Address, Coverage] = dict.fromkeys(self.formulas, "unaccounted")
-        coverage |= {cell: "compared" for cell in self.targets if cell in coverage}
-        left = self.file.contents.needed(self.file.contents.formula_cells, self.targets)
-        left = {cell for cell in left if coverage.get(cell) == "unaccounted"}
-        for case in tried if left else ():
-            values = self.values(case)
-            steps = {cell for cell in left if self.follows(case, values, cell)}
-            coverage |= dict.fromkeys(steps, "step")
-            left -= steps
-        return coverage
+        there = [cell for cell in self.targets if report.states.get(cell) in ("agrees", "differs")]
+        coverage |= {cell: "compared" for cell in there if cell in coverage}
+        live = self.live({*there}, [self.model.numbered(self.given(case)) for case in tried])
+        steps = live & self.evaluators.trusted.keys()
+        return coverage | {cell: "step" for cell in steps if coverage.get(cell) == "unaccounted"}
 
-    def follows(self, case: Case, values: Cells, cell: Address) -> bool:
-        """Whether a compared cell changes with a formula cell."""
-        value: Any = values.get(cell)
-        changes: list[Any] = [change(value) for change in CHANGES] if is_number(value) else [f"{value}?", 1.0]
-        changed = (self.values(case, {cell: other}) for other in changes)
-        pairs = ((turn.get(target), values.get(target)) for turn in changed for target in self.targets)
-        return not all(same_value(*pair, SMALLEST) for pair in pairs)
-
-
-def describe(file: BookFile, cell: Address) -> str:
-    """Return a cell with the label beside it."""
-    label = label_of(file, cell)
-    return f"{cell} ({label})" if label else str(cell)
+    def live(self, compared: set[Address], runs: list[list[Any]]) -> set[Address]:
+        """Return the cells from which a change goes on, formula by formula, to one that is compared."""
+        graph = self.evaluators.graph
+        live = {number for number, cell in graph.cells.items() if cell in compared}
+        for number in reversed(graph.order()):
+            if number not in live or number in graph.ranges:
+                continue
+            left = {cell for cell in graph.sources(number) if cell in graph.reads and cell not in live}
+            if self.evaluators.first(graph.cells[number]) != FIRST:
+                live |= left
+                continue
+            for values in runs if left else ():
+                live |= self.model.alters(number, left, values)
+                left -= live
+        return {graph.cells[number] for number in live if number in graph.cells}
 
 
-def normalised_unit(unit: str) -> str:
-    """Return a unit without what is written in different ways: blanks, brackets, powers, products."""
-    text = unit.translate(SPELLINGS)
-    return text.casefold() if len(text) > 2 and text.isalpha() else text
+def require_values(file: BookFile, cells: Mapping[Input, Address]) -> None:
+    """Raise ReadError for an input with a formula."""
+    for entry, cell in cells.items():
+        if (cell in file.contents.formulas or cell in file.contents.failed) and not entry.macro:
+            raise ReadError(f"{file.path.name}: {cell} is an input and holds a formula; expected a value")
+
+
+def require_names(oracle: Oracle, tables: Sequence[tuple[list[list[Address]], Table]]) -> None:
+    """Raise ReadError for a table that has another number of columns than are named."""
+    for rows, table in tables:
+        if len(rows[0]) != len(table.columns):
+            widths = f"{len(table.columns)} columns are named, the range has {len(rows[0])}"
+            raise ReadError(f"{oracle.path}: the table {table.cells}: {widths}; expected a name for each")

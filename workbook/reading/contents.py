@@ -9,13 +9,25 @@ from typing import Any
 
 from openpyxl import Workbook
 from openpyxl.cell.cell import Cell, MergedCell
+from openpyxl.utils.cell import column_index_from_string, range_boundaries
 from openpyxl.utils.datetime import WINDOWS_EPOCH, to_excel
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.formula import ArrayFormula
 
 from workbook.book.address import Address
 from workbook.book.columns import Formulas, Moved, Moving, Pattern
-from workbook.book.formula import REFERENCE, Area, Formula, FormulaError, anchored, reference
+from workbook.book.formula import (
+    LAST_COLUMN,
+    LAST_ROW,
+    REFERENCE,
+    Area,
+    Formula,
+    FormulaError,
+    anchored,
+    reference,
+    unquoted,
+    words,
+)
 
 Cells = dict[Address, Any]
 # formulas by patterns, in which rows; those with none
@@ -32,6 +44,12 @@ class Contents:
         self.problems: dict[Address, str] = {}  # why, in a line
         # the text of a formula over several cells, or of another kind, in each
         self.arrays: dict[Address, str] = {}
+        self.texts: dict[Address, str] = {}  # of those that cannot be taken apart
+        self._tables = {
+            table.name.casefold(): area_of(sheet.title, table.ref)
+            for sheet in workbook.worksheets
+            for table in sheet.tables.values()
+        }
         self._titles = {title.casefold(): title for title in workbook.sheetnames}
         self._names = name_texts(workbook)
         self._epoch = workbook.epoch
@@ -54,7 +72,47 @@ class Contents:
         patterns = (
             self.patterns if by is None else grouped_by_pattern(self.formulas[a] for a in by if a in self.formulas)
         )
-        return set(referenced_cells(patterns, wanted))
+        failed = self.failed if by is None else self.failed.keys() & set(by)
+        rough = (area for cell in failed for area in self.rough_areas(cell))
+        return {*referenced_cells(patterns, wanted), *cells_within(rough, wanted)}
+
+    def rough_areas(self, address: Address) -> list[Area]:
+        """Return the cells that a formula reads which cannot be taken apart, as far as its words tell."""
+        areas: list[Area] = []
+        left, met = [self.texts[address].strip("{}")], set[str]()
+        while left:
+            for kind, word in words(left.pop()):
+                key = word.rpartition("!")[2].casefold()
+                with suppress(FormulaError):
+                    if kind == "reference":
+                        areas.append(reference(word, address.sheet, self.area))
+                    elif kind == "lines":
+                        areas.append(self._lines(word, address.sheet))
+                    elif key in self._tables:
+                        areas.append(self._tables[key])
+                    elif word == "[":
+                        areas += [table for table in self._tables.values() if table.holds(address)]
+                    elif kind == "name" and key not in met:
+                        met.add(key)
+                        left += filter(None, [self.name_text(key, address.sheet)])
+        return areas
+
+    def name_text(self, name: str, sheet: str) -> str | None:
+        """Return the text of a defined name on a sheet, the sheet's own before the workbook's; None for no name."""
+        key = name.casefold()
+        return self._names.get((sheet.casefold(), key), self._names.get((None, key)))
+
+    def knows(self, name: str, sheet: str) -> bool:
+        """Whether a word is a defined name on a sheet, or a table's."""
+        return name.casefold() in self._tables or self.name_text(name, sheet) is not None
+
+    def _lines(self, text: str, sheet: str) -> Area:
+        before, mark, lines = text.rpartition("!")
+        title = self.area(f"{unquoted(before)}!", sheet).sheet if mark else sheet
+        first, _, last = lines.replace("$", "").upper().partition(":")
+        if first.isdigit():
+            return Area(title, int(first), 1, int(last), LAST_COLUMN, single=False)
+        return Area(title, 1, column_index_from_string(first), LAST_ROW, column_index_from_string(last), single=False)
 
     @cached_property
     def patterns(self) -> Patterns:
@@ -78,8 +136,7 @@ class Contents:
                 kind = "is in another file" if "[" in name else "is no sheet of this workbook"
                 raise FormulaError("#REF!", f"{name[:-1]} {kind}")
             return Area(title, 1, 1, 1, 1, single=True)
-        key = name.casefold()
-        text = self._names.get((sheet.casefold(), key), self._names.get((None, key)))
+        text = self.name_text(name, sheet)
         if text is None or not REFERENCE.fullmatch(text):
             raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
         if anchored(text) not in ("$c$r", "$c$r:$c$r"):
@@ -107,7 +164,14 @@ class Contents:
             self.formulas[address] = formulas.read(value, address.row)
         except FormulaError as error:
             self.failed[address] = error.value
+            self.texts[address] = self.arrays.get(address) or str(value)
             self.problems[address] = str(error)
+
+
+def area_of(sheet: str, ref: str) -> Area:
+    """Return the area of a range such as ``A1:B4``."""
+    left, top, right, bottom = (int(bound or 1) for bound in range_boundaries(ref))
+    return Area(sheet, top, left, bottom, right, single=False)
 
 
 def referenced_cells(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:

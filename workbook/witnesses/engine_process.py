@@ -1,7 +1,8 @@
 """An evaluator in a process of its own: a process that dies, or that does not end, takes nothing with it.
 
-Run as a script it reads a request from stdin, an evaluator's name and what it is given, and writes to stdout whether it
-answers, and the values, or else why there are none. Both are pickles.
+Run as a script it reads pickles from stdin: an evaluator's name, a file's path and the formula cells that are asked
+for; then, again and again, values of other cells. To each it answers on stdout whether it can, and the values of the
+formula cells, or else why there are none.
 """
 
 from __future__ import annotations
@@ -9,55 +10,110 @@ from __future__ import annotations
 import os
 import pickle
 import sys
-from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
-    from formulon import Value, Workbook
+    from formulon import Value
 
+Place = tuple[str, int, int]  # sheet, row and column, from 1
+MEMORY = 4_000_000_000  # bytes that an evaluator may take, where the system keeps to that
 WHOLE = (0, 0, 2**20 - 1, 2**14 - 1)  # of a sheet: first row and column, last row and column
+FEW = 2_000  # cells that are asked for one by one
 
 
-def formualizer(data: bytes) -> bytes:
-    """Return a file with the results of its formulas."""
-    from formualizer import recalculate_xlsx_bytes
+class Engine(Protocol):
+    """A file held open by an evaluator."""
 
-    filled: bytes = recalculate_xlsx_bytes(data)["bytes"]
-    return filled
-
-
-def ironcalc(path: str, cells: list[tuple[str, int, int]]) -> list[Any]:
-    """Return the values of cells, each named by its sheet, row and column."""
-    from ironcalc import load_from_xlsx
-
-    model = load_from_xlsx(path, "en", "UTC", "en")
-    model.evaluate()
-    numbers = {sheet["name"]: i for i, sheet in enumerate(model.get_worksheets_properties())}
-    return [model.get_cell_value(numbers[sheet], row, column) for sheet, row, column in cells]
+    def compute(self, given: Mapping[Place, Any], cells: Sequence[Place]) -> list[Any]:
+        """Return the values of cells, with ``given`` values in others."""
 
 
-def formulon(data: bytes) -> dict[tuple[str, int, int], Any]:
-    """Return the values of all cells of a file."""
-    from formulon import Workbook
+class IronCalc:
+    """A file held open by IronCalc."""
 
-    with Workbook.load(data) as book:
-        book.recalc()
-        return formulon_values(book)
+    def __init__(self, path: str) -> None:
+        from ironcalc import load_from_xlsx
+
+        self.model = load_from_xlsx(path, "en", "UTC", "en")
+        self.numbers = {sheet["name"]: i for i, sheet in enumerate(self.model.get_worksheets_properties())}
+
+    def compute(self, given: Mapping[Place, Any], cells: Sequence[Place]) -> list[Any]:
+        """Return the values of cells, with ``given`` values in others."""
+        for (sheet, row, column), value in given.items():
+            at = self.numbers[sheet], row, column
+            if value is None:
+                self.model.clear_cell_contents(*at)
+            elif isinstance(value, bool):
+                self.model.update_cell_with_bool(*at, value)
+            elif isinstance(value, str):
+                self.model.update_cell_with_text(*at, value)
+            else:
+                self.model.update_cell_with_number(*at, float(value))
+        self.model.evaluate()
+        return [self.model.get_cell_value(self.numbers[sheet], row, column) for sheet, row, column in cells]
 
 
-def formulon_values(book: Workbook) -> dict[tuple[str, int, int], Any]:
-    """Return the values of all cells of a book, by sheet, row and column."""
-    from formulon import MergeRange
+class Formulon:
+    """A file held open by formulon."""
 
-    values = {}
-    for number in range(book.sheet_count()):
-        title, more = book.sheet_name(number), True
-        cursor: int | None = None
-        while more:
-            some, cursor = book.get_cells_in_range(number, MergeRange(*WHOLE), cursor)
-            more = cursor is not None
-            values.update({(title, cell.row + 1, cell.col + 1): formulon_value(cell.value) for cell in some})
-    return values
+    def __init__(self, path: str) -> None:
+        import wasmtime
+
+        with suppress(wasmtime.WasmtimeError):  # its program is compiled once for this machine: that takes seconds
+            config = wasmtime.Config()
+            config.cache = True
+            vars(wasmtime)["Engine"] = partial(wasmtime.Engine, config)
+        from formulon import Workbook
+
+        self.book = Workbook.load(Path(path).read_bytes())
+        self.numbers = {self.book.sheet_name(i): i for i in range(self.book.sheet_count())}
+        self.of_tables = [*self.formulas_of_tables()] if list(self.book.iter_tables()) else []
+
+    def formulas_of_tables(self) -> Iterator[tuple[int, int, int, str]]:
+        """Yield the formulas with the name of a table, each with its place: formulon computes them once only."""
+        for sheet, row, column in self.all_values():
+            at = self.numbers[sheet], row - 1, column - 1
+            if "[" in (formula := self.book.get_formula(*at) or ""):
+                yield *at, formula
+
+    def compute(self, given: Mapping[Place, Any], cells: Sequence[Place]) -> list[Any]:
+        """Return the values of cells, with ``given`` values in others; None where one is empty or no single value."""
+        for (sheet, row, column), value in given.items():
+            at = self.numbers[sheet], row - 1, column - 1
+            if value is None:
+                self.book.set_blank(*at)
+            elif isinstance(value, bool):
+                self.book.set_bool(*at, value)
+            elif isinstance(value, str):
+                self.book.set_text(*at, value)
+            else:
+                self.book.set_number(*at, float(value))
+        for number, row, column, formula in self.of_tables:
+            self.book.set_formula(number, row, column, formula)
+        self.book.recalc()
+        if len(cells) > FEW:
+            every = self.all_values()
+            return [every.get(cell) for cell in cells]
+        values = (self.book.get_value(self.numbers[sheet], row - 1, column - 1) for sheet, row, column in cells)
+        return [formulon_value(value) for value in values]
+
+    def all_values(self) -> dict[Place, Any]:
+        """Return the values of all cells, by sheet, row and column."""
+        from formulon import MergeRange
+
+        values = {}
+        for title, number in self.numbers.items():
+            cursor: int | None = None
+            while True:
+                some, cursor = self.book.get_cells_in_range(number, MergeRange(*WHOLE), cursor)
+                values.update({(title, cell.row + 1, cell.col + 1): formulon_value(cell.value) for cell in some})
+                if cursor is None:
+                    break
+        return values
 
 
 def formulon_value(value: Value) -> Any:
@@ -70,18 +126,37 @@ def formulon_value(value: Value) -> Any:
     return plain if isinstance(plain, bool | float | str) else None
 
 
-EVALUATORS: dict[str, Callable[..., Any]] = {"formualizer": formualizer, "formulon": formulon, "ironcalc": ironcalc}
+ENGINES: dict[str, type[IronCalc | Formulon]] = {"formulon": Formulon, "ironcalc": IronCalc}
 
 
-def answer(name: str, *given: Any) -> tuple[bool, Any]:
-    """Return whether an evaluator answers, and its answer, or why it has none."""
-    try:
-        return True, EVALUATORS[name](*given)
-    except BaseException as error:  # panics of Rust are no Exceptions
-        return False, f"{type(error).__name__}: {error}"
+def limit_memory() -> None:
+    """Let this process take no more memory than an evaluator may, on systems that can be asked for that."""
+    if sys.platform != "win32":
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))  # of what is only reserved, as for wasm, nothing
+
+
+def serve() -> None:
+    """Answer what is asked on stdin, until that ends."""
+    with os.fdopen(os.dup(1), "wb") as answers:
+        os.dup2(2, 1)  # what an evaluator prints is no answer
+        engine: Engine | None = None
+        name, path, cells = pickle.load(sys.stdin.buffer)
+        while True:
+            try:
+                given = pickle.load(sys.stdin.buffer)
+            except EOFError:
+                return
+            try:
+                engine = engine or ENGINES[name](path)
+                answer: tuple[bool, Any] = True, engine.compute(given, cells)
+            except BaseException as error:  # panics of Rust are no Exceptions
+                answer = False, f"{type(error).__name__}: {error}"
+            pickle.dump(answer, answers)
+            answers.flush()
 
 
 if __name__ == "__main__":
-    with os.fdopen(os.dup(1), "wb") as answers:
-        os.dup2(2, 1)  # what an evaluator prints is no answer
-        pickle.dump(answer(*pickle.load(sys.stdin.buffer)), answers)
+    limit_memory()
+    serve()

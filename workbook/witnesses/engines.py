@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import pickle
 import re
@@ -9,17 +10,20 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Iterator
+import threading
+import zipfile
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
 
-from workbook.errors import TooLargeError, WitnessError
-from workbook.reading.contents import Cells, plain_value
+from workbook.book.address import Address
+from workbook.errors import WitnessError
+from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.witnesses.witness import Witness, cached_values, evaluation_copy
 
-ERRORS = {"Div": "#DIV/0!", "Na": "#N/A", "Name": "#NAME?", "Null": "#NULL!", "Num": "#NUM!", "Ref": "#REF!"}
 TIMEOUT = 300  # seconds
 PLACES = (
     "/usr/bin/soffice",
@@ -40,82 +44,102 @@ PROFILE = """<?xml version="1.0" encoding="UTF-8"?>
 """.format("".join(ITEM.format(*setting) for setting in SETTINGS))
 
 
-class Formualizer(Witness):
-    """formualizer, in Rust, the fastest: evaluates a copy of the file, and reads the results back."""
-
-    name = "formualizer"
-
-    def values(self, file: BookFile) -> Cells:
-        """Return the value of every formula cell."""
-        try:
-            filled = ask_apart(self, file.path.read_bytes())
-        except WitnessError as error:
-            if "cell count limit" in str(error):
-                raise TooLargeError("formualizer takes no workbook of so many formula cells") from error
-            raise
-        return cached_values(filled, file)
-
-    def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
-        """Yield each set of values with what the formula cells compute at it, in a book that stays open."""
-        import formualizer
-
-        with evaluation_copy(file, bare=True) as copy:
-            try:
-                book = formualizer.Workbook.from_bytes(copy.path.read_bytes())
-            except Exception as error:
-                raise WitnessError(f"formualizer cannot read the file: {error}") from error
-        for given in sets:
-            for cell, value in given.items():
-                book.set_value(*cell, value)
-            book.evaluate_all()
-            values = {cell: book.get_value(*cell) for cell in file.contents.formula_cells}
-            yield (
-                given,
-                {
-                    cell: ERRORS.get(value["kind"], "#VALUE!") if isinstance(value, dict) else plain_value(value)
-                    for cell, value in values.items()
-                },
-            )
-
-
-class Formulon(Witness):
-    """formulon, in WebAssembly, tested against Excel's own results by its makers: recalculates every formula."""
-
-    name = "formulon"
+class Apart(Witness):
+    """An evaluator in a process of its own, under limits of time and memory, in which a file stays open."""
 
     def values(self, file: BookFile) -> Cells:
         """Return the value of every formula cell, None where it is empty or no single value."""
-        values = ask_apart(self, file.path.read_bytes())
-        return {address: values.get(address) for address in file.contents.formula_cells}
+        ((_, values),) = self.varied(file, [{}])
+        return values
+
+    def varied(
+        self, file: BookFile, sets: Iterable[Cells], cells: Sequence[Address] | None = None
+    ) -> Iterator[tuple[Cells, Cells]]:
+        """Yield each set of values, all of the same cells, with what the formula ``cells`` compute at it."""
+        cells = file.contents.formula_cells if cells is None else cells
+        with evaluation_copy(file) as copy, tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "book.xlsx"
+            path.write_bytes(without_empty_numbers(copy.path.read_bytes()))
+            with Session(self.name, path, cells, TIMEOUT) as session:
+                for given in sets:
+                    yield given, dict(zip(cells, session.ask(given), strict=True))
 
 
-class IronCalc(Witness):
-    """IronCalc, in Rust: loads the file, evaluates every formula, and reads the results."""
+class Formulon(Apart):
+    """formulon, in WebAssembly, tested against Excel's own results by its makers."""
+
+    name = "formulon"
+
+
+class IronCalc(Apart):
+    """IronCalc, in Rust."""
 
     name = "ironcalc"
 
-    def values(self, file: BookFile) -> Cells:
-        """Return the value of every formula cell."""
-        cells = list(file.contents.formula_cells)
-        with evaluation_copy(file, bare=True) as copy:  # an empty cell with a style, and t="n", would be 0
-            values = ask_apart(self, str(copy.path), [tuple(cell) for cell in cells])
-        return dict(zip(cells, values, strict=True))
+
+EMPTY_NUMBER = re.compile(rb'(<c [^>]*?) t="n"([^>]*/>)')
+SHEET = re.compile(r"xl/worksheets/[^/]+\.xml")
 
 
-def ask_apart(witness: Witness, *given: Any) -> Any:
-    """Return the answer of an evaluator in a process of its own; raise WitnessError where it has none."""
-    command = [sys.executable, "-P", str(Path(__file__).with_name("engine_process.py"))]
-    try:
-        request = pickle.dumps((witness.name, *given))
-        run = subprocess.run(command, input=request, capture_output=True, timeout=TIMEOUT, check=False)
-    except subprocess.TimeoutExpired:
-        raise WitnessError(f"{witness.name} gave no answer within {TIMEOUT} s") from None
-    if run.returncode:
-        raise WitnessError(f"{witness.name} ended with exit code {run.returncode}")
-    answered, answer = pickle.loads(run.stdout)
-    if not answered:
-        raise WitnessError(f"{witness.name} cannot evaluate the file: {answer}")
-    return answer
+def without_empty_numbers(data: bytes) -> bytes:
+    """Return a file whose empty cells do not say that they are numbers, as openpyxl writes: IronCalc reads zeros."""
+    copy = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(data)) as parts, zipfile.ZipFile(copy, "w", zipfile.ZIP_STORED) as written:
+        for info in parts.infolist():
+            part = parts.read(info)
+            written.writestr(
+                info.filename, EMPTY_NUMBER.sub(rb"\1\2", part) if SHEET.fullmatch(info.filename) else part
+            )
+    return copy.getvalue()
+
+
+class Session:
+    """A process in which an evaluator holds a file open; it ends with the block, or when an answer takes too long."""
+
+    def __init__(self, name: str, path: Path, cells: Sequence[Address], seconds: float) -> None:
+        self.name, self.number, self.seconds = name, len(cells), seconds
+        command = [sys.executable, "-P", str(Path(__file__).with_name("engine_process.py"))]
+        self.process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
+        )
+        self._send((name, str(path), [tuple(cell) for cell in cells]))
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.process.kill()
+        self.process.communicate()
+
+    def _send(self, request: Any) -> None:
+        assert self.process.stdin is not None  # noqa: S101 - a pipe was asked for
+        with suppress(OSError):  # it ended: reading says so
+            pickle.dump(request, self.process.stdin)
+            self.process.stdin.flush()
+
+    def ask(self, given: Cells) -> list[Any]:
+        """Return the values of the cells with ``given`` values in others; raise WitnessError where there are none."""
+        assert self.process.stdout is not None  # noqa: S101 - a pipe was asked for
+        late = threading.Event()
+
+        def stop() -> None:
+            late.set()
+            self.process.kill()
+
+        clock = threading.Timer(self.seconds, stop)
+        clock.start()
+        try:
+            self._send({tuple(cell): value for cell, value in given.items()})
+            answered, answer = pickle.load(self.process.stdout)
+        except (EOFError, pickle.UnpicklingError):
+            if late.is_set():
+                raise WitnessError(f"{self.name} gave no answer within {self.seconds:g} s") from None
+            raise WitnessError(f"{self.name} ended with exit code {self.process.wait()}") from None
+        finally:
+            clock.cancel()
+        if not answered:
+            raise WitnessError(f"{self.name} cannot evaluate the file: {answer}")
+        return list(answer)
 
 
 def libreoffice_path() -> str | None:

@@ -28,7 +28,6 @@ def load_witness(module: str, name: str) -> Witness:
 
 WITNESSES: dict[str, Callable[[], Witness]] = {
     "pycel": partial(load_witness, "pycel.model", "Pycel"),
-    "formualizer": partial(load_witness, "engines", "Formualizer"),
     "formulon": partial(load_witness, "engines", "Formulon"),
     "ironcalc": partial(load_witness, "engines", "IronCalc"),
     "libreoffice": partial(load_witness, "engines", "LibreOffice"),  # the slowest

@@ -41,11 +41,14 @@ class Witness:
         """Return the value of every formula cell; raise WitnessError where that cannot be had."""
         raise NotImplementedError
 
-    def varied(self, file: BookFile, sets: Iterable[Cells]) -> Iterator[tuple[Cells, Cells]]:
-        """Yield each set of values with what the formula cells compute at it, each in a copy of the file."""
+    def varied(
+        self, file: BookFile, sets: Iterable[Cells], cells: Sequence[Address] | None = None
+    ) -> Iterator[tuple[Cells, Cells]]:
+        """Yield each set of values with what the formula ``cells`` (all) compute at it, each in a copy of the file."""
         for given in sets:
             with evaluation_copy(file, given=given) as copy:
-                yield given, self.values(copy)
+                values = self.values(copy)
+                yield given, values if cells is None else {cell: values.get(cell) for cell in cells}
 
 
 @contextmanager

@@ -131,7 +131,7 @@ def test_what_follows_from_a_number_typed_over_a_formula_is_gathered(press, tmp_
     cell = press.place("omega")
     opened[cell.sheet][cell.a1].value = 5.0
     opened.save(tmp_path / "b.xlsx")
-    report = sums(verify(tmp_path / "b.xlsx", ["pycel", "formualizer"]))
+    report = sums(verify(tmp_path / "b.xlsx", ["pycel", "formulon"]))
     assert [(f.kind, f.cell) for f in report.causes] == [("replaced", cell.a1)]
     assert len(report.findings) > 20
     assert report.findings_words.startswith("1 finding; ")
@@ -152,7 +152,7 @@ def test_saved_numbers_that_are_shown_as_dates_are_numbers(press, tmp_path):
     for pair in press.pairs(lambda p: isinstance(p.held, int | float) or p.declared_formula):
         opened[pair.address.sheet][pair.address.a1].number_format = "yyyy-mm-dd hh:mm"
     opened.save(tmp_path / "b.xlsx")
-    report = verify(tmp_path / "b.xlsx", ["pycel", "formualizer"])
+    report = verify(tmp_path / "b.xlsx", ["pycel", "formulon"])
     assert {found.kind for found in report.findings} == {"shown"}  # no value is wrong
     entered = Entries(open_book(tmp_path / "b.xlsx"), agreed_values).machine()
     assert entered == press.machine

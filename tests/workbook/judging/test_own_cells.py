@@ -23,7 +23,7 @@ from workbook.reports.page import junit, page
 from workbook.witnesses.engines import convert, libreoffice_path
 from workbook.witnesses.registry import WITNESSES
 
-QUICK_WITNESSES = ("pycel", "formualizer", "ironcalc")
+QUICK_WITNESSES = ("pycel", "formulon", "ironcalc")
 needs_office = pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
 COMMITTED = [path.stem for path in committed_descriptions()]
 BOOKS = by_day(["press", *COMMITTED], "press")
@@ -173,7 +173,7 @@ def fed(press, folder, formula, cells, name="timing_rate"):
 @pytest.mark.sample(2)
 def test_own_cells_that_feed_an_input_count_as_agreed(formula, cells, value, press, tmp_path):
     path = fed(press, tmp_path, formula, cells)
-    report = verify(path, present("pycel", "formualizer"))
+    report = verify(path, present("pycel", "formulon"))
     assert report.findings == []
     assert read_inputs(path)[0].master.rate == value
     assert report.not_evaluated == 0
@@ -187,7 +187,7 @@ def test_what_no_input_needs_keeps_no_evaluator_from_one_that_is_needed(press, t
         "A4": "=SUM('Summary:Drive MC01'!A1)",
     }
     path = fed(press, tmp_path, "=Mine!A1", cells)
-    report = verify(path, present("pycel", "formualizer", "ironcalc"))
+    report = verify(path, present("pycel", "formulon", "ironcalc"))
     assert (report.findings, len(report.own), report.not_evaluated) == ([], 4, 3)
 
 
@@ -273,7 +273,7 @@ def test_what_excel_writes_of_own_cells(press, tmp_path):
                                           b'Target="metadata.xml"/>' % kind.encode()),
     }  # fmt: skip
     path = repacked(press.path, tmp_path / "book.xlsx", changes, [("xl/metadata.xml", METADATA)])
-    report = verify(path, present("pycel", "formualizer", "formulon", "ironcalc", "libreoffice"))
+    report = verify(path, present("pycel", "formulon", "ironcalc", "libreoffice"))
     told = [f"{f.kind} {f.what} {f.computed}" for f in report.findings + report.notices]
     assert told == ["notice sparklineGroups of Timing added"]
     assert {re.sub(r".*!", "", cell) for cell in report.own} == {"A9000", "C9000", "D9000", "E9000", "E9001"}

@@ -76,4 +76,4 @@ def test_rollers_next_to_nothing_verify_clean(radius, resists, tmp_path):
     rollers = {"kind": "feed rollers", "roller_radius": radius, "efficiency": 1.0}
     force = {"windows": [{"start": 0.0, "stop": 360.0, "force": 500.0, "resists": resists}]}
     build(described(mechanism=rollers, load=force), tmp_path / "book.xlsx")
-    assert verify(tmp_path / "book.xlsx", ["pycel", "formualizer"]).findings == []
+    assert verify(tmp_path / "book.xlsx", ["pycel", "formulon"]).findings == []

@@ -4,7 +4,6 @@
 number draws others.
 """
 
-import io
 import sys
 from collections import defaultdict
 from concurrent.futures import ProcessPoolExecutor
@@ -12,7 +11,6 @@ from filecmp import cmp
 from functools import lru_cache, partial
 from math import pi
 
-import openpyxl
 import pytest
 
 from engine.drive.bounds import CHANGING
@@ -21,6 +19,7 @@ from tests.mutation import examine
 from tests.mutation.bench import Bench
 from tests.tiers import seed
 from tests.workbook.cells import disagreeing, disagreeing_in
+from tests.workbook.evaluated import by_formulon
 from tests.workbook.machines.drawn_drives import TEMPLATE, drawn_machine
 from tests.workbook.machines.simulated import Simulated, bus_of
 from tests.workbook.machines.test_machine_drives import arm, small
@@ -188,25 +187,13 @@ def test_a_common_bus_takes_no_more_than_its_bounds(drawn):
         assert bus.without.mains - bus.saved_most - known <= found.mean <= bus.without.mains + known
 
 
-def by_formualizer(written):
-    """What formualizer computes of a workbook, cell by cell."""
-    formualizer = pytest.importorskip("formualizer")  # which Windows on ARM has not
-    draft = io.BytesIO()
-    written.save(draft)
-    filled = io.BytesIO(formualizer.recalculate_xlsx_bytes(draft.getvalue())["bytes"])
-    cells = (
-        cell for sheet in openpyxl.load_workbook(filled, data_only=True) for row in sheet.iter_rows() for cell in row
-    )
-    return {(c.parent.title, c.row, c.column): "" if c.value is None else c.value for c in cells}
-
-
 @pytest.mark.parametrize("numbered", machines(2, 19, 32, night=16))
 def test_every_cell_of_drawn_machines_and_of_a_variation_agrees_with_the_engine(numbered):
     """A drawn machine has what drives can have, mixed: stages, windows, brakes, viscous friction, falling curves."""
     number, _ = numbered
     machine = drawn_machine(*numbered)
     for one in (machine, TEMPLATE.variants(machine)[number % 6]):
-        by_hand = disagreeing_in(TEMPLATE, one, by_formualizer) if number % 4 == 3 else disagreeing(TEMPLATE, one)
+        by_hand = disagreeing_in(TEMPLATE, one, by_formulon) if number % 4 == 3 else disagreeing(TEMPLATE, one)
         wrong, count = by_hand
         assert wrong == []
         assert count > 2000

@@ -37,12 +37,10 @@ def faults(book):
 
 
 def changes_an_output(path):
-    """Whether an output is another than by hand at cases of a seed of its own, as formualizer computes it."""
+    """Whether an output is another than by hand at cases of a seed of its own, as formulon computes it."""
     drawn = np.random.default_rng(59).uniform([5, 2, 0.4], [80, 60, 0.9], (CASES, 3)).tolist()
     entered = [dict(zip((FLOW, HEAD, EFFICIENCY), case, strict=True)) for case in drawn]
-    for (q, h, eta), (_, values) in zip(
-        drawn, WITNESSES["formualizer"]().varied(open_book(path), entered), strict=True
-    ):
+    for (q, h, eta), (_, values) in zip(drawn, WITNESSES["formulon"]().varied(open_book(path), entered), strict=True):
         expected = {POWER: 9.81 * q * h / 3600 / eta}
         for row, v, a in TABLE:
             expected |= {v: (row - 10) / 4 * q, a: (row - 10) / 2 * q}
@@ -51,7 +49,7 @@ def changes_an_output(path):
     return False
 
 
-@pytest.mark.skipif(WITNESSES["formualizer"]().version() is None, reason="formualizer is not on this machine")
+@pytest.mark.skipif(WITNESSES["formulon"]().version() is None, reason="formulon is not on this machine")
 def test_the_page_says_how_many_faults_of_the_pump_s_workbook_are_named(tmp_path):
     declared, path = tmp_path / "pump.py", tmp_path / "pump.xlsx"
     declared.write_text(PUMP, encoding="utf-8")

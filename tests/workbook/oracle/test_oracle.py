@@ -126,9 +126,9 @@ def test_a_number_stands_in_for_a_macro_and_some_sheets_are_counted(tmp_path):
     book.save(path)
     text = PUMP.replace("low=0.4, high=0.9", "low=0.4, high=0.9, macro=True").replace('"Pump sizing"', '"", ["Sheet"]')
     (tmp_path / "p.py").write_text(text.replace('"Efficiency"', '"Sheet!B3"'), encoding="utf-8")
-    found = Judge(open_book(path), load_oracle(tmp_path / "p.py")).judge(20, witnesses=("pycel", "formualizer"))
+    found = Judge(open_book(path), load_oracle(tmp_path / "p.py")).judge(20, witnesses=("pycel", "formulon"))
     assert found.wrong == []
-    assert (len(found.coverage), found.notes) == (12, [])
+    assert (len(found.coverage), found.notes) == (12, ["12 formulas: 12 pycel"])
 
 
 def test_an_array_formula_of_one_cell_is_evaluated_as_libreoffice_writes_it(tmp_path):
@@ -138,8 +138,8 @@ def test_an_array_formula_of_one_cell_is_evaluated_as_libreoffice_writes_it(tmp_
 
 
 def test_an_input_that_a_function_cannot_take_is_named(judged):
-    with pytest.raises(ReadError, match=r"power of the declarations at q = none given, h = 20, eta = 0.7: TypeError"):
-        judged(B1="none given")
+    (line,) = {line for line in judged(B1="none given").unusable if "power" in line}
+    assert "power at q = none given, h = 20, eta = 0.7: line 13: TypeError" in line
 
 
 @pytest.mark.sample(2)

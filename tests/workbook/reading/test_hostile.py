@@ -100,7 +100,7 @@ def test_damaged_files_are_read_or_refused(chunk, sound, slim, tmp_path, request
 def fault_of(path, number):
     """What is wrong with how a damaged file is taken; nothing where it is read, or refused as it should be."""
     try:
-        Entries(open_book(path), partial(agreed_values, names=("pycel", "formualizer"))).machine()
+        Entries(open_book(path), partial(agreed_values, names=("pycel", "formulon"))).machine()
         if number % VERIFIED == 0:
             verify(path)
     except ReadError as error:

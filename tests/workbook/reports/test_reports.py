@@ -33,7 +33,7 @@ def wrong():
     ]
     report.findings = [
         Finding("Drive", "D7", "replaced", 5.0, 1 / 3, f"Peak {EVIL}"),
-        Finding("Drive", "D9", "value", 1.0, 1.25, "RMS", 0.25, "formualizer"),
+        Finding("Drive", "D9", "value", 1.0, 1.25, "RMS", 0.25, "formulon"),
         Finding(EVIL, "A1", "error", "#DIV/0!", None, "", math.inf),
         Finding("", "libreoffice", "witness", "absent", "a witness that is on this machine"),
     ]
@@ -89,7 +89,7 @@ def test_the_page_says_all_of_the_report():
         "declared|1,236", "1 of 2 FAIL", "Drive!D20|Peak torque", "Notices (1)", "Drive!B7|label of", "|Spitze|Peak|",
         "libreoffice: absent from this machine, not asked", "saved values: has none", "Drive|1,000|2.5e-01|2|",
         "Laws|234|3.1e-16|0|", "Drive!D7|replaced|", "|5|0.333333333333333|–|",
-        "Drive!D9|value|RMS|1|1.25|2.5e-01|formualizer|",
+        "Drive!D9|value|RMS|1|1.25|2.5e-01|formulon|",
         "#DIV/0!|empty|", "Mine!A1, Mine!B2", SAFE, "Disagrees",
     ):  # fmt: skip
         assert expected in said
@@ -136,7 +136,7 @@ def test_junit_has_a_suite_a_workbook_and_a_case_a_sheet():
     failure = first.find("testcase/failure")
     assert "Drive!D7" in failure.get("message")
     assert failure.text.count("\n") == 1
-    assert "Drive!D9 (RMS): value: found 1, expected 1.25 [formualizer]" in failure.text
+    assert "Drive!D9 (RMS): value: found 1, expected 1.25 [formulon]" in failure.text
     assert first.find("properties/property[@name='sha256']").get("value") == "ab" * 32
     assert (second.get("tests"), second.get("failures")) == ("2", "0")
     assert third.find("testcase/error").get("message") == "bad.xlsx: Timing!D7: found 'x'"

@@ -4,7 +4,9 @@ import json
 import os
 import shutil
 import tomllib
+from pathlib import Path
 
+import openpyxl
 import pytest
 from rich.console import Console
 
@@ -133,3 +135,18 @@ def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, motionbook, monkeypat
     (line,) = err.splitlines()
     assert line.startswith("motionbook failed inside")
     assert line.isprintable()
+
+
+def test_what_goes_with_a_report_of_a_fault_has_formulas_but_no_values(motionbook, monkeypatch, tmp_path):
+    book = openpyxl.Workbook()
+    book.active.append([987654, '=IF(A1>321,"secret",A1*1.5)'])
+    book.save(tmp_path / "b.xlsx")
+    monkeypatch.setattr("workbook.commands.oracle.draft", lambda file: 1 / 0)
+    code, _, err = motionbook("oracle", tmp_path / "b.xlsx")
+    report = Path(err.split()[-1])
+    text = report.read_text(encoding="utf-8")
+    report.unlink()
+    assert code == 2
+    assert '=IF(A1>1,"",A1*1)' in text
+    assert "in write_draft" in text
+    assert not any(word in text for word in ("987654", "secret", "321", "b.xlsx"))

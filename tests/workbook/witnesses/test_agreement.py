@@ -233,7 +233,7 @@ def test_a_formula_beyond_doubt_is_taken_alike(command, saved, book, motionbook)
     [
         ("-20^2-200", "<v>-600</v>", "the file as it was saved has -600"),
         ("200+0*NOSUCH(1)", "<v>200</v>", "the file as it was saved has 200"),
-        ("RAND()+200", "", "formualizer has 200."),
+        ("RAND()+200", "", "formulon has 200."),
     ],
 )
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda c: c[0])

@@ -86,6 +86,6 @@ def test_no_witness_fetches_what_a_formula_asks_for(name, port, tmp_path):
         book.worksheets[0].cell(row, 1, formula.format(address))
     book.save(tmp_path / "b.xlsx")
     file = open_book(tmp_path / "b.xlsx")
-    with suppress(WitnessError):  # formualizer refuses a file with such formulas
+    with suppress(WitnessError):  # an evaluator may refuse a file with such formulas
         assert WITNESSES[name]().values(file)[Address(file.workbook.sheetnames[0], 1, 1)] == 2.0
     assert asked == []

@@ -12,7 +12,6 @@ from workbook.witnesses import engines
 from workbook.witnesses.pycel import compiled, model
 from workbook.witnesses.registry import WITNESSES, load_witness
 
-pytest.importorskip("formualizer")
 DECLARED = """from workbook.oracle import Oracle
 book = Oracle("Three times")
 x = book.input("A1", low=1, high=5)
@@ -74,34 +73,34 @@ def test_a_witness_of_which_a_module_is_missing(press, motionbook, monkeypatch):
 
 STAND_INS = {
     "import errors": "import no_such_module",
-    "panics": "class Panic(BaseException): pass\ndef recalculate_xlsx_bytes(data): raise Panic('it panicked')",
+    "panics": "class Panic(BaseException): pass\nclass Workbook:\n    def load(data): raise Panic('it panicked')",
     "crashes": "import os\nos.abort()",
     "leaves": "import os\nos._exit(0)",
-    "prints and raises": "print('hello')\ndef recalculate_xlsx_bytes(data): raise TypeError('odd')",
+    "prints and raises": "print('hello')\nclass Workbook:\n    def load(data): raise TypeError('odd')",
     "sleeps": "import time\ntime.sleep(60)",
 }
-"""Modules in place of formualizer, and how each fails."""
+"""Modules in place of formulon, and how each fails."""
 
 
 @pytest.fixture(params=STAND_INS)
-def failing_formualizer(request, monkeypatch, tmp_path):
-    """A formualizer that fails: its own process imports it."""
-    (tmp_path / "formualizer.py").write_text(STAND_INS[request.param], encoding="utf-8")
+def failing_formulon(request, monkeypatch, tmp_path):
+    """A formulon that fails: its own process imports it."""
+    (tmp_path / "formulon.py").write_text(STAND_INS[request.param], encoding="utf-8")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     monkeypatch.setattr(engines, "TIMEOUT", 1 if request.param == "sleeps" else 60)
 
 
-def test_an_engine_that_fails_in_any_way(fails, failing_formualizer):
-    assert f"formualizer {version('formualizer')} ({PYTHON}) gave no values" in fails("formualizer")
+def test_an_engine_that_fails_in_any_way(fails, failing_formulon):
+    assert f"formulon {version('formulon')} ({PYTHON}) gave no values" in fails("formulon")
 
 
 def test_an_engine_without_a_value_in_any_cell(fails, monkeypatch):
-    monkeypatch.setattr("workbook.witnesses.engines.cached_values", lambda _, file: dict.fromkeys(file.saved))
-    assert "formula cells, the first " in fails("formualizer")
+    monkeypatch.setattr(engines.Session, "ask", lambda session, given: [None] * session.number)
+    assert "formula cells, the first " in fails("formulon")
 
 
-def test_a_book_is_compared_with_declarations_where_formualizer_is_not(press, motionbook, monkeypatch, tmp_path):
-    monkeypatch.setattr(engines.Formualizer, "version", lambda _: None)  # as on Windows on ARM
+def test_a_book_is_compared_with_declarations_where_formulon_is_not(press, motionbook, monkeypatch, tmp_path):
+    monkeypatch.setattr(engines.Formulon, "version", lambda _: None)
     opened = openpyxl.Workbook()
     opened.active.append([2.0, "=A1*3"])
     opened.save(tmp_path / "b.xlsx")

@@ -1,20 +1,17 @@
-"""The order of operators that Excel documents, as pycel and formualizer compute it.
+"""The order of operators that Excel documents, as pycel and formulon compute it.
 
 "Calculation operators and precedence in Excel" (support.microsoft.com): reference operators, negation, percent, power,
 product and quotient, sum and difference, joining of texts, comparison; of equal rank from left to right.
 """
-
-import io
 
 import openpyxl
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from tests.workbook.evaluated import by_formulon
 from workbook.reading.contents import Contents
 from workbook.witnesses.pycel.model import PycelModel
-
-formualizer = pytest.importorskip("formualizer")
 
 DOCUMENTED = {
     "=-2^2": 4, "=-20^2+900": 1300, "=900-20^2": 500, "=0-2^2": -4, "=(-2)^2": 4, "=-(2^2)": -4, "=-(2)^2": 4,
@@ -30,15 +27,12 @@ DOCUMENTED = {
 
 
 def computed(formula):
-    """What pycel and formualizer make of a formula on a sheet with 3 in A1 and 2 in A2."""
+    """What pycel and formulon make of a formula on a sheet with 3 in A1 and 2 in A2."""
     workbook = openpyxl.Workbook()
     page = workbook.active
     page["A1"], page["A2"], page["B1"] = 3, 2, formula
     (ours,) = PycelModel(Contents(workbook)).evaluate().values()
-    data = io.BytesIO()
-    workbook.save(data)
-    filled = formualizer.recalculate_xlsx_bytes(data.getvalue())["bytes"]
-    return ours, openpyxl.load_workbook(io.BytesIO(filled), data_only=True).active["B1"].value
+    return ours, by_formulon(workbook)[page.title, 1, 2]
 
 
 @pytest.mark.parametrize(("formula", "value"), DOCUMENTED.items())
@@ -55,7 +49,7 @@ def test_operators_in_the_documented_order(formula, value):
      ("=POWER(-8,1/3)", -2), ("=POWER(-2,3)", -8), ("=POWER(-4,0.5)", "#NUM!")],
 )  # fmt: skip
 def test_pycel_takes_odd_roots_of_negative_numbers(formula, value):
-    """As Excel, LibreOffice, formulon and IronCalc do; formualizer does not (docs/witnesses.md)."""
+    """As Excel, LibreOffice, formulon and IronCalc do."""
     assert computed(formula)[0] == (pytest.approx(value, rel=1e-14) if value != "#NUM!" else value)
 
 
@@ -66,7 +60,6 @@ def test_pycel_takes_odd_roots_of_negative_numbers(formula, value):
      ("=SUMPRODUCT((A1:A2*1.1=3.3)*1)", 1), ("=0^0", "#NUM!"), ("=POWER(0,0)", "#NUM!"), ("=0^2", 0)],
 )  # fmt: skip
 def test_pycel_compares_to_15_digits_and_knows_no_0_to_the_power_of_0(formula, value):
-    """As Excel documents, and formualizer does not (docs/witnesses.md)."""
     assert computed(formula)[0] == value
 
 

@@ -47,8 +47,8 @@ def test_each_witness_computes_a_book_that_a_program_saved_without_values(press,
 
 @pytest.mark.parametrize(
     ("names", "kinds"),
-    [(["all"], []), (["pycel", "formualizer"], ["witness"]), (["all", "formualizer"], ["witness"]),
-     (["formualizer"], ["witness"])],
+    [(["all"], []), (["pycel", "formulon"], ["witness"]), (["all", "formulon"], ["witness"]),
+     (["formulon"], ["witness"])],
 )  # fmt: skip
 def test_a_witness_that_fails_counts_where_it_was_named_or_no_other_computed(names, kinds, press, monkeypatch):
     """Those that ``all`` finds on a machine judge without it, and it is named."""
@@ -56,23 +56,9 @@ def test_a_witness_that_fails_counts_where_it_was_named_or_no_other_computed(nam
     def fails(*_):
         raise WitnessError("it failed")
 
-    few = {name: WITNESSES[name] for name in ("pycel", "formualizer", "saved")}
+    few = {name: WITNESSES[name] for name in ("pycel", "formulon", "saved")}
     monkeypatch.setattr("workbook.judging.verify.WITNESSES", few)
-    monkeypatch.setattr(type(few["formualizer"]()), "values", fails)
+    monkeypatch.setattr(type(few["formulon"]()), "values", fails)
     report = verify(press.path, names)
-    assert [(f.kind, f.cell) for f in report.findings] == [(kind, "formualizer") for kind in kinds]
-    assert ("Not compared by formualizer: it failed" in verdict(report)) == (not kinds)
-
-
-@pytest.mark.parametrize(("names", "kinds"), [(["pycel", "formualizer"], []), (["formualizer"], ["witness"])])
-def test_a_workbook_too_large_for_one_witness_is_compared_by_the_others(names, kinds, press, monkeypatch):
-    def refused(*_):
-        raise WitnessError("Unsupported feature: formula cell count limit in workbook")
-
-    monkeypatch.setattr("workbook.witnesses.engines.ask_apart", refused)
-    report = verify(press.path, names)
-    assert [finding.kind for finding in report.findings] == kinds
-    (ran,) = [one for one in report.witnesses if one.name == "formualizer"]
-    assert (ran.answered, ran.why) == (False, "formualizer takes no workbook of so many formula cells")
-    lines = verdict(report)
-    assert any(line == f"Not compared by formualizer: {ran.why}" for line in lines) == (not kinds)
+    assert [(f.kind, f.cell) for f in report.findings] == [(kind, "formulon") for kind in kinds]
+    assert ("Not compared by formulon: it failed" in verdict(report)) == (not kinds)

@@ -60,7 +60,7 @@ def kind(value):
     return "number" if isinstance(value, int | float) and not isinstance(value, bool) else str(value or None)
 
 
-OTHERS = ("formualizer", "libreoffice", "formulon")
+OTHERS = ("libreoffice", "formulon")
 
 
 def differing(path, book, witness):

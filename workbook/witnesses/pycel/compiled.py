@@ -16,7 +16,7 @@ from pycel.lib.function_helpers import load_functions
 from pycel.lib.function_info import all_excel_functions
 
 from workbook.book.address import Address
-from workbook.book.formula import FormulaError
+from workbook.book.formula import Area, FormulaError
 from workbook.witnesses.pycel import limits, shortcuts
 from workbook.witnesses.pycel.shortcuts import Range
 from workbook.witnesses.pycel.trees import TREES
@@ -107,15 +107,16 @@ def last_of_operand(tokens: Sequence[Token], first: int) -> int:
 
 
 def lazy_if(node: FunctionNode) -> str:
-    """Return Python for an IF of two values, of which only that which counts is worked out."""
+    """Return Python for an IF of which only the value that counts is worked out: FALSE where it has no second."""
     test, *values = (child.emit for child in node.children)
+    values += ["False"] * (len(values) == 1)
     return f"chosen(if_, {test}, {', '.join(f'lambda: {value}' for value in values)})"
 
 
 def _compiled(shape: str) -> Compiled:
     formula = ExcelFormula(shape)
     for node in formula.ast.ast if formula.ast else ():
-        if node.value.upper() == "IF(" and len(node.children) == 3:
+        if node.value.upper() == "IF(" and len(node.children) in (2, 3):
             node.func_if = partial(lazy_if, node)  # by which pycel asks a node for its Python
     code, names = formula.compiled_python
     functions: list[Callable[[], Any]] = []
@@ -191,6 +192,11 @@ class Numbering:
         if number == len(self.values):
             self.values.append(value)
         return number
+
+    def within(self, area: Area) -> list[int]:
+        """Return the numbers of the cells within an area that have one."""
+        columns = [rows for (sheet, at), rows in self._columns.items() if sheet == area.sheet and at in area.columns]
+        return [number for rows in columns for row, number in rows.items() if area.top <= row <= area.bottom]
 
     def other(self, key: Hashable, value: Any = None) -> int:
         """Return the number of a range or text; a new number, with ``value``, for what has none."""

@@ -4,6 +4,7 @@ import sys
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache
 from importlib.metadata import version
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -16,12 +17,20 @@ from workbook.book.formula import Area, Formula, FormulaError, bounded
 from workbook.errors import WitnessError
 from workbook.reading.contents import Cells, Contents, plain_value
 from workbook.reading.files import BookFile
-from workbook.witnesses.pycel.compiled import FormulaStep, Numbering, RangeStep, compiled, evaluation_order
+from workbook.witnesses.pycel.compiled import (
+    FormulaStep,
+    Numbering,
+    RangeStep,
+    compiled,
+    evaluation_order,
+)
+from workbook.witnesses.pycel.graph import CHANGES, Graph
 from workbook.witnesses.pycel.limits import ArrayCells
 from workbook.witnesses.witness import CYCLE, CellWitness, Model
 
 PLAIN = frozenset((float, int, str, bool, type(None)))
 UNKNOWN = object()  # the value of a range that is not filled
+MOST_GROUPS = 64  # into which the cells of a range are parted at most, to see which alter what reads it
 MOST_RANGE_CELLS = 4_000_000  # of all different ranges together
 
 
@@ -112,7 +121,16 @@ class PycelModel:
         """
         if self._latest and not inputs:
             return self._evaluate_changed(self._latest)
-        given = {self._numbers.cell(address): plain_value(value) for address, value in (inputs or {}).items()}
+        values = self.numbered(inputs or {})
+        if not inputs:
+            self._latest = values
+            self._changed.clear()
+        return self._by_address(values)
+
+    @np.errstate(all="ignore")
+    def numbered(self, inputs: Mapping[Address, Any]) -> list[Any]:
+        """Return the values of all cells and ranges, by number, with ``inputs`` in place of what cells hold."""
+        given = {self._numbers.cell(address): plain_value(value) for address, value in inputs.items()}
         if len(self._numbers.values) > self._filled and (given or self._changed):  # ranges may have passed over these
             self._filled = len(self._numbers.values)
             for number, area in self._areas.items():
@@ -125,10 +143,48 @@ class PycelModel:
         for number in self._order:
             if number not in given:
                 values[number] = self._result(number, values)
-        if not inputs:
-            self._latest = values
-            self._changed.clear()
-        return self._by_address(values)
+        return values
+
+    def graph(self, also: Mapping[Address, Iterable[Area]] = MappingProxyType({})) -> Graph:
+        """Return the graph of cells and ranges; ``also`` are areas that formulas read which pycel cannot join."""
+        reads: dict[int, Sequence[int]] = {number: step.sources for number, step in self._steps.items()}
+        for address, areas in also.items():
+            reads[self._numbers.cell(address)] = [held for area in areas for held in self._numbers.within(area)]
+        cells = {self._numbers.cell(address): address for address in (*self.constants, *also)}
+        return Graph(reads, cells | self._cells, frozenset(self._areas))
+
+    @np.errstate(all="ignore")
+    def alters(self, number: int, among: Collection[int], values: list[Any]) -> set[int]:
+        """Return those cells ``among`` whose change alters the formula cell ``number`` by itself, at ``values``."""
+        step = self._steps[number]
+        right, altering = self._by_itself(number, values), set[int]()
+        for source in step.sources:
+            inner = self._steps.get(source)
+            cells = [cell for cell in (inner.sources if isinstance(inner, RangeStep) else [source]) if cell in among]
+            smallest = -(-len(cells) // MOST_GROUPS)  # of a long range cells are changed together
+            left = [cells] if cells else []
+            while left:
+                group = left.pop()
+                tried = ({cell: change(values[cell], at) for at, cell in enumerate(group)} for change in CHANGES)
+                if any(self._changed_by(number, source, changed, values) != right for changed in tried):
+                    if len(group) <= smallest:
+                        altering |= {*group}
+                    else:
+                        left += [group[: len(group) // 2], group[len(group) // 2 :]]
+        return altering
+
+    def _changed_by(self, number: int, source: int, changed: Mapping[int, Any], values: list[Any]) -> Any:
+        """Return the value of a formula cell with other values in the cells of one of its sources."""
+        held = {cell: values[cell] for cell in (*changed, source)}
+        try:
+            for cell, value in changed.items():
+                values[cell] = value
+            if source not in changed:
+                values[source] = self._steps[source].compute(values)
+            return self._by_itself(number, values)
+        finally:
+            for cell, value in held.items():
+                values[cell] = value
 
     def _evaluate_changed(self, values: list[Any]) -> Cells:
         """Return the value of every formula cell, worked out anew where it depends on what was entered."""

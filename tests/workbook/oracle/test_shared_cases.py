@@ -1,0 +1,94 @@
+"""Books that evaluators other than Excel stumble over: none is blamed for what an evaluator cannot compute."""
+
+import openpyxl
+import pytest
+from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet.formula import ArrayFormula
+from openpyxl.worksheet.table import Table
+
+from workbook.oracle.declarations import Oracle
+from workbook.oracle.judge import Judge
+from workbook.reading.files import open_book
+
+NAMES = ("pycel", "formulon", "ironcalc")
+
+
+def judged(path, cells, inputs, outputs, prepare=lambda sheet: None, names=NAMES, cases=12):
+    """Return the judge and its report on a book of such cells, and functions by cells."""
+    book = openpyxl.Workbook()
+    sheet = book.active
+    sheet.title = "S"
+    for at, value in cells.items():
+        sheet[at] = value
+    prepare(sheet)
+    book.save(path / "b.xlsx")
+    oracle = Oracle("x")
+    given = [oracle.input(cell, low=low, high=high) for cell, (low, high) in inputs.items()]
+    for cell, function in outputs.items():
+        oracle.output(cell, inputs=given)(function)
+    judge = Judge(open_book(path / "b.xlsx"), oracle)
+    return judge, judge.judge(cases, witnesses=names)
+
+
+def with_names(sheet):
+    for name, text in {"g": "9.81", "load": "S!$A$1", "rate": "S!$A$1*60"}.items():
+        sheet.parent.defined_names[name] = DefinedName(name, attr_text=text)
+
+
+def with_table(sheet):
+    sheet.add_table(Table(displayName="Inertias", ref="A1:B3"))
+
+
+THREADS = {"B1": 1.27, "B2": 2.39, "B3": 3.18, "E1": 2.0, "E2": "=INDEX(B:B,MATCH(E1,B:B,1)+1)"}
+CASES = {
+    "a whole column": (THREADS, {"E1": (1.3, 3)}, {"E2": lambda n: min(x for x in (1.27, 2.39, 3.18) if x > n)}, None),
+    "names of numbers and of formulas": (
+        {"A1": 5, "B1": "=g*A1", "B2": "=load*2", "B3": "=rate/60"}, {"A1": (0.5, 2)},
+        {"B1": lambda a: 9.81 * a, "B2": lambda a: 2 * a, "B3": lambda a: a}, with_names,
+    ),
+    "a table": (
+        {"A1": "Part", "B1": "J", "A2": "screw", "B2": 1.2, "A3": "motor", "B3": 1.1, "D1": "=SUM(Inertias[J])"},
+        {"B2": (0.5, 2)}, {"D1": lambda a: a + 1.1}, with_table,
+    ),
+    "a formula over several cells": (
+        {"A1": 1, "B1": 10, "A2": 2, "B2": 20, "C1": ArrayFormula("C1:C2", "=A1:A2*B1:B2"), "E1": "=SUM(C1:C2)"},
+        {"A1": (0.5, 2)}, {"E1": lambda a: 10 * a + 40}, None,
+    ),
+    "IF without else": (
+        {"B1": 3200, "B2": 3000, "B3": '=IF(B1>B2,"too fast")'}, {"B1": (2000, 4000)},
+        {"B3": lambda n: "too fast" if n > 3000 else False}, None,
+    ),
+    "a link in a cell that nothing reads": (
+        {"A1": 2, "B1": "=[1]Sheet1!$A$1*A1", "B2": "=A1*3"}, {"A1": (1, 3)}, {"B2": lambda a: 3 * a}, None,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_no_book_is_blamed_for_what_an_evaluator_lacks(name, tmp_path):
+    cells, inputs, outputs, prepare = CASES[name]
+    _, report = judged(tmp_path, cells, inputs, outputs, prepare or (lambda sheet: None))
+    assert (report.wrong, report.warnings, report.unusable) == ([], [], [])
+    assert {*report.states.values()} == {"agrees"}
+
+
+@pytest.mark.parametrize("name", ["a whole column", "a table", "a formula over several cells", "IF without else"])
+def test_a_fault_there_is_found_or_told_as_disputed(name, tmp_path):
+    cells, inputs, outputs, prepare = CASES[name]
+    wrong = {
+        cell: lambda *x, right=right: "no" if isinstance(right(*x), str) else right(*x) + 1
+        for cell, right in outputs.items()
+    }
+    _, report = judged(tmp_path, cells, inputs, wrong, prepare or (lambda sheet: None))
+    assert {*report.states.values()} <= {"differs", "disputed"}
+    assert len(report.wrong) + len(report.warnings) == len(outputs)
+
+
+def test_the_line_says_who_judged_and_why_others_could_not(tmp_path):
+    cells = {"A1": 2, "B1": "=[1]S!$A$1*A1", "B2": "=A1*3", "B3": "=NOW()", "B4": "=MEDIAN(A1,3)", "B5": "=NOSUCH(A1)"}
+    judge, report = judged(tmp_path, cells, {"A1": (1, 3)}, {"B2": lambda a: 3 * a, "B5": lambda a: "#NAME?"})
+    line = judge.evaluators.line(judge.formulas)
+    assert line.startswith("5 formulas: 2 pycel, 1 formulon and ironcalc, 2 cannot (")
+    assert "external link ×1" in line
+    assert report.states.keys() == set(judge.targets)
+    assert {*report.states.values()} == {"agrees"}
