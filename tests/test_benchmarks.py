@@ -12,12 +12,8 @@ from workbook.witnesses.engines import libreoffice_path
 
 SMALLEST = {"flying-cutter": TEMPLATES["flying-cutter"]}
 SMALL = {
-<<<<<<< HEAD
-    "any_workbook": {"SIZES": (20,), "CASES": 3, "GOAL": {}},
-    "audit": {"FAULTS": 2, "SIZES": (40,)},
-=======
     "any_workbook": {"SIZES": (100,), "CASES": 3},
->>>>>>> 3d1d6b98 (Judge any workbook by evaluators that are calibrated cell by cell)
+    "audit": {"FAULTS": 2, "SIZES": (40,)},
     "build": {"ROUNDS": 1, "TEMPLATES": SMALLEST},
     "cam_tables": {"INTERVALS": (8,), "AXES": 1, "POINTS": 20, "ROUNDS": 1, "targets": list},
     "improve": {"ROUNDS": 1, "DEGREES": (7,), "STAGES": {}},
