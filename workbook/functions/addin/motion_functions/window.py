@@ -1,0 +1,85 @@
+"""The window of the menu *Motion*, what it calls in the main thread of Calc, and marks as what an undo takes back."""
+
+from __future__ import annotations
+
+from typing import Any, Callable
+
+import unohelper
+from com.sun.star.awt import XCallback, XItemListener, XTopWindowListener
+from com.sun.star.document import XUndoAction
+
+
+class Call(unohelper.Base, XCallback):
+    """A call that the main thread of Calc carries out when it is free."""
+
+    def __init__(self, act: Callable[[], None]) -> None:
+        self.act = act
+
+    def notify(self, data: object) -> None:
+        """Carry it out."""
+        self.act()
+
+
+class Marks(unohelper.Base, XUndoAction):
+    """The marks of findings as what an undo takes back."""
+
+    def __init__(self, redo: Callable[[], None], undo: Callable[[], None]) -> None:
+        self.Title, self.redo, self.undo = "Mark findings", redo, undo
+
+
+class Window(unohelper.Base, XItemListener, XTopWindowListener):
+    """The window beside a document: a sentence, and a list of which a click goes to a cell."""
+
+    def __init__(self, make: Callable[[str], Any], parent: Any, go: Callable[[int], None]) -> None:
+        model = make("com.sun.star.awt.UnoControlDialogModel")
+        model.Title, model.Width, model.Height, model.PositionX, model.PositionY = "Motion", 300, 170, 20, 60
+        for kind, name, top, high in (("FixedText", "says", 4, 34), ("ListBox", "list", 40, 126)):
+            part = model.createInstance("com.sun.star.awt.UnoControl" + kind + "Model")
+            part.PositionX, part.PositionY, part.Width, part.Height = 4, top, 292, high
+            if kind == "FixedText":
+                part.MultiLine = True
+            model.insertByName(name, part)
+        self.go, self.dialog = go, make("com.sun.star.awt.UnoControlDialog")
+        self.dialog.setModel(model)
+        self.dialog.createPeer(make("com.sun.star.awt.Toolkit"), parent)
+        self.list = self.dialog.getControl("list")
+        self.list.addItemListener(self)
+        self.dialog.addTopWindowListener(self)
+
+    def show(self, says: str, lines: list[str]) -> None:
+        """Show a sentence and lines below it."""
+        self.dialog.getModel().getByName("says").Label = says
+        self.dialog.getModel().getByName("list").StringItemList = tuple(lines)
+        self.dialog.setVisible(True)
+
+    def itemStateChanged(self, event: Any) -> None:
+        """Go to the cell of the line that is chosen."""
+        self.go(event.Selected)
+
+    def windowClosing(self, event: object) -> None:
+        """Hide it; the next command shows it again."""
+        self.dialog.setVisible(False)
+
+    def ignored(self, event: object) -> None:
+        """Take no notice."""
+
+    disposing = windowOpened = windowClosed = windowMinimized = windowNormalized = ignored
+    windowActivated = windowDeactivated = ignored
+
+
+def within(cell: Any, area: Any) -> bool:
+    """Whether a cell is in an area."""
+    rows, columns = area.StartRow <= cell.Row <= area.EndRow, area.StartColumn <= cell.Column <= area.EndColumn
+    return bool(cell.Sheet == area.Sheet and rows and columns)
+
+
+def line(finding: dict[str, Any]) -> str:
+    """Return a finding in a line."""
+    what = finding["what"] or finding["kind"]
+    return f"{finding['sheet']}!{finding['cell']}  {what}: {finding['computed']}; expected {finding['expected']}"
+
+
+def note(finding: dict[str, Any]) -> str:
+    """Return the note on a finding."""
+    formula = f"\nformula: {finding['formula']}" if finding.get("formula") else ""
+    return f"is: {finding['computed']}\nshould be: {finding['expected']}{formula}"
