@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from openpyxl import load_workbook
 from openpyxl.styles import PatternFill
@@ -70,27 +71,28 @@ def against(
             copy[cell.sheet].cell(cell.row, cell.column).fill = PatternFill("solid", fgColor=COLOURS[kind])
         replace(marked, copy.save, force)
     if as_json:
-        wrong = [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.wrong]
-        cells = {str(cell): kind for cell, kind in report.coverage.items()}
-        known = {"known": report.dimensions.known, "formulas": report.dimensions.formulas}
-        data = {
-            "cases": report.cases,
-            "covered": report.covered,
-            "findings": wrong,
-            "warnings": [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.warnings],
-            "unusable": report.unusable,
-            "cells": cells,
-            "states": {str(cell): state for cell, state in report.states.items()},
-            "evaluators": {str(cell): name for cell, name in report.evaluators.items()},
-            "dimensions": known,
-            "notes": report.notes,
-        }
-        say_json(data, default=str)
+        say_json(data_of(report), default=str)
     else:
         show(file, report)
     if report.unusable:
         return UNREADABLE
     return DISAGREES if report.wrong or (cover is not None and report.covered < cover) else AGREES
+
+
+def data_of(report: OracleReport) -> dict[str, Any]:
+    """Return a report as JSON has it."""
+    return {
+        "cases": report.cases,
+        "covered": report.covered,
+        "findings": [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.wrong],
+        "warnings": [fault.__dict__ | {"cell": str(fault.cell)} for fault in report.warnings],
+        "unusable": report.unusable,
+        "cells": {str(cell): kind for cell, kind in report.coverage.items()},
+        "states": {str(cell): state for cell, state in report.states.items()},
+        "evaluators": {str(cell): name for cell, name in report.evaluators.items()},
+        "dimensions": {"known": report.dimensions.known, "formulas": report.dimensions.formulas},
+        "notes": report.notes,
+    }
 
 
 def write_draft(path: Path, output: Path | None, force: bool) -> None:
