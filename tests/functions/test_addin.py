@@ -27,7 +27,8 @@ OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-i
 ALLOWED = {"__future__", "bisect", "functools", "itertools", "math", "struct", "typing", "unohelper", "motionbook",
            "motion_functions", "com.sun.star.lang"} | {  # of the menu:
            "json", "os", "re", "shutil", "subprocess", "tempfile", "threading", "uno", "motionbook_python",
-           "motion_functions.window", "com.sun.star.awt", "com.sun.star.beans", "com.sun.star.document", "com.sun.star.frame"}  # fmt: skip
+           "motion_functions.window",
+           "com.sun.star.awt", "com.sun.star.beans", "com.sun.star.document", "com.sun.star.frame"}  # fmt: skip
 
 
 TYPES = {"code": "string", "number": "double", "cells": "any", "table": "any"}
