@@ -99,7 +99,7 @@ class Work:
             for process in list(worker._processes.values()):
                 process.kill()
                 process.join()
-            worker.shutdown(wait=False, cancel_futures=True)
+            worker.shutdown(cancel_futures=True)  # its thread ends with it: left alone, it can fail at exit
 
     async def run(self, *arguments: str | Path, folder: str | None = None) -> Done:
         """Run a command of motionbook, in a folder where it is given."""
