@@ -60,7 +60,7 @@ def points_of(drive_cycle):
 
 
 class Off(NamedTuple):
-    """By how much points are off the exact engine, as shares: of RMS torque, peaks, and energies together."""
+    """By how much points are off the exact engine, as shares: of peaks, and energies together."""
 
     rms: float
     torque: float
@@ -80,7 +80,7 @@ def off(drive_cycle):
         else drive_cycle.unshifted.fastest * points_ratio(drive_cycle)
     )
     return Off(
-        abs(points.rms_torque / exact.rms_torque - 1.0),
+        abs(points.rms_torque - exact.rms_torque) / exact.torque.peak,
         abs(points.size(points.torque) / exact.torque.peak - 1.0),
         abs(points.size(behind) / exact.shaft_torque(1).peak - 1.0),
         abs(speed / exact.speed.peak - 1.0),

@@ -68,7 +68,7 @@ def figures(book):
     found = {}
     for name, block in book.blocks.items():
         for q in block.quantities:
-            if q.formula is not None and not name.startswith("checks"):
+            if q.formula is not None and not name.startswith(("checks", "stamp")):  # sums of what is entered
                 values = np.atleast_1d(np.array(q.value, dtype=object)).tolist()
                 numbers = [abs(x) for x in values if isinstance(x, int | float)]
                 peak = max([*numbers, q.scale or 0.0]) or 1.0
