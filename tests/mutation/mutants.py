@@ -55,6 +55,7 @@ class Mutator:
 
     def __init__(self, book: Book) -> None:
         self.targets = dict(book.names())
+        self.declared = {(cell.block.sheet.title, cell.row, cell.column) for cell in book.cells()}
         scalars = [b.quantities[0] for b in book.blocks.values() if not b.is_table]
         self.scalars = {q.name for q in scalars}
         self.inputs = [q.name for q in scalars if q.role == "input" and not isinstance(q.value, str)]
@@ -78,13 +79,22 @@ class Mutator:
             for at in range(len(tokens)):
                 for text in make(tokens, at):
                     mutated = "=" + "".join(t.value if i != at else text for i, t in enumerate(tokens))
-                    if mutated not in seen:
+                    is_above = kind == "reference" and not self._is_read(address.sheet, tokens[at].value, text)
+                    if mutated not in seen and not is_above:
                         seen.add(mutated)
                         yield Mutant(address, kind, formula, mutated)
         for mutated in self._swaps(tokens):
             if mutated not in seen:
                 seen.add(mutated)
                 yield Mutant(address, "name", formula, mutated)
+
+    def _is_read(self, sheet: str, *references: str) -> bool:
+        """Whether any is more than a single cell above a table: a table's first row names these, and reads none."""
+        corners = [CORNER.fullmatch(reference) for reference in references]
+        return any(
+            corner is None or (sheet, int(corner[4]), column_index_from_string(corner[2])) in self.declared
+            for corner in corners
+        )
 
     def _names(self, tokens: list[Token], at: int) -> Iterator[str]:
         """Put the name of the input before or after in place of an input's."""
