@@ -68,9 +68,15 @@ class ChartReader(NamedTuple):
         return flatten(element, path, (*leaving, *TEXTS), SOURCES, self.source)
 
     def line(self, series: Element) -> Flat:
-        """Return the attributes of a line but for the outline of its markers, which LibreOffice leaves out."""
+        """Return the attributes of a line in any program: no outline of markers, looks of a point only where its own.
+
+        LibreOffice leaves such outlines out, and gives a point that has a label the looks of its line again.
+        """
         line = dict.fromkeys((*DRAWN, "text"), "") | self.attributes(series)
-        return {key: value for key, value in line.items() if not key.startswith("marker spPr ln")}
+        again = {
+            key for key, value in line.items() if (rest := key.removeprefix("dPt ")) != key and line.get(rest) == value
+        }
+        return {key: value for key, value in line.items() if key not in again and not key.startswith("marker spPr ln")}
 
     def chart(self, root: Element, at: Address, number: int = 0) -> ChartData:
         """Return a chart that stands at a cell, with its number among the drawings of the sheet."""
