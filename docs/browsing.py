@@ -25,17 +25,13 @@ LONG = 300_000
 
 
 def design(page: Page, root: str) -> None:
-    """Show an axis in the form, and what comes of an edge that is moved."""
+    """Show an axis with its entries and charts, and what comes of an edge that is moved."""
     page.goto(f"{root}/edit/machine.toml")
-    page.wait_for_selector("#live .edge")
-    page.select_option("#part", '["axes", "1"]')
-    edge = page.locator('.edge[data-edge="MC02 135"]')
-    edge.focus()
-    for value in range(136, 142):
+    page.locator(".card", has_text="MC02").click()
+    page.locator(".handle").nth(1).focus()
+    for _ in range(6):
         page.keyboard.press("ArrowRight")
-        page.wait_for_selector(f'.edge[data-edge="MC02 {value}"]')
     page.wait_for_load_state("networkidle")
-    page.locator("#form").evaluate("form => form.scrollTop = form.querySelector('h4').offsetTop - form.offsetTop")
 
 
 def study(page: Page, root: str) -> None:
