@@ -108,7 +108,7 @@ def test_what_passes_is_found_again(names, change):
         return
     for name in names:
         place = place_of(change(name), names)
-        if place >= 0:
+        if place >= 0 and len(change(name)) == len(name):  # of a letter that becomes two, programs think differently
             assert found_at(change(name), names) == (place + 1, place + 1)
     assert [place_of(name, names) for name in names] == list(range(len(names)))
 

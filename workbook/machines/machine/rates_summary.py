@@ -19,8 +19,8 @@ CELLS = cell_tables(__file__)
 NO_RATE = quoted(AT_NO_RATE)
 RATE_CHECK = "about_held"
 WITHIN = (
-    "AND(COUNT(about_lowest)=1,about_rate>=MAX(about_lowest)*(1-check_zero),"
-    "OR(COUNT(about_highest)=0,about_rate<=MAX(about_highest)*(1+check_zero)))"
+    "AND(IF(ISNUMBER(about_lowest),about_rate>=about_lowest*(1-check_zero),FALSE),"
+    "IF(ISNUMBER(about_highest),about_rate<=about_highest*(1+check_zero),TRUE))"
 )
 
 
