@@ -19,8 +19,8 @@ CELLS = cell_tables(__file__)
 NO_RATE = quoted(AT_NO_RATE)
 RATE_CHECK = "about_held"
 WITHIN = (
-    "AND(IF(ISNUMBER(about_lowest),about_rate>=about_lowest*(1-check_zero),FALSE),"
-    "IF(ISNUMBER(about_highest),about_rate<=about_highest*(1+check_zero),TRUE))"
+    "AND(IF(ISNUMBER(about_lowest),about_rate>=about_lowest*(1-check_zero),0),"
+    "IF(ISNUMBER(about_highest),about_rate<=about_highest*(1+check_zero),1))"
 )
 
 
