@@ -91,9 +91,9 @@ def server(tmp_path_factory):
         yield running
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser():
-    """The system's Chromium."""
+    """The system's Chromium, ended with the module: while it is driven, no other test can begin a loop of asyncio."""
     if CHROMIUM is None and "CI" not in os.environ:
         pytest.skip("Chromium, or the Python package playwright, is not on this machine")
     expect.set_options(timeout=LONG)
