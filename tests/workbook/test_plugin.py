@@ -4,7 +4,6 @@ import tomllib
 
 import pytest
 import tomli_w
-from tests.workbook.serve.test_fields import entries, parts, values
 
 from tests.mutation.bench import Bench
 from tests.mutation.examine import Tally, examined, names_it_first
@@ -14,6 +13,8 @@ from workbook.build import build, read_inputs
 from workbook.judging.matching import is_formula
 from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
+from workbook.serve.design import verdict
+from workbook.serve.tables import schema
 from workbook.starter.hoist import TEMPLATE
 from workbook.studies.evaluate import Evaluator, book_value
 from workbook.studies.plan import read_study
@@ -75,8 +76,8 @@ def test_a_study_of_it_says_what_its_books_say(hoist, tmp_path):
         assert list(found.results[name]) == [book_value(book, name) for book in books]
 
 
-def test_the_browser_s_form_has_a_field_for_each_of_its_entries():
+def test_the_design_page_has_a_field_for_each_of_its_entries_and_judges_it():
     text = TEMPLATE.description.read_text(encoding="utf-8")
-    shown = {place: value for part in parts(text) for place, value in values(text, part).items()}
-    for place, value in entries(tomllib.loads(text)).items():
-        assert shown[place] == value if isinstance(value, str) else float(shown[place]) == value
+    fields = {key["name"] for section in schema(TEMPLATE.name) for key in section["keys"]}
+    assert set(tomllib.loads(text)) <= fields
+    assert verdict("hoist.toml", text)["verdict"] == "OK"

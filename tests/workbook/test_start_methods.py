@@ -11,7 +11,7 @@ import pytest
 from tests.workbook.composed import small
 from tests.workbook.studies.studied import laws, stops, written
 from workbook.build import build
-from workbook.serve import live, work
+from workbook.serve import design, work
 
 METHOD = "forkserver"
 COMMAND = "import multiprocessing as m, sys; m.set_start_method(sys.argv.pop(1)); from workbook.cli import main; main()"
@@ -52,8 +52,8 @@ def test_what_is_edited_is_worked_out_beside_the_server(monkeypatch):
     async def edited():
         beside = work.Work()
         try:
-            return await beside.in_worker(live.fragment, "press.toml", "title = 3", "")
+            return await beside.in_worker(design.verdict, "press.toml", "title = 3")
         finally:
             beside.stop()
 
-    assert "Not yet a machine" in asyncio.run(edited())
+    assert asyncio.run(edited())["verdict"] == "unfinished"
