@@ -38,7 +38,7 @@ def is_meant(lines: Lines, cell: Address, down: bool) -> bool:
 
 
 def differing(view: View, cell: Address, neighbour: Address, count: int, moves: bool) -> Finding:
-    """Return the finding of a formula that differs from its neighbour's, of which there are so many."""
+    """Return the finding of a formula that differs from a pattern, with how many cells have the pattern."""
     sure: Sure = ("high" if moves else "medium") if count > FEW else ("medium" if moves and count else "low")
     return Finding(
         cell, "pattern", f"{view.text(cell)} differs from the formulas around it", sure, held(view, neighbour)
@@ -157,7 +157,7 @@ def dollars(lines: Lines) -> Iterator[Finding]:
 
 
 def wandering(lines: Lines) -> Iterator[Finding]:
-    """Yield patterns a reference of which moves off the figure that it begins at, into empty cells, texts or others."""
+    """Yield patterns whose reference moves from a figure to empty cells, texts or other figures."""
     view = lines.view
     for stretch in lines.stretches:
         if len(stretch.cells) < FEW:
@@ -208,7 +208,7 @@ def stuck(lines: Lines) -> Iterator[Finding]:
 
 
 def moving_tables(lines: Lines) -> Iterator[Finding]:
-    """Yield patterns of look-ups the table of which moves along."""
+    """Yield patterns of look-ups whose table moves along."""
     view = lines.view
     for stretch in lines.stretches:
         form = view.forms[stretch.cells[0]]

@@ -56,7 +56,7 @@ class Units:
 
     @cached_property
     def unit_columns(self) -> set[tuple[str, int]]:
-        """The columns the texts of which, right of figures, are units."""
+        """The columns whose texts, right of figures, are units."""
         counts: dict[tuple[str, int], list[bool]] = defaultdict(list)
         for cell in self.view.headings:
             other = cell._replace(column=cell.column + 1)
@@ -190,7 +190,7 @@ def once(lines: Lines, rows: Iterable[tuple[Address, str, str]]) -> Iterator[Fin
 
 
 def wandering(lines: Lines, units: Units) -> Iterator[Finding]:
-    """Yield patterns a reference of which moves along through figures of unlike units."""
+    """Yield patterns whose reference moves through figures of unlike units."""
     view = lines.view
     for stretch in lines.stretches:
         for n in range(0, len(stretch.modes) if len(stretch.cells) >= FEW else 0, 2):

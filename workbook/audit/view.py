@@ -261,7 +261,7 @@ def part(line: tuple[str, int], rows: list[int], at: int) -> Any:
 
 
 def parts(line: tuple[str, int], rows: list[int], top: int, bottom: int) -> Iterator[Any]:
-    """Yield the largest parts of a column of which a range of rows is made."""
+    """Yield the largest parts of a column that make up a range of rows."""
     low, high = bisect_left(rows, top) + len(rows), bisect_right(rows, bottom) + len(rows)
     while low < high:
         if low % 2:
