@@ -29,7 +29,8 @@ export async function save() {
     return true;
   } catch (error) {
     if (!(error instanceof Refused)) throw error;
-    if ((await onDisk()) !== disk && target === name) tellChanged();
+    const now = await onDisk();
+    if (now !== null && now !== disk && target === name) tellChanged(now);
     else tell(error.message);
     return false;
   }
@@ -91,10 +92,11 @@ async function look() {
   tellChanged(now);
 }
 
+/** Tell that the file is another; what is kept goes over this state of it alone. @param {string} at */
 function tellChanged(at) {
-  const keep = async () => {
+  const keep = () => {
     s.notice.value = null;
-    s.file.value = { ...s.file.value, disk: await onDisk(), saved: "" };
+    s.file.value = { ...s.file.value, disk: at, saved: "" };
   };
   const differ = async () => {
     const theirs = await post("/theirs");
