@@ -2,10 +2,13 @@
 
 import json
 import sys
+import threading
 import time
 import zipfile
 
 import uno
+import unohelper
+from com.sun.star.awt import XCallback
 from com.sun.star.beans import PropertyValue
 
 PATIENCE = 180  # seconds
@@ -28,6 +31,20 @@ def connect(pipe):
     raise SystemExit("Calc did not answer")
 
 
+class Call(unohelper.Base, XCallback):
+    """A call that Calc's main thread carries out, as it does those of a menu; other threads may not make windows."""
+
+    def __init__(self, act):
+        self.act, self.ended, self.result, self.failure = act, threading.Event(), None, None
+
+    def notify(self, data):
+        try:
+            self.result = self.act()
+        except Exception as error:  # raised again where it is waited for
+            self.failure = error
+        self.ended.set()
+
+
 class Driven:
     """A document in Calc, and the commands of the menu on it."""
 
@@ -40,11 +57,24 @@ class Driven:
     def make(self, name):
         return self.manager.createInstanceWithContext(name, self.context)
 
+    def in_main_thread(self, act):
+        call = Call(act)
+        self.make("com.sun.star.awt.AsyncCallback").addCallback(call, None)
+        if not call.ended.wait(PATIENCE):
+            raise TimeoutError("Calc's main thread is not free")
+        if call.failure is not None:
+            raise call.failure
+        return call.result
+
     def command(self, name):
-        self.make("com.sun.star.frame.DispatchHelper").executeDispatch(self.frame, f"motion:{name}", "", 0, ())
+        dispatch = self.make("com.sun.star.frame.DispatchHelper").executeDispatch
+        self.in_main_thread(lambda: dispatch(self.frame, f"motion:{name}", "", 0, ()))
 
     def says(self):
-        """The texts of each window of the add-in; a walk through windows of documents makes Calc 7.4 crash."""
+        return self.in_main_thread(self.texts)
+
+    def texts(self):
+        """The texts of each window of the add-in."""
         toolkit = self.make("com.sun.star.awt.Toolkit")
         texts = []
         for i in range(toolkit.getTopWindowCount()):
