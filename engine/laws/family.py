@@ -12,9 +12,6 @@ from engine.laws.base import Array, Coefficients, Kinematics, Real, require_with
 from engine.laws.extremes import coefficients_of
 from engine.laws.piece import POWERS, Piece, PlacedPiece, placed_pieces
 
-# samples evaluated at a time, so that intermediate arrays stay in the processor's cache
-BLOCK = 8192
-
 
 class Vendors(NamedTuple):
     """Names of a law in vendors' cam editors, with its number there; empty if there is none or the match is unsure.
@@ -69,16 +66,10 @@ class Law(ABC):
         """Return s, v, a, j at ξ: floats for a number, else arrays of ξ's shape. Raises ValueError outside 0 to 1."""
         x = np.asarray(xi, dtype=np.float64)
         require_within(0.0, 1.0, xi=x)
-        flat = x.reshape(-1)
-        table = np.empty((4, flat.size))
-        for begin in range(0, flat.size, BLOCK):
-            here = slice(begin, begin + BLOCK)
-            inside = np.minimum(np.maximum(flat[here], 0.0), 1.0)
-            for row, values in zip(table, self._block(inside), strict=True):
-                row[here] = values
-        return Kinematics(*unwrap(xi, [row.reshape(x.shape) for row in table]))
+        values = self._at(np.clip(x.reshape(-1), 0.0, 1.0))
+        return Kinematics(*unwrap(xi, [row.reshape(x.shape) for row in values]))
 
-    def _block(self, xi: Array) -> Sequence[Array]:
+    def _at(self, xi: Array) -> Sequence[Array]:
         """Return s, v, a, j of a flat array of ξ in [0, 1].
 
         The sign ± is + for pieces placed from the begin and − for those placed from the end. With u, the time since

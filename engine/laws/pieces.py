@@ -46,7 +46,7 @@ class PieceLaw(Law):
         powers = int(np.flatnonzero(rows[:POWERS].any(axis=1)).max(initial=-1)) + 1
         return np.vstack([where, rows[:powers], *(rows[k : k + 4] for k in SINES if rows[k].any())]), powers
 
-    def _block(self, xi: Array) -> Sequence[Array]:
+    def _at(self, xi: Array) -> Sequence[Array]:
         """Return s, v, a, j of a flat array of ξ in [0, 1], exact for sines of any frequency."""
         table, powers = self._rows
         begin, s0, v0, *row = table[:, :1] if table.shape[1] == 1 else table.take(stage_of(xi, table[0]), axis=1)

@@ -1,14 +1,12 @@
 """The LAMBDA names give what the engine gives, computed by IronCalc."""
 
-import math
-
 import openpyxl
 import pytest
 
 from tests import tiers
 from tests.functions import lambdas
 from tests.functions.case import Case
-from tests.functions.cases import POLYNOMIAL_345, engine_law, value_cases
+from tests.functions.cases import value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions.addin.motion_functions.library import LAWS
 from workbook.functions.declarations import CODES, FUNCTIONS, SAID
@@ -50,29 +48,6 @@ def test_a_function_gives_what_the_engine_gives_and_the_errors_of_built_in_funct
     wrong = [f"{case.name}: {found}, expected {case.expected}" for case, found in asked if not case.agrees(found)]
     assert len(asked) >= 20
     assert not wrong, "\n".join(wrong[:10])
-
-
-def mixed():
-    """An own law of a cubic and a sine that starts and ends without acceleration, its greatest jerk in between."""
-    c0, p, omega, phi = 5.0 * math.sin(0.4), -5.0, 9.0, 0.4
-    c1 = 20.0 - c0 - p * math.sin(omega + phi)
-    return ((1.0, c0, c1, -30.0, 10.0, p, omega, phi),)
-
-
-OWN_LAWS = {
-    "a cubic and a sine": mixed(),
-    "pieces that last for no time": ((0.0, 9.0, *[0.0] * 6), *POLYNOMIAL_345, (0.0, -9.0, *[0.0] * 6)),
-}
-
-
-@pytest.mark.parametrize("law", OWN_LAWS)
-def test_coefficients_of_an_own_law(folder, law):
-    p = OWN_LAWS[law]
-    k = engine_law("OWN", p).coefficients
-    wanted = {"CV": k.cv, "CA": k.ca, "CARMS": k.ca_rms, "CJ": k.cj}
-    cases = [Case(name, ("OWN", p), value, 1e-9 * value) for name, value in wanted.items()]
-    found = lambdas.computed(cases, folder / "own.xlsx")
-    assert [(c.name, f) for c, f in zip(cases, found, strict=True) if not c.agrees(f)] == []
 
 
 SEVERAL = {

@@ -14,7 +14,7 @@ from tests.functions import lambdas
 from tests.workbook.office import TIMEOUT, profile, started
 from workbook.cli import app
 from workbook.functions import publish
-from workbook.functions.declarations import CODES, FUNCTIONS
+from workbook.functions.declarations import CODES
 from workbook.functions.names import definitions
 from workbook.functions.page import EXAMPLE, declare
 from workbook.writing import archive
@@ -100,14 +100,6 @@ def test_and_the_errors_of_the_examples_are_not_shown(book):
     hidden = [area for area, rule in rules if rule.formula == [f"ISERROR($D${probe[0]})"]]
     assert all(rule.dxf.font.color.rgb.endswith("FFFFFF") for area, rule in rules if area in hidden)
     assert [cell for cell in calling.values() if not any(cell in area for area in hidden)] == [calling[probe]]
-
-
-def test_every_function_stands_on_the_page_in_the_very_text_that_both_programs_read(book):
-    text = part(book, SHEET)
-    for function in FUNCTIONS:
-        assert f">{function.name}(" in text
-    assert "_xlfn" not in text
-    assert "@" not in text
 
 
 def test_the_names_are_the_only_ones_and_tell_what_they_do(book):

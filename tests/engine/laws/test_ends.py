@@ -14,7 +14,6 @@ from engine.laws.modified import HarmonicCombination, ModifiedSine
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import Limits, SCurve, TrapezoidalVelocity
 from engine.laws.simple import Cycloidal, SimpleHarmonic
-from tests.engine.extremes import extremes_of
 from tests.engine.families import EXAMPLES
 
 EVERY = pytest.mark.parametrize("law", [law for _, law in EXAMPLES], ids=[name for name, _ in EXAMPLES])
@@ -56,11 +55,6 @@ def test_a_modified_sine_of_wanted_deceleration_has_it(v0, v1, b):
     assert (law.end.s, law.end.v) == pytest.approx((1.0, v1), abs=1e-10)
 
 
-def test_the_classic_deceleration_belongs_to_half():
-    law = ModifiedSine.with_deceleration(4 * math.pi**2 / (4 + math.pi), BoundaryValues())
-    assert law.share == pytest.approx(0.5, rel=1e-14)
-
-
 @given(values=st.tuples(*[number] * 7))
 def test_a_quintic_and_a_septic_meet_all_their_ends(values):
     ends = BoundaryValues(*values)
@@ -70,21 +64,6 @@ def test_a_quintic_and_a_septic_meet_all_their_ends(values):
         begin, end = law.start, law.end
         assert begin[:upto] == pytest.approx([0.0, ends.v0, ends.a0, ends.j0][:upto], abs=1e-12)
         assert end[:upto] == pytest.approx([ends.stroke, ends.v1, ends.a1, ends.j1][:upto], abs=2e-10)
-
-
-@given(values=st.tuples(*[number] * 5))
-def test_the_quintics_acceleration_is_extreme_at_the_roots_of_its_jerk(values):
-    """The parabola c1 + 2c2u + 3c3u² in a form that is safe for c3 → 0."""
-    law = Polynomial345().between(BoundaryValues(*values))
-    c0, c1, c2, c3 = law.polynomial
-    found, under = [0.0, 1.0], c2 * c2 - 3 * c1 * c3
-    if under >= 0:
-        q = -(c2 + math.copysign(math.sqrt(under), c2))
-        found += [u for u in (q / (3 * c3) if c3 else -1, c1 / q if q else -1) if 0 < u < 1]
-    a = [c0 + u * (c1 + u * (c2 + u * c3)) for u in found]
-    k = law.coefficients
-    size = 1 + max(map(abs, a))
-    assert (k.ca_max, k.ca_min) == pytest.approx((max(a), min(a)), abs=1e-12 * size)
 
 
 @given(v0=number, v1=number, stroke=number)
@@ -102,20 +81,6 @@ def test_polynomials_between_rests_are_those_of_the_catalogue(family):
     assert len(whole.as_pieces()) == 1
     for one, other in zip(whole.evaluate(xi), halved.evaluate(xi), strict=True):
         assert one == pytest.approx(other, abs=1e-11)
-
-
-def test_half_a_polynomial_345_leads_from_rest_to_a_velocity():
-    """H = 8VT/15: the quintic from rest to V is the half of the polynomial 3-4-5."""
-    law = Polynomial345().between(BoundaryValues(8 / 15, 0.0, 1.0))
-    assert law.polynomial == pytest.approx((0.0, 8.0, -12.0, 4.0), abs=1e-12)
-    assert law.coefficients.ca == pytest.approx(8 / (3 * math.sqrt(3)), rel=1e-12)
-
-
-@pytest.mark.parametrize(("ratio", "turns"), [(0.399, True), (0.401, False), (0.599, False), (0.601, True)])
-def test_a_quintic_into_a_velocity_is_monotone_between_two_and_three_fifths(ratio, turns):
-    law = Polynomial345().between(BoundaryValues(ratio, 0.0, 1.0))
-    low, high = extremes_of(law.as_pieces(), 0.0).v
-    assert (low < -1e-9 or high > 1 + 1e-9) == turns
 
 
 @pytest.mark.parametrize(

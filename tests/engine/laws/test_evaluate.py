@@ -7,7 +7,6 @@ import pytest
 
 from engine.laws import CATALOGUE, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING
-from engine.laws.family import BLOCK
 
 LAWS = pytest.mark.parametrize("law", [e() for e in CATALOGUE], ids=[e.code for e in CATALOGUE])
 
@@ -27,15 +26,6 @@ def test_an_array_gives_arrays_of_its_shape(law, shape):
     assert all(isinstance(x, np.ndarray) and x.shape == shape and x.dtype == float for x in values)
     for i in np.ndindex(shape):
         assert [x[i] for x in values] == pytest.approx(law.evaluate(float(np.asarray(xi)[i])), abs=1e-13)
-
-
-@LAWS
-def test_blocks_leave_no_seam(law):
-    xi = np.random.default_rng(1).random(2 * BLOCK + 17)
-    whole = law.evaluate(xi)
-    parts = [law.evaluate(part) for part in np.array_split(xi, 5)]
-    for i, values in enumerate(whole):
-        assert np.concatenate([p[i] for p in parts]) == pytest.approx(values, abs=1e-13)
 
 
 @LAWS

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from engine.laws import Piece
-from engine.laws.piece import gains, located, placed_pieces
+from engine.laws.piece import located, placed_pieces
 from engine.laws.points import piece_ends
 from engine.laws.pulse_law import LINE_DOWN, PulseLaw
 from tests.engine.families import ENTRIES
@@ -30,14 +30,6 @@ def test_the_table_of_pieces_evaluates_the_law_by_one_formula_each(law):
         v += sum(c[i] * u ** (i + 1) / (i + 1) for i in range(6))
         at = law.evaluate(float(x))
         assert (s, v) == pytest.approx((at.s, at.v), abs=1e-13)
-
-
-@LAWS
-def test_what_a_piece_gains_is_the_integral_of_its_acceleration(law):
-    for row in placed_pieces(law.as_pieces(), law.entry_velocity):
-        d = row.piece.duration
-        s, v, _, _ = (float(x[0]) for x in gains(np.array([d]), np.array(row.piece.row)[:, None]))
-        assert (row.ds, row.dv) == pytest.approx((row.v * d + s, v), abs=1e-14)
 
 
 def test_a_sample_near_a_break_is_on_it_and_the_last_in_the_last_piece_that_lasts():

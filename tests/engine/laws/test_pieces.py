@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws import ConstantAcceleration, Cubic, Cycloidal, Piece, PieceLaw, TrapezoidalVelocity
+from engine.laws import Piece, PieceLaw
 from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.piece import gains
 
@@ -15,28 +15,6 @@ XI = np.linspace(0, 1, 1001)
 HAIR = 2 * BREAK_TOLERANCE
 TURN = 2 * math.pi
 number = st.floats(-10, 10)
-
-
-@pytest.mark.parametrize(
-    ("pieces", "law"),
-    [
-        ([Piece(0.5, (4, 0, 0, 0)), Piece(0.0), Piece(0.5, (-4, 0, 0, 0))], ConstantAcceleration()),
-        ([Piece(1 / 3, (4.5, 0, 0, 0)), Piece(1 / 3), Piece(1 / 3, (-4.5, 0, 0, 0))], TrapezoidalVelocity()),
-        ([Piece(1.0, (6, -12, 0, 0))], Cubic()),
-        ([Piece(0.3, (6, -12, 0, 0)), Piece(0.7, (2.4, -12, 0, 0)), Piece(0.0, (9, 9, 9, 9))], Cubic()),
-        ([Piece(1.0, amplitude=TURN, omega=TURN)], Cycloidal()),
-        ([Piece(1.0, amplitude=-TURN, omega=-TURN)], Cycloidal()),
-        ([Piece(0.4, amplitude=TURN, omega=TURN), Piece(0.6, amplitude=TURN, omega=TURN, phase=0.4 * TURN)],
-         Cycloidal()),
-    ],
-    ids=["ACS", "TVP", "CUB", "CUB in two and a zero piece", "CIC", "CIC backwards", "CIC in two"],
-)  # fmt: skip
-def test_a_known_law_entered_by_pieces(pieces, law):
-    own = PieceLaw(pieces)
-    for got, expected in zip(own.evaluate(XI), law.evaluate(XI), strict=True):
-        assert got == pytest.approx(expected, abs=5e-12)
-    for name, value in vars(law.coefficients).items():
-        assert getattr(own.coefficients, name) == pytest.approx(value, rel=1e-12), name
 
 
 @st.composite
@@ -102,14 +80,6 @@ def test_extremes_of_a_mixed_piece_are_refined():
     law = PieceLaw([Piece(1.0, (6, -12, 0, 0), amplitude=1.0, omega=20.0)])
     u = math.acos(0.6) / 20
     assert law.coefficients.ca_max == pytest.approx(6 - 12 * u + math.sin(20 * u), rel=1e-14)
-
-
-def test_extremes_of_a_polynomial_are_its_roots_however_near():
-    """da/du = 3(u − r1)(u − r2): the greatest a lies at r1, within a thousandth of a later rise to the end."""
-    r1, r2 = 0.9990, 0.9998
-    c = (0.0, 3 * r1 * r2, -1.5 * (r1 + r2), 1.0)
-    greatest = r1 * (c[1] + r1 * (c[2] + r1))
-    assert PieceLaw([Piece(1.0, c)]).coefficients.ca_max == pytest.approx(greatest, rel=1e-14)
 
 
 @pytest.mark.parametrize(

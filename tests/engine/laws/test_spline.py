@@ -1,4 +1,4 @@
-"""The spline: its system against a dense solution, its conditions, points that cannot be."""
+"""The spline: its moments against SciPy's, its conditions, points that cannot be."""
 
 import math
 
@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.interpolate import CubicSpline
 
 from engine.laws import PieceLaw
 from engine.laws.ends import BoundaryValues, kinds
@@ -30,29 +31,11 @@ def many(n, seed=4):
     return ((0.0, 0.0), *zip(xi[1:-1].tolist(), rng.normal(size=n - 2).tolist(), strict=True), (1.0, 1.0))
 
 
-def dense_moments(law, v0, v1):
-    """a at the points by a dense system of the conditions as they are taught, in slopes."""
-    xi, s = np.array(law.points).T
-    d, n = np.diff(xi), len(xi)
-    matrix, right = np.zeros((n, n)), np.zeros(n)
-    for k in range(1, n - 1):
-        matrix[k, k - 1 : k + 2] = 1 / d[k - 1], 2 / d[k - 1] + 2 / d[k], 1 / d[k]
-        right[k] = 3 * ((s[k] - s[k - 1]) / d[k - 1] ** 2 + (s[k + 1] - s[k]) / d[k] ** 2)
-    matrix[0, 0], matrix[-1, -1], right[0], right[-1] = 1.0, 1.0, v0, v1
-    if law.natural[0]:
-        matrix[0, :2], right[0] = (2 / d[0], 1 / d[0]), 3 * (s[1] - s[0]) / d[0] ** 2
-    if law.natural[1]:
-        matrix[-1, -2:], right[-1] = (1 / d[-1], 2 / d[-1]), 3 * (s[-1] - s[-2]) / d[-1] ** 2
-    v = np.linalg.solve(matrix, right)
-    begins = (6 * np.diff(s) / d - 4 * v[:-1] - 2 * v[1:]) / d
-    last = (-6 * (s[-1] - s[-2]) / d[-1] + 2 * v[-2] + 4 * v[-1]) / d[-1]
-    return np.append(begins, last)
-
-
 @given(points(), height, height, st.booleans(), st.booleans())
-def test_the_moments_against_the_dense_system_of_slopes(given_, v0, v1, free0, free1):
+def test_the_moments_are_those_of_scipys_spline(given_, v0, v1, free0, free1):
     law = Spline(given_, (v0, v1), (free0, free1))
-    expected = dense_moments(law, v0, v1)
+    ends = tuple((2, 0.0) if free else (1, v) for v, free in ((v0, free0), (v1, free1)))
+    expected = CubicSpline(*np.array(given_).T, bc_type=ends)(np.array(given_)[:, 0], 2)
     assert law.moments == pytest.approx(expected, abs=1e-10 * (1 + np.abs(expected).max()))
 
 
