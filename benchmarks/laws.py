@@ -9,9 +9,9 @@ import numpy as np
 from rich.console import Console
 from rich.table import Table
 
-from engine.laws import CATALOGUE, Law, ModifiedTrapezoidal, Piece, PieceLaw
+from engine.laws import CATALOGUE, Law, Piece, PieceLaw
 from engine.laws.ends import BoundaryValues
-from engine.laws.modified import SineConstantCosine
+from engine.laws.modified import ModifiedTrapezoidal, SineConstantCosine
 from engine.laws.polynomials import Polynomial4567
 from engine.laws.simple import DoubleHarmonic
 from engine.laws.spline import Spline

@@ -1,7 +1,7 @@
 """The class of templates, and the parts that every template's book has."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -39,6 +39,7 @@ class Template(Generic[M]):
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
     improving: Improving[M] | None = None  # says what would make it faster
     live: Callable[[M], list[dict[str, Any]]] | None = None  # the figures of its axes, in a moment, without a book
+    laws: Mapping[str, Any] = field(default_factory=dict)  # of a description that does not say which it has
     # of its book, by the exact engine
     judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED
     # where the description to begin with lies, and its book, called as the template

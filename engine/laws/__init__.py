@@ -1,39 +1,29 @@
-"""The motion laws: a class for each family, listed in the catalogue in the order of their numbers in a workbook.
+"""The motion laws: a class for each family, in the order of their numbers.
 
-:mod:`workbook.laws.pages` holds what a workbook needs of each. Everything else (tables of pieces, drop-downs,
-variations, tests) iterates over the catalogue.
+A law is found by its number, which a class in any file of this folder states. :mod:`workbook.laws.pages` holds what a
+workbook needs of each. Everything else (tables of pieces, drop-downs, variations, tests) iterates over the catalogue.
 """
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from importlib import import_module
+from pkgutil import iter_modules
 from typing import Any
 
 from engine.laws.base import Coefficients, Kinematics
 from engine.laws.family import Law
-from engine.laws.modified import (
-    HarmonicCombination,
-    ModifiedSine,
-    ModifiedTrapezoidal,
-    SineConstantCosine,
-    SineStraightSine,
-    TrapezoidByShare,
-)
 from engine.laws.piece import Piece
 from engine.laws.pieces import PieceLaw
-from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
-from engine.laws.ramps import SCurve, SineRamps, TrapezoidalVelocity
-from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, Dwell, SimpleHarmonic, StraightLine
-from engine.laws.spline import Spline
+from engine.laws.simple import Dwell
 
 __all__ = [
     "CATALOGUE", "Coefficients", "Dwell", "Kinematics", "Law", "Piece", "PieceLaw", "UnknownLawError", "family_named",
     "law", "nearest_names",
 ]  # fmt: skip
-CATALOGUE: tuple[type[Law], ...] = (
-    Dwell, ConstantAcceleration, TrapezoidalVelocity, Cycloidal, Cubic, ModifiedTrapezoidal, PieceLaw, StraightLine,
-    SimpleHarmonic, DoubleHarmonic, Polynomial345, Polynomial4567, ModifiedSine, TrapezoidByShare, SineConstantCosine,
-    HarmonicCombination, SineStraightSine, SineRamps, SCurve, Spline,
-)  # fmt: skip
+
+for _file in iter_modules(__path__):
+    import_module(f"{__name__}.{_file.name}")
+CATALOGUE: tuple[type[Law], ...] = tuple(sorted(Law.numbered, key=lambda family: family.number))
 
 
 class UnknownLawError(ValueError):

@@ -29,11 +29,17 @@ class Vendors(NamedTuple):
 class Law(ABC):
     """A motion law s(ξ), ξ = t/t_a from 0 to 1, from s(0) = 0: a family states names, source and pieces."""
 
+    numbered: ClassVar[list[type["Law"]]] = []  # the classes that state a number: the laws of the catalogue
+    number: ClassVar[int]  # place in the catalogue, from 1
     code: ClassVar[str]  # three letters
     name: ClassVar[str]
     aliases: ClassVar[tuple[str, ...]] = ()  # other names that documents give it
     source: ClassVar[str]
     vendors: ClassVar[Vendors] = Vendors()
+
+    def __init_subclass__(cls) -> None:
+        if "number" in cls.__dict__:
+            cls.numbered.append(cls)
 
     @abstractmethod
     def as_pieces(self) -> tuple[Piece, ...]:

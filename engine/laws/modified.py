@@ -31,6 +31,7 @@ class ModifiedTrapezoidal(PulseLaw):
     """
 
     code = "MTP"
+    number = 6
     name = "Modified trapezoidal"
     aliases = ("ModTVP", "modified trapezoidal acceleration", "modified trapezoid", "mod trap", "MT")
     source = "S1, 'Modified trapezoidal (acceleration) curve (seven parameters)'; S3, figure 2, 'ModTVP'"
@@ -58,6 +59,7 @@ class TrapezoidByShare(PulseLaw):
     """
 
     code = "MTS"
+    number = 14
     name = "Modified trapezoid by share"
     aliases = ("modifiziertes Beschleunigungstrapez",)
     source = "LCamHdl, ProfileTypes, D_D_MOD_ACCEL_TRAPEZOID, D_R and R_D"
@@ -93,6 +95,7 @@ class ModifiedSine(PulseLaw):
     """
 
     code = "MSN"
+    number = 13
     name = "Modified sine"
     aliases = ("modified sinusoid", "mod sine", "MS", "modifizierte Sinuslinie")
     source = "LCamHdl, ProfileTypes, D_D_MOD_SINE; mechdesigner.support, 'Modified-Sinusoid'"
@@ -140,6 +143,7 @@ class SineConstantCosine(PulseLaw):
     """
 
     code = "SCC"
+    number = 15
     name = "Sine-constant-cosine"
     aliases = ("SCCA",)
     source = "PTC Creo, 'SCCA'; mechdesigner.support, 'Sine-Constant-Cosine'"
@@ -181,6 +185,7 @@ class HarmonicCombination(PulseLaw):
     """
 
     code = "HAC"
+    number = 16
     name = "Harmonic combination"
     aliases = ("harmonische Kombination",)
     source = "LCamHdl, ProfileTypes, D_R_, R_D_, C_R_ and R_C_HARMONIC_COMBI"
@@ -209,6 +214,7 @@ class SineStraightSine(PulseLaw):
     """
 
     code = "SGS"
+    number = 17
     name = "Sine-straight-sine"
     aliases = ("modified velocity trapezoid", "Sinus-Gerade-Kombination")
     source = "LCamHdl, ProfileTypes, R_R_MOD_VELO_TRAPEZOID; Lenze Engineer 2.21, p. 286"

@@ -25,6 +25,7 @@ class PieceLaw(Law):
     """
 
     code = "OWN"
+    number = 7
     name = "Own law"
     aliases = ("own", "pieces")
     source = "own law of the engineer; the example is the polynomial 3-4-5"

@@ -116,6 +116,7 @@ class Cubic(HalvedPolynomial):
     """
 
     code = "CUB"
+    number = 5
     name = "Cubic"
     aliases = ("cubic curve", "poly 3", "polynomial of degree 3", "Polynom 3. Grades")
     source = "S1, 'Cubic curve'; S3, 'CUB'"
@@ -129,6 +130,7 @@ class Polynomial345(HalvedPolynomial):
     """s = 10ξ³ − 15ξ⁴ + 6ξ⁵; v = 30ξ²(1 − ξ)²; a = 60ξ − 180ξ² + 120ξ³."""
 
     code = "PO5"
+    number = 11
     name = "Polynomial 3-4-5"
     aliases = ("3-4-5", "poly 3-4-5", "poly 5", "quintic", "polynomial of degree 5", "Polynom 5. Grades")
     source = "LCamHdl, ProfileTypes, POLY_5; mechdesigner.support, 'Polynomial 3-4-5'"
@@ -142,6 +144,7 @@ class Polynomial4567(HalvedPolynomial):
     """s = 35ξ⁴ − 84ξ⁵ + 70ξ⁶ − 20ξ⁷; v = 140ξ³(1 − ξ)³; a = 420ξ² − 1680ξ³ + 2100ξ⁴ − 840ξ⁵."""
 
     code = "PO7"
+    number = 12
     name = "Polynomial 4-5-6-7"
     aliases = ("4-5-6-7", "poly 4-5-6-7", "poly 7", "septic", "polynomial of degree 7", "Polynom 7. Grades")
     source = "LCamHdl, ProfileTypes, POLY_7; mechdesigner.support, 'Polynomial 4-5-6-7'"

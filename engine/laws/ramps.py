@@ -47,6 +47,7 @@ class TrapezoidalVelocity(RampedLaw):
     """
 
     code = "TVP"
+    number = 3
     name = "Trapezoidal velocity"
     aliases = (
         "trapezoidal speed",
@@ -70,6 +71,7 @@ class SineRamps(RampedLaw):
     """
 
     code = "SRT"
+    number = 18
     name = "Sine-ramp trapezoid"
     aliases = ("modified trapezoidal velocity", "cycloidal with constant velocity", "sin² ramp")
     source = "CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'"
@@ -102,6 +104,7 @@ class SCurve(PulseLaw):
     """
 
     code = "SCV"
+    number = 19
     name = "Jerk-limited S-curve"
     aliases = ("S-curve", "S-curve profile", "jerk-limited", "seven-segment profile", "ruckbegrenztes Profil")
     source = "TwinCAT NC, set-point generator with seven phases"

@@ -15,6 +15,7 @@ class Dwell(Law):
     """Rest: s = v = a = j = 0 throughout. Source: S3, function motionlaw."""
 
     code = "DWL"
+    number = 1
     name = "Dwell"
     aliases = ("rest",)
     source = "S3, function motionlaw, 'Dwell'"
@@ -29,6 +30,7 @@ class StraightLine(Law):
     """s = ξ, v = 1: constant velocity. Next to a dwell the velocity jumps, which its coefficients do not count."""
 
     code = "LIN"
+    number = 8
     name = "Straight line"
     aliases = ("constant velocity", "linear", "Gerade")
     source = "LCamHdl, ProfileTypes, CONST_VELO"
@@ -65,6 +67,7 @@ class ConstantAcceleration(HalvedLaw):
     """a = 2/λ over the share λ of the time, −2/(1 − λ) over the rest; with λ = ½, s = 2ξ², then 1 − 2(1 − ξ)²."""
 
     code = "ACS"
+    number = 2
     name = "Constant acceleration"
     aliases = ("constant acceleration symmetric", "symmetric constant acceleration", "parabolic", "parabola")
     source = "S3, figure 1 and 'ACS'; S1, 'Timing diagram for a cutting machine' (C_a = 4)"
@@ -80,6 +83,7 @@ class Cycloidal(HalvedLaw):
     """
 
     code = "CIC"
+    number = 4
     name = "Cycloidal"
     aliases = ("cycloid", "cyc", "Sinoide", "geneigte Sinuslinie")
     source = "S1, 'Cycloidal curve'; S3, 'CIC'"
@@ -94,6 +98,7 @@ class SimpleHarmonic(HalvedLaw):
     """s = (1 − cos πξ)/2, between reversals; with λ, a quarter of a cosine over λ and of a sine over 1 − λ."""
 
     code = "SHM"
+    number = 9
     name = "Simple harmonic"
     aliases = ("harmonic", "simple harmonic motion", "basic sine", "einfache Sinuslinie")
     source = "LCamHdl, ProfileTypes, D_D_BASIC_SINE, R_R_BASIC_SINE"
@@ -115,6 +120,7 @@ class DoubleHarmonic(Law):
     """
 
     code = "DHM"
+    number = 10
     name = "Double harmonic"
     aliases = ("double harmonic motion", "doppelt harmonisch")
     source = "LCamHdl, ADD_PROFILE, D_R_DOUBLE_HARMONIC; saltire.com, cam functions"

@@ -27,6 +27,7 @@ class Spline(BoundaryLaw):
     """The cubic spline through points: v and a are continuous, a is linear between two points."""
 
     code = "SPL"
+    number = 20
     name = "Cubic spline"
     aliases = ("points", "spline")
     source = "the cubic spline in moments; TwinCAT, MC_MotionFunctionType, CubicSpline"

@@ -1,6 +1,6 @@
 """S4's move profiles as laws."""
 
-from engine.laws import TrapezoidalVelocity
+from engine.laws.ramps import TrapezoidalVelocity
 
 
 def thirds(first=1 / 3, uniform=1 / 3, last=1 / 3):

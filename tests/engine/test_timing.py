@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from engine.laws import Dwell, ModifiedTrapezoidal
+from engine.laws import Dwell
+from engine.laws.modified import ModifiedTrapezoidal
 from engine.motion import Motion
 from engine.timing import shaft_speed, turn_time
 

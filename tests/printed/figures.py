@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from math import degrees, pi
 
 from engine.drive import derating
-from engine.laws import ConstantAcceleration, Cycloidal
 from engine.laws.inverse import inverse
+from engine.laws.simple import ConstantAcceleration, Cycloidal
 from engine.overlap.schedule import movement_time
 from engine.timing import shaft_speed
 from tests.printed import test_s1 as s1

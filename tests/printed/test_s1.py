@@ -11,7 +11,11 @@ from engine.drive import KINDS, Drive, Part, resisting
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
-from engine.laws import ConstantAcceleration, Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, TrapezoidalVelocity
+from engine.laws import Dwell
+from engine.laws.modified import ModifiedTrapezoidal
+from engine.laws.polynomials import Cubic
+from engine.laws.ramps import TrapezoidalVelocity
+from engine.laws.simple import ConstantAcceleration, Cycloidal
 from engine.motion import Motion, Phase
 from engine.timing import shaft_speed
 from tests.engine.motion.junctions import junctions, runs_smoothly

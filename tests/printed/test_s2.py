@@ -8,8 +8,8 @@ from math import degrees, radians
 import numpy as np
 import pytest
 
-from engine.laws import Cycloidal
 from engine.laws.inverse import inverse
+from engine.laws.simple import Cycloidal
 from engine.overlap.plan import Station
 from engine.overlap.schedule import Passage, Schedule, Tool, Transfer
 

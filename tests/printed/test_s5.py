@@ -10,7 +10,8 @@ import pytest
 
 from engine.drive import Motor
 from engine.flying.cut import Cut, flying_saw, rotary_drum
-from engine.laws import Cycloidal, ModifiedTrapezoidal
+from engine.laws.modified import ModifiedTrapezoidal
+from engine.laws.simple import Cycloidal
 from engine.selection.task import Task, accelerating_factor
 from tests.engine.selection.tasks import inertial_task, motors_of, rms_torque
 

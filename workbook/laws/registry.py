@@ -1,30 +1,21 @@
 """The families of laws that a workbook knows: the pages of the engine's catalogue, in its order."""
 
 from collections.abc import Sequence
+from importlib import import_module
+from pkgutil import iter_modules
 
-from engine.laws import CATALOGUE, Law, family_named
+from engine.laws import CATALOGUE, family_named
 from workbook.fields.texts import nearest_names
+from workbook.laws import pages
 from workbook.laws.family import Page
-from workbook.laws.pages import modified, pieces, ramps, simple, spline
 
-FILES = (modified, pieces, ramps, simple, spline)
+FILES = [import_module(f"{pages.__name__}.{file.name}") for file in iter_modules(pages.__path__)]
 MEMBERS = [member for file in FILES for member in vars(file).values()]
-PAGES = [page for part in MEMBERS for page in (part if isinstance(part, list) else [part]) if isinstance(page, Page)]
-
-
-class IncompleteError(TypeError):
-    """A law has no page."""
-
-
-def page_of(law: type[Law], pages: Sequence[Page]) -> Page:
-    """Return the page of a law; raise IncompleteError where it has none."""
-    page = next((page for page in pages if page.law.code == law.code), None)
-    if page is None:
-        raise IncompleteError(f"no page in FILES of workbook/laws/registry.py is of the law {law.code}")
-    return page
-
-
-FAMILY: dict[str, Page] = {law.code: page_of(law, PAGES) for law in CATALOGUE}
+LISTED = [page for member in MEMBERS for page in (member if isinstance(member, list) else [member])]
+PAGES = {page.law.code: page for page in LISTED if isinstance(page, Page)}
+if _lacking := [law.code for law in CATALOGUE if law.code not in PAGES]:
+    raise TypeError(f"no file of workbook/laws/pages has the page of {', '.join(_lacking)}")
+FAMILY: dict[str, Page] = {law.code: PAGES[law.code] for law in CATALOGUE}
 """the pages of all families by code, in the order of the catalogue"""
 CODES: tuple[str, ...] = ("DWL", "ACS", "TVP", "CIC", "CUB", "MTP", "OWN")
 """the basic laws, which every book has, in the order of their numbers: each named by the code of its family"""

@@ -9,8 +9,11 @@ from hypothesis import strategies as st
 
 from engine.flying.cut import Cut, Tool, flying_saw, rotary_drum
 from engine.flying.pieces import cut_joints, cut_pieces, rates_of
-from engine.laws import CATALOGUE, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
+from engine.laws import CATALOGUE, Dwell, Piece, PieceLaw
 from engine.laws.inverse import velocity_extremes
+from engine.laws.modified import ModifiedTrapezoidal
+from engine.laws.ramps import TrapezoidalVelocity
+from engine.laws.simple import Cycloidal
 from engine.motion.pieces import PieceTable
 from tests.engine.integrals import crossings
 

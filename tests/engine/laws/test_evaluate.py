@@ -5,8 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from engine.laws import CATALOGUE, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
+from engine.laws import CATALOGUE, Dwell, Piece, PieceLaw
 from engine.laws.base import BREAK_TOLERANCE, ROUNDING
+from engine.laws.modified import ModifiedTrapezoidal
+from engine.laws.ramps import TrapezoidalVelocity
 
 LAWS = pytest.mark.parametrize("law", [e() for e in CATALOGUE], ids=[e.code for e in CATALOGUE])
 

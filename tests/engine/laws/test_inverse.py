@@ -6,8 +6,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.laws import CATALOGUE, Cubic, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw, TrapezoidalVelocity
+from engine.laws import CATALOGUE, Dwell, Piece, PieceLaw
 from engine.laws.inverse import breaks, inverse, is_monotone, velocity_extremes, velocity_peak
+from engine.laws.modified import ModifiedTrapezoidal
+from engine.laws.polynomials import Cubic
+from engine.laws.ramps import TrapezoidalVelocity
+from engine.laws.simple import Cycloidal
 
 MOVING = [entry() for entry in CATALOGUE if entry.code != "DWL"]
 ASYMMETRIC = ModifiedTrapezoidal((0.05, 0.15, 0.05, 0.3, 0.1, 0.25, 0.1))

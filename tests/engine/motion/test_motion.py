@@ -7,18 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws import (
-    ConstantAcceleration,
-    Cubic,
-    Cycloidal,
-    Dwell,
-    ModifiedTrapezoidal,
-    Piece,
-    PieceLaw,
-    TrapezoidalVelocity,
-    UnknownLawError,
-    law,
-)
+from engine.laws import Dwell, Piece, PieceLaw, UnknownLawError, law
+from engine.laws.modified import ModifiedTrapezoidal
+from engine.laws.polynomials import Cubic
+from engine.laws.ramps import TrapezoidalVelocity
+from engine.laws.simple import ConstantAcceleration, Cycloidal
 from engine.motion import Motion, Phase, motionlaw
 
 RISE_AND_RETURN = [

@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws import ConstantAcceleration, Cycloidal, Dwell, ModifiedTrapezoidal, Piece, PieceLaw
-from engine.laws.modified import ModifiedSine
+from engine.laws import Dwell, Piece, PieceLaw
+from engine.laws.modified import ModifiedSine, ModifiedTrapezoidal
 from engine.laws.polynomials import Polynomial4567
 from engine.laws.ramps import SCurve
-from engine.laws.simple import DoubleHarmonic, StraightLine
+from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, StraightLine
 from engine.motion import Motion, Phase
 from engine.motion.pieces import PieceTable, ScaledLaw, motion_pieces
 from tests.engine.families import ENTRIES

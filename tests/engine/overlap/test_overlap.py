@@ -7,8 +7,12 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from engine.laws import CATALOGUE, ConstantAcceleration, Cubic, Cycloidal, ModifiedTrapezoidal, TrapezoidalVelocity
+from engine.laws import CATALOGUE
 from engine.laws.inverse import HEIGHT, inverse, inverse_by_points
+from engine.laws.modified import ModifiedTrapezoidal
+from engine.laws.polynomials import Cubic
+from engine.laws.ramps import TrapezoidalVelocity
+from engine.laws.simple import ConstantAcceleration, Cycloidal
 from engine.motion.pieces import PieceTable
 from engine.overlap.plan import Station, colliding
 from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time, pieces_of_parts

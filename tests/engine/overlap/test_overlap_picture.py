@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws import Cycloidal
+from engine.laws.simple import Cycloidal
 from engine.overlap.picture import Scene, lane
 from engine.overlap.plan import Station
 from engine.overlap.schedule import Passage, Tool, Transfer

@@ -9,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.drive import STANDSTILL, Load, Motor
-from engine.laws import Cycloidal, Dwell, Piece, PieceLaw
+from engine.laws import Dwell, Piece, PieceLaw
+from engine.laws.simple import Cycloidal
 from engine.motion import Motion, Phase
 from engine.selection.catalogue import Motors, Reducers
 from engine.selection.task import Task, accelerating_factor

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from engine.laws import CATALOGUE, Cubic
+from engine.laws import CATALOGUE
 from engine.motion.handover import PULSES, early_of, end_mode
 from tests.laws import MOVING
 from tests.workbook.composed import composed
@@ -13,7 +13,7 @@ from workbook.fields.types import Model
 from workbook.law_sheets.library import SIX, law_for, laws_in, variations
 from workbook.law_sheets.page import COEFFICIENTS
 from workbook.laws.entries import ENTRIES, Laws
-from workbook.laws.registry import CODES, FAMILY, PAGES, IncompleteError, page_of
+from workbook.laws.registry import CODES, FAMILY, PAGES
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -25,8 +25,7 @@ ROOT = Path(__file__).parents[3]
 
 def test_every_list_of_laws_is_the_registry():
     codes = tuple(law.code for law in CATALOGUE)
-    paged = {id(page): page.law.code for page in PAGES}.values()  # a file of pages may import another's
-    assert sorted(paged) == sorted(codes)
+    assert sorted(PAGES) == sorted(codes)
     assert tuple(FAMILY) == codes
     assert tuple(ENTRIES) == tuple(code for code in codes if code != "DWL")
     assert Laws({}).names == CODES == ("DWL", *MOVING)
@@ -52,12 +51,6 @@ def test_the_page_of_the_workbooks_names_the_sheet_of_every_law(code):
 # --- What a page leaves out is named --------------------------------------------------------------
 
 
-def test_a_law_without_a_page_is_named():
-    assert page_of(Cubic, PAGES).law is Cubic
-    with pytest.raises(IncompleteError, match=r"no page in FILES of .*/registry.py is of the law CUB"):
-        page_of(Cubic, [page for page in PAGES if page.law.code != "CUB"])
-
-
 def lacking(page):
     """What the page of a law leaves out, or has otherwise than the engine."""
     law, default = page.law(), page.entries() if page.entries else None
@@ -79,12 +72,6 @@ def lacking(page):
 @pytest.mark.parametrize("code", [code for code, page in FAMILY.items() if page.pieces])  # else they are entered
 def test_a_page_leaves_nothing_out(code):
     assert lacking(FAMILY[code]) == []
-
-
-TVP, CUB = FAMILY["TVP"], FAMILY["CUB"]
-
-
-# --- Cells and engine -----------------------------------------------------------------------------
 
 
 # --- Variations -----------------------------------------------------------------------------------

@@ -8,6 +8,7 @@ from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import SIX, factors, law_for, vary_laws, varying
+from workbook.laws.registry import CODES, FAMILY
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 from workbook.machines.laws.sheet import comparison_sheet, names_sheet
 from workbook.machines.laws.view import ComparedLaws
@@ -49,4 +50,5 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-TEMPLATE = Template("motion-laws", MotionLaws, declare, varying(MotionLaws, varied))
+EVERY = {page.law.name: {"family": code} for code, page in FAMILY.items() if code not in CODES}
+TEMPLATE = Template("motion-laws", MotionLaws, declare, varying(MotionLaws, varied), laws=EVERY)
