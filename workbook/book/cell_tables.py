@@ -4,7 +4,8 @@
 stand apart: an engineer reads how the sheet does it, without any Python; and no formula knows the engine.
 
 ===========  ====================================================================================================
-``kind``     calc, result, given, constant or check (:mod:`workbook.book.quantity`); entry: given, with its value
+``kind``     calc, result, given, constant or check (:mod:`workbook.book.quantity`); limit: a check of a figure that
+             may have no limit, which is 0 then (:meth:`CellTable.limit`); entry: given, with its value
              from the part of a description that :meth:`CellTable.entries` is given; key: an entry that has no cell;
              number: the first column of a table, which counts its rows
 ``cell``     its name
@@ -34,6 +35,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 from workbook.book.limits import RowRule
 from workbook.book.quantity import PLAIN, Block, Quantity, calc, check, constant, given, result
 from workbook.book.rows import filled
+from workbook.book.sentence import NOTHING, CheckSentence, exceeding
 
 if TYPE_CHECKING:
     from workbook.book.sheet import Sheet
@@ -45,14 +47,16 @@ KINDS: dict[str, Callable[..., Quantity]] = {
     "constant": constant,
     "number": constant,
     "check": check,
+    "limit": check,
     "entry": given,
 }
-FORMULAS = {"given": "key", "entry": "key", "key": "key", "check": "condition"}
+FORMULAS = {"given": "key", "entry": "key", "key": "key", "check": "condition", "limit": "condition"}
 """by kind, the attribute that stands in the column of formulas"""
 OWN = frozenset("formula source scale format align choices limit upper_limit wrap says".split())
 """attributes that Python may give a cell"""
 HEADING, BAR = re.compile(r"^## (.+)$", re.MULTILINE), re.compile(r"(?<!\\)\|")
-HEAD, BEGIN = re.compile(r"^`(\S+)`: (.+)$", re.MULTILINE), re.compile(r"^> (.+)\n> (.+)$", re.MULTILINE)
+HEAD = re.compile(r"^`(\S+)`: (.+)$", re.MULTILINE)
+BEGIN = re.compile(r"^> (.+)\n> (.+)$", re.MULTILINE)
 
 
 def value_of(text: str) -> Any:
@@ -61,7 +65,11 @@ def value_of(text: str) -> Any:
         return float(text)
     except ValueError:
         listed = text.startswith("[") or text == "true"
-        return tomllib.loads(f"value = {text}")["value"] if listed else None if text in ("", "empty") else text
+        if listed:
+            return tomllib.loads(f"value = {text}")["value"]
+        if text in ("", "empty"):
+            return None
+        return text
 
 
 class CellWords(NamedTuple):
@@ -80,7 +88,7 @@ class CellWords(NamedTuple):
         """Return the words of a row, whose texts are given by the heads of their columns."""
         kind, name, formula = (texts.pop(head, "") for head in ("kind", "cell", "formula"))
         example, varies, meaning, scale = (texts.pop(head, "") for head in ("example", "varies", "meaning", "scale"))
-        empty = {"label": ""} if kind == "check" else {"label": "", "symbol": "", "unit": ""}
+        empty = {"label": ""} if kind in ("check", "limit") else {"label": "", "symbol": "", "unit": ""}
         texts = {"name": name} | empty | texts | ({FORMULAS.get(kind, "formula"): formula} if formula else {})
         fields = (field for text in texts.values() for _, field, _, _ in Formatter().parse(text) if field)
         parts = {re.split(r"[.\[]", field)[0] for field in fields} | ({scale} if scale.isidentifier() else set())
@@ -141,6 +149,18 @@ class CellTable(dict[str, CellWords]):
         """
         kind = self[name].kind
         return KINDS[kind](**{"ok" if kind == "check" else "value": value}, **self._filled(name, more))
+
+    def limit(self, name: str, value: float, most: float, /, then: CheckSentence = NOTHING, **more: Any) -> Quantity:
+        """Return the check that a value is within its limit: its row has the formula value<=limit, and their unit.
+
+        Where it fails, its sentence says by how much, and ``then`` what else.
+        """
+        texts, may_lack = self._filled(name, more), self[name].kind == "limit"
+        figure, limit = texts["condition"].split("<=")
+        says = exceeding(figure, limit, texts.pop("unit"), value, most).then(then)
+        if may_lack:
+            texts["condition"] = f"OR({limit}=0,{texts['condition']})"
+        return check(ok=value <= most or (may_lack and not most), says=says, **texts)
 
     def _filled(self, name: str, more: dict[str, Any]) -> dict[str, Any]:
         row = self[name]

@@ -58,4 +58,6 @@ class Chart:
 
     def within(self, scope: str) -> Self:
         """Return the chart with ``scope`` for each ``@`` in the references of its lines."""
-        return replace(self, series=tuple(series.within(scope) for series in self.series)) if scope else self
+        if scope:
+            return replace(self, series=tuple(series.within(scope) for series in self.series))
+        return self

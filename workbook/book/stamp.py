@@ -13,12 +13,15 @@ from workbook.book.quantity import Block, Quantity
 from workbook.book.rows import as_rows, filled, is_number
 
 CELLS = cell_tables(__file__)
-NAME, SENTENCE = "book_stamp", "stamp_today"  # the cell that verify --stamp writes; the line that compares
+# the cell that verify --stamp writes; the line that compares
+NAME, SENTENCE = "book_stamp", "stamp_today"
 TABLE = "stamp"  # of the sums
 EQUAL = 1e-10  # of two fingerprints: rounding is far below, a change of an entry in its sixth digit above
-ENTERED, COMPUTED = 1e-9, 1e-3  # the least numbers that count: what is computed may be zero but for rounding
+# the least numbers that count: what is computed may be zero but for rounding
+ENTERED, COMPUTED = 1e-9, 1e-3
 CYCLE = 7  # weights 1, 2 … 7, 1 …: entries that stand side by side cannot be exchanged unseen
-NEVER, SAME, OTHER = "Not verified yet", "Verified for these entries", "Verified for other entries than these"
+NEVER, SAME = "Not verified yet", "Verified for these entries"
+OTHER = "Verified for other entries than these"
 
 
 class Counted(NamedTuple):
@@ -65,7 +68,9 @@ def weight(row: int) -> float:
 def fingerprint(book: Book) -> float | None:
     """Return the weighted sum of the sizes; None where any is open."""
     sizes = [column.size for column in counted(book)]
-    return None if None in sizes else fsum(weight(row) * size for row, size in enumerate(sizes) if size)
+    if None in sizes:
+        return None
+    return fsum(weight(row) * size for row, size in enumerate(sizes) if size)
 
 
 def stamp_line(book: Book, sheet: Sheet, row: int, column: int) -> None:

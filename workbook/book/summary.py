@@ -73,7 +73,9 @@ def summary_sheet(
     cell = CELLS["summary_sheet"]
     sheet = book.sheet(TITLE, purpose)
     book.stamp = machine.stamp
-    sheet.one_page, sheet.print_columns, sheet.widths, sheet.more = True, COLUMNS, dict(WIDTHS), more
+    sheet.one_page, sheet.print_columns = True, COLUMNS
+    sheet.widths = dict(WIDTHS)
+    sheet.more = more
     entered = (
         cell("book_title", machine.title),
         *(cell("book_{key}", getattr(machine, key), key=key, label=label) for key, label in IDENTIFIED.items()),

@@ -4,40 +4,24 @@ The cycle's results stand in ``@rms``, ``@tmax``, ``@tmin`` (Nm), ``@speed`` and
 """
 
 from engine.drive.motor import CORNERS, LimitCorners, Motor, Reserve
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import CellTable, cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import Quantity, Sheet
-from workbook.book.sentence import NOTHING, CheckSentence, amount, exceeding
+from workbook.book.sentence import NOTHING, CheckSentence, amount
 from workbook.fields.units import RPM, shown
 
 CELLS = cell_tables(__file__)
 
 # colours of the RMS torque, and of limits, in charts
 RMS_POINT, PEAK, CONTINUOUS = "374151", "991B1B", "6B7280"
-PEAKS = "MAX(@tmax,0-@tmin)"
-# what, both its cells, whether it is met, value and limit
-ReducerLimit = tuple[str, str, str, bool, float, float]
 
 
 def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> list[Quantity]:
     """Return the checks of RMS torque, peak torque and speed; ``mends`` says, behind what fails, what would mend it."""
-    limits = (
-        ("rms", "RMS torque within the continuous torque", "@rms", "@continuous", "Nm", 1.0, reserve.rms_torque),
-        ("peak", "peak torque within the motor's", PEAKS, "@motor_peak", "Nm", 1.0, reserve.peak_torque),
-        ("speed", "speed within the motor's", "@speed", "@motor_nmax", "rpm", RPM, reserve.speed),
-    )
+    cell, sizes = CELLS["limit_checks"].sharing(of=of), {"@ok_rms": 1.0, "@ok_peak": 1.0, "@ok_speed": RPM}
     return [
-        CELLS["limit_checks"](
-            "@ok_{name}",
-            check.ok,
-            name=name,
-            of=of,
-            what=what,
-            cell=cell,
-            allowed=limit,
-            says=exceeding(cell, limit, unit, shown(check.value, size), shown(check.limit, size)).then(mends),
-        )
-        for name, what, cell, limit, unit, size, check in limits
+        cell.limit(name, shown(check.value, size), shown(check.limit, size), mends)
+        for (name, size), check in zip(sizes.items(), reserve, strict=True)
     ]
 
 
@@ -60,23 +44,9 @@ def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTH
     return cell("@ok_curve", not falls or spare >= 0.0, of=of, says=says)
 
 
-def within_reducer(of: str, *rows: ReducerLimit, mends: CheckSentence = NOTHING) -> list[Quantity]:
-    """Return the checks of a reducer's limits."""
-    units = {"torque": "Nm", "mean torque": "Nm", "speed": "rpm"}
-    names = {"torque": "peak", "mean torque": "mean", "speed": "speed"}
-    return [
-        CELLS["within_reducer"](
-            "@ok_reducer_{names}",
-            ok,
-            names=names[what],
-            of=of,
-            what=what,
-            allowed=limit,
-            cell=cell,
-            says=exceeding(cell, limit, units[what], value, most).then(mends),
-        )
-        for what, cell, limit, ok, value, most in rows
-    ]
+def within_reducer(of: str, torque: str, most: str) -> CellTable:
+    """Return the table of the checks of a reducer's limits, with the cells of its output torque and of its limit."""
+    return CELLS["within_reducer"].sharing(of=of, torque=torque, most=most)
 
 
 def continuous(motor: Motor, mean_speed: float) -> Quantity:

@@ -141,7 +141,9 @@ def passing(k: int, i: int, laws: dict[str, Any], size: float) -> dict[str, Any]
     if (i + k) % 3 != 1 or not any(entry.get("family", name) == "LIN" for name, entry in laws.items()):
         return {}
     sign = -1 if k % 2 else 1
-    return {"velocity": sign * size * (1 + i % 3), "acceleration": size * (i % 4 - 1)} if i % 5 else {"velocity": size}
+    if i % 5:
+        return {"velocity": sign * size * (1 + i % 3), "acceleration": size * (i % 4 - 1)}
+    return {"velocity": size}
 
 
 def own_in(laws: dict[str, Any]) -> list[str]:

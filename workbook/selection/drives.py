@@ -158,10 +158,8 @@ def every_drive(sheet: Sheet, view: PairSelection) -> None:
 def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:
     """Declare what each motor has to do behind the reducer of each drive, and what it fails first."""
     drives, each = view.every_drive, [drive.behind_own for drive in view.every_drive]
-    use, torque = (
-        max(1.0, *(float(behind_own.uses.max()) for behind_own in each)),
-        max(1e-3, *(float(behind_own.peak.max()) for behind_own in each)),
-    )
+    use = max(1.0, *(float(behind_own.uses.max()) for behind_own in each))
+    torque = max(1e-3, *(float(behind_own.peak.max()) for behind_own in each))
     loads(sheet, view)
     matrix(sheet, view, "share", share, "uses", 0.0, scale=use)
     matrix(sheet, view, "peak", lambda n: peak(n, drives[n - 1]), "peak", 0.0, scale=torque)

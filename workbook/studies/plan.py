@@ -201,7 +201,9 @@ def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:
 def scaled_part(plan: Plan, paths: Sequence[Place]) -> str:
     """Return the motor, reducer or rate with which results scale; nothing where a link moves other entries too."""
     is_linked = any(link.source in paths for link in plan.links)
-    return plan.template.scaling.part(join(paths[0])) if plan.template.scaling and not is_linked else ""
+    if plan.template.scaling and not is_linked:
+        return plan.template.scaling.part(join(paths[0]))
+    return ""
 
 
 def phase_with_room(plan: Plan, vary: Vary, paths: Sequence[Place], where: str) -> Place:

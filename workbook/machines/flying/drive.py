@@ -90,8 +90,8 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
 def checks(view: ToolDrive) -> list[Quantity]:
     """Return the checks of the motor's and the reducer's limits."""
     cell = CELLS["checks"]
-    fastest, strongest, lasting = view.limits
-    speed, mean, torque = view.speed, view.demand.mean_torque, view.reserves.torque_factor * view.demand.torque
+    (fastest, strongest, lasting), demand = view.limits, view.demand
+    within = within_reducer("Drive", "sel_tmax", "@reducer_peak")
     return [
         cell("@ok_told", True, unlisted=UNLISTED),
         *limit_checks(view.reserve, "Drive"),
@@ -99,19 +99,9 @@ def checks(view: ToolDrive) -> list[Quantity]:
             "Drive", "sel_own_inertias", "limits_inertia_ratio", view.inertia_ratio, view.reserves.inertia_ratio
         ),
         below_curve("Drive", view.motor.falling.fall, float(view.left.min())),
-        *within_reducer(
-            "Drive",
-            (
-                "speed",
-                "@speed",
-                "@reducer_nmax",
-                not fastest or speed <= fastest,
-                shown(speed, RPM),
-                shown(fastest, RPM),
-            ),
-            ("torque", "sel_tmax", "@reducer_peak", not strongest or torque <= strongest, torque, strongest),
-            ("mean torque", "@smean", "@reducer_mean", not lasting or mean <= lasting, mean, lasting),
-        ),
+        within.limit("@ok_reducer_speed", shown(view.speed, RPM), shown(fastest, RPM)),
+        within.limit("@ok_reducer_peak", view.reserves.torque_factor * demand.torque, strongest),
+        within.limit("@ok_reducer_mean", demand.mean_torque, lasting),
     ]
 
 
@@ -220,7 +210,8 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
     """Declare tool, shaft and motor at the points of each interval."""
     cell = CELLS["pt"]
     load, drive, of, room = view.load, view.points, view.by_point, view.machine.room
-    numbers, cut_numbers = list(range(room)), [cut.piece for cut in view.cycle.intervals for _ in SHARES]
+    numbers = list(range(room))
+    cut_numbers = [cut.piece for cut in view.cycle.intervals for _ in SHARES]
     pieces = filled([rows.pieces[k] for k in cut_numbers], room * POINTS, rows.pieces[-1])
     u = np.array(of(load.x)) - np.array([piece.origin for piece in pieces])
     cell.place(

@@ -75,7 +75,8 @@ def line(book: Book, machine: CutterView, cuts: Sequence[Cut]) -> None:
     """Declare the lines at the product entered, at L_0 and at L_p,lim, as drawn in the charts."""
     cell = CELLS["length_line"]
     low, high = min(c.speed_range[0] for c in cuts), max(c.speed_range[1] for c in cuts)
-    peak, beta = max(c.max_acceleration for c in cuts), max(machine.task(c).load_factor for c in cuts)
+    peak = max(c.max_acceleration for c in cuts)
+    beta = max(machine.task(c).load_factor for c in cuts)
     entered, e = machine.given.product_length, machine.given.lengths
     among = "=IF(AND({0}>fly_short,{0}<fly_long),{0},fly_length)"
 

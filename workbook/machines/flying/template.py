@@ -80,7 +80,8 @@ def declare(given: FlyingCutter) -> Book:
 def axes(machine: FlyingCutter) -> list[CamAxis]:
     """Return the tool along its path, and the shaft that drives it; both go on from where a cycle ends."""
     cut = CutterView(machine, library.laws(machine.laws)).cut
-    profile, shaft = profile_of(cut_pieces(cut, whole=True), cut.cycle_time), shown(cut.tool.angle(1.0), DEGREE)
+    profile = profile_of(cut_pieces(cut, whole=True), cut.cycle_time)
+    shaft = shown(cut.tool.angle(1.0), DEGREE)
     return [
         CamAxis("tool", profile.in_units(1.0, shown(1.0, MM)), "s", "mm"),
         CamAxis("shaft", profile.in_units(1.0, shaft), "s", "°"),
@@ -106,10 +107,12 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     vary(entries, CutterEntry, k)
     drum, saw = entries["drum"], entries["saw"]
     if entries["kind"] == DRUM:
-        whole, least = 2 * pi * drum["radius"] / drum["tools"], radians(drum["tool_angle"]) * drum["radius"]
+        whole = 2 * pi * drum["radius"] / drum["tools"]
+        least = radians(drum["tool_angle"]) * drum["radius"]
     else:
         whole, least = 3.0 * saw["tool_length"], saw["tool_length"]
-    share, span = (0.7, 9.0, 1.0, 1.0, 8.0, 1.7)[k], whole - least  # shorter, far too long, as long as designed, longer
+    # shorter, far too long, as long as designed, longer
+    share, span = (0.7, 9.0, 1.0, 1.0, 8.0, 1.7)[k], whole - least
     entries |= {
         "product_length": least + share * span if share != 1.0 else whole,
         "lengths": {"shortest": least + 0.3 * span, "longest": least + (4.0 + 2 * k) * span},

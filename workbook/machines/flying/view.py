@@ -55,13 +55,16 @@ class CutterView:
         self.is_drum = self.given.kind == DRUM
         self.line = si(self.given.line_speed, PER_MINUTE)
         load, lengths = self.given.load, self.given.lengths
-        self.load = Load(si(load.inertia, KG_CM2) + load.mass * self.tool.radius**2, load.torque)  # J_L = J + m R_t²
+        # J_L = J + m R_t²
+        self.load = Load(si(load.inertia, KG_CM2) + load.mass * self.tool.radius**2, load.torque)
         self.peak = fastest(self.law)
         self.cut = self.of(self.given.product_length)
         self.room = self.sizes.motion_pieces or 0  # rows of the table of the motion's pieces
         self.times = np.linspace(0.0, self.cut.cycle_time, self.sizes.cycle + 1)  # s
-        self.lengths = np.linspace(lengths.shortest, lengths.longest, self.sizes.lengths + 1)  # compared, in mm
-        self.limit = shown(self.cut.limit_length, MM) if self.is_drum else 0.0  # L_p,lim; a saw always reverses
+        # compared, in mm
+        self.lengths = np.linspace(lengths.shortest, lengths.longest, self.sizes.lengths + 1)
+        # L_p,lim; a saw always reverses
+        self.limit = shown(self.cut.limit_length, MM) if self.is_drum else 0.0
 
     @property
     def case(self) -> int:
@@ -112,17 +115,21 @@ class ToolDrive:
         cut, load, scales = machine.cut, machine.load, machine.scales
         bare = cycle_of(cut, train_of(cut, load)).points()
         self.demand = PointLoad(bare, cut.max_angular_speed, float(np.abs(bare.output_torque).max()), load.inertia)
-        self.torque = max(self.demand.torque, scales["Nm"], LEAST)  # the scale of torques of the shaft
+        # the scale of torques of the shaft
+        self.torque = max(self.demand.torque, scales["Nm"], LEAST)
         hardest = float(np.abs(bare.shaft_acceleration).max())
         self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
         self.unpaired = dict(reserves) | {"beside": 0.0, "left": 1.0, "cycles": shown(1.0 / cut.cycle_time, PER_HOUR)}
         bare_shaft = [Figure(name, "", "", "", value) for name, value in self.unpaired.items()]
         self.proposal = PairSelection(chosen, sizes, [self._shaft(bare_shaft)])
 
-        ranked, motors, reducers = self.proposal.ranked, self.proposal.motors, self.proposal.reducers
-        m, r = ranked[self.proposal.proposed or 0] if ranked else (0, 0)  # the first of all where no pair can do it
+        ranked, motors = self.proposal.ranked, self.proposal.motors
+        reducers = self.proposal.reducers
+        # the first of all where no pair can do it
+        m, r = ranked[self.proposal.proposed or 0] if ranked else (0, 0)
         m = place_of(chosen.motor, motors.names) if chosen.motor else m
-        self.pair = m, place_of(chosen.reducer, reducers.names) if chosen.reducer else r  # in use, by places from 0
+        # in use, by places from 0
+        self.pair = m, place_of(chosen.reducer, reducers.names) if chosen.reducer else r
         self.gears = self.proposal.grid.pair(*self.pair)  # J_M + J_T, i, η and no-load torque
         of = motors.inertia, motors.rated_torque, motors.peak_torque, motors.max_speed, motors.stall, motors.falls_to
         falling = TorqueFall(*(float(row[self.pair[0]]) for row in (motors.knee, motors.fall / reserves.peak_reserve)))
@@ -138,20 +145,24 @@ class ToolDrive:
         )
         limits = reducers.max_input_speed, self.proposal.grid.most_output_torque, reducers.max_mean_torque
         fastest, strongest, lasting = (float(limit[self.pair[1]]) for limit in limits)
-        self.limits = [0.0 if np.isinf(limit) else limit for limit in (fastest, strongest, lasting)]  # 0: none
+        # 0: none
+        self.limits = [0.0 if np.isinf(limit) else limit for limit in (fastest, strongest, lasting)]
         self.reducer = ReducerLimits(strongest / reserves.torque_factor, lasting, fastest)
 
         self.cycle = cycle_of(cut, train_of(cut, load, self.gears))
         self.load = self.cycle.points()
         self.points = DrivePoints(self.load)
         self.speed = self.gears.ratio * cut.max_angular_speed  # the largest of the motor
-        self.peak = float(np.abs(self.points.torque).max())  # of the motor: no torque is larger between the points
-        self.motor_torque = max(self.peak, self.torque / self.gears.ratio, LEAST)  # the scale of its torques
+        # of the motor: no torque is larger between the points
+        self.peak = float(np.abs(self.points.torque).max())
+        # the scale of its torques
+        self.motor_torque = max(self.peak, self.torque / self.gears.ratio, LEAST)
         self.left = self.points.reserve(self.motor)
         self.reserve = reserve(self.motor, self.points.rms_torque, self.peak, self.speed, self.points.mean_speed)
         task, (inertia, ratio, efficiency, _) = self.proposal.grid.task, self.gears
         best = ratio * float(task.best_ratio(inertia, efficiency))
-        self.balance = 1.0 / best if task.moves else 0.0  # τ/τ_opt; 0 of a load that does not move: S5, (18), step 7
+        # τ/τ_opt; 0 of a load that does not move: S5, (18), step 7
+        self.balance = 1.0 / best if task.moves else 0.0
         self.stroke = float(np.ptp(self.load.position))
 
     @cached_property

@@ -32,10 +32,14 @@ class ComparedLaws:
         self.curves = [known[name] for name in chosen]
         self.moving = [law for law in laws if not isinstance(law.law, Dwell)]
         self.xi = np.arange(self.sizes.cycle + 1) / self.sizes.cycle
-        self.smooth: list[tuple[int, int]] = []  # the order of each law's continuity at its ends and between them
-        self.joints: list[JointRow] = []  # the begin of each piece of each law, and of the rest behind it
+        # the order of each law's continuity at its ends and between them
+        self.smooth: list[tuple[int, int]] = []
+        # the begin of each piece of each law, and of the rest behind it
+        self.joints: list[JointRow] = []
         for law in self.moving:
-            pieces, begun, first = stack.pieces[law.number], stack.first[law.number], len(self.joints) + 1
+            pieces = stack.pieces[law.number]
+            begun = stack.first[law.number]
+            first = len(self.joints) + 1
             joints = law_joints(law.law, pieces)
             self.smooth.append(continuity(joints))
             for k, at in enumerate(joints, 1):

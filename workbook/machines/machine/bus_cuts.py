@@ -79,7 +79,9 @@ class BusCuts:
         self.lines = lines = HalfLines(*map(np.concatenate, zip(*tables, strict=True)))
         self.inner = np.tile(INNER, (lines.begin.size // 2, 1))
         (up, down), top = np.repeat(self.shares, counts, axis=1), np.repeat(peaks[0], counts)
-        high, low, lasting = lines.first + lines.above, lines.first - lines.below, np.maximum(lines.length, SHORT)
+        high = lines.first + lines.above
+        low = lines.first - lines.below
+        lasting = np.maximum(lines.length, SHORT)
         end = high + lines.rise
         self.most = np.maximum(up * high, down * high)
         self.climbs = (np.maximum(up * end, down * end) - self.most) / lasting
@@ -96,7 +98,8 @@ class BusCuts:
         since = acts * (here - self.begin + TURN * (self.begin > here))
         self.sum_most = acts @ self.most + since @ self.climbs
         self.sum_least = acts @ self.least + since @ self.grows
-        self.sum_climbs, self.sum_grows = self.span * (acts @ self.climbs), self.span * (acts @ self.grows)
+        self.sum_climbs = self.span * (acts @ self.climbs)
+        self.sum_grows = self.span * (acts @ self.grows)
 
     @property
     def peak_most(self) -> float:
@@ -123,7 +126,8 @@ def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
     each = [(row, drive.driven.number) for row, drive in enumerate(cuts.drives, 1) for _ in range(2 * drive.rows)]
     row, number = ([*column] for column in zip(*each, strict=True))
     first = [1 + POINTS * k + side for drive in cuts.drives for k in range(drive.rows) for side in (0, HALF)]
-    slope = sheet.sizes.get("kW", 0.0)  # a difference of powers, exact to their own digits, over some degrees
+    # a difference of powers, exact to their own digits, over some degrees
+    slope = sheet.sizes.get("kW", 0.0)
     cell.begin(sheet)
     cell.place(
         sheet,

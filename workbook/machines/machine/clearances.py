@@ -58,7 +58,8 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
     cell, over, units = CELLS["clearances"], gaps[0].over, {gap.unit for gap in gaps}
     unit = units.pop() if len(units) == 1 else "mm, °"
     entry = table_of(ClearanceEntry).columns([gap.given for gap in gaps], "clearances", len(gaps))
-    size, least = max(gap.size for gap in gaps), [f"=MIN([clear{gap.number}_least.gap])" for gap in gaps]
+    size = max(gap.size for gap in gaps)
+    least = [f"=MIN([clear{gap.number}_least.gap])" for gap in gaps]
     entered = cell.place(
         sheet,
         entry("name"),

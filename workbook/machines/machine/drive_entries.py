@@ -17,8 +17,10 @@ Slope = Annotated[float, Field(ge=-90, le=90)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
 """the name of a product in the catalogue; empty where its figures are entered"""
-NEEDED = ("inertia", "rated_torque", "peak_torque", "max_speed")  # figures of a motor without a name
-TRAVELLING_LOAD, TURNING_LOAD = ("mass", "friction", "slope", "force"), ("inertia", "torque", "friction_torque")
+# figures of a motor without a name
+NEEDED = ("inertia", "rated_torque", "peak_torque", "max_speed")
+TRAVELLING_LOAD = ("mass", "friction", "slope", "force")
+TURNING_LOAD = ("inertia", "torque", "friction_torque")
 WINDOWS = 4  # process forces of an axis, at most
 STAGES = 2  # between reducer and mechanism, at most
 UNTOLD = "neither the name of a motor in the catalogue, nor all its figures"
@@ -59,7 +61,8 @@ class AxisLoad(Model):
     inertia: NotNegative = 0.0
     torque: Number = 0.0
     friction_torque: NotNegative = 0.0
-    viscous: Annotated[NotNegative, MakesCells(0.0)] | None = None  # with it the axis' sheet has an entry for it
+    # with it the axis' sheet has an entry for it
+    viscous: Annotated[NotNegative, MakesCells(0.0)] | None = None
     arm: SwingingArm | None = None
     windows: Annotated[list[ForceWindow], Field(max_length=WINDOWS)] = []  # noqa: RUF012 - frozen
 

@@ -195,7 +195,8 @@ class AnyMachine(Exporting):
             sum(number[p.law] for p in axis.phases) + len(rests(axis.phases, self.over)) + 2 * len(axis.load.windows)
             for axis in self.axes
         ]
-        space = settle_room(self, max(needed), 2 * self.sizes.phases + 1)  # for the pieces of an axis
+        # for the pieces of an axis
+        space = settle_room(self, max(needed), 2 * self.sizes.phases + 1)
         for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
             if count > space:
                 still = [phase.model_dump() | AT_REST for phase in axis.phases]
@@ -206,7 +207,8 @@ class AnyMachine(Exporting):
 
     def layout_entries(self) -> dict[str, Any]:
         """Return axes that entries name by their numbers, and whether drives know motors whose peak torque falls."""
-        names, data = [axis.name for axis in self.axes], self.model_dump(include={"clearances", "timing"})
+        names = [axis.name for axis in self.axes]
+        data = self.model_dump(include={"clearances", "timing"})
         named = [entry for pattern in beside.NAMED for entry in spread(data, pattern) if place_of(entry[1], names) >= 0]
         numbers = {join(path): place_of(name, names) + 1 for path, name in named}
         return numbers | {"selection.falling": self.selection.knows_falling}
@@ -240,5 +242,6 @@ class AnyMachine(Exporting):
 
 def rests(phases: list[AxisPhase], over: Abscissa = ANGLE) -> list[int]:
     """Return the numbers of the phases, from 0, before which an axis rests; behind the last is before another."""
-    ends, begins = [0.0, *(over.degrees(p.stop) for p in phases)], [*(over.degrees(p.start) for p in phases), TURN]
+    ends = [0.0, *(over.degrees(p.stop) for p in phases)]
+    begins = [*(over.degrees(p.start) for p in phases), TURN]
     return [i for i, (end, begin) in enumerate(zip(ends, begins, strict=True)) if begin - end > ANGLE_TOLERANCE]

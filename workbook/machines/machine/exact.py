@@ -29,7 +29,8 @@ be off; :mod:`engine.drive.bounds` has those of a drive's results"""
 PAIRS_GAP = 0.25  # the same of a least gap by pairs, whose lines may turn between the points
 ROUNDING, NEARLY = 1e-9, 0.9  # of exact uses; of a use by points that may be 1 exactly
 CREEP_LIMITS = "RMS torque", REDUCER_TORQUE, "reducer mean torque"  # beside the peak torque
-EXACT_NAMES = {PEAK_TORQUE: BELOW, CYCLES: REDUCER_TORQUE}  # of limits that the exact engine calls otherwise
+# of limits that the exact engine calls otherwise
+EXACT_NAMES = {PEAK_TORQUE: BELOW, CYCLES: REDUCER_TORQUE}
 
 
 def axes_of(machine: AnyMachine) -> list[AxisTables]:

@@ -11,7 +11,8 @@ from engine.motion import Motion, Phase
 from engine.motion.joining import BoundaryPhase
 from engine.motion.pieces import MotionPiece, motion_pieces
 
-POINTS = np.linspace(0.0, 1.0, 201)  # where a piece is looked at for its extremes, as shares of its duration
+# where a piece is looked at for its extremes, as shares of its duration
+POINTS = np.linspace(0.0, 1.0, 201)
 
 
 def at_points(piece: MotionPiece, order: int) -> Array:

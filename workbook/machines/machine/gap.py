@@ -28,7 +28,8 @@ class Lowest(NamedTuple):
 
 
 PARTS, PARTS_BY_PAIRS = 2, 4  # of each piece, at whose begins the gap is worked out
-FLAT = 1000.0 * ZERO  # of the gap's size: the place of a smaller fall would keep fewer than nine digits
+# of the gap's size: the place of a smaller fall would keep fewer than nine digits
+FLAT = 1000.0 * ZERO
 
 
 class FreePositions(NamedTuple):
@@ -75,10 +76,12 @@ class ClearanceView:
         self.given, self.number = given, number
         names = [row.axis.given.name for row in rows]
         places = [(place_of(name, names), name) for name in (given.first, given.second)]
-        self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]  # a file's layout tells numbers
+        # a file's layout tells numbers
+        self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]
         pairs = np.array([(pair.at, pair.free) for pair in given.pairs])
         self.table = FreePositions(*pairs.T) if given.pairs else None
-        self.over, self.unit = self.rows[0].machine.over, self.rows[1 if self.table else 0].axis.given.unit
+        self.over = self.rows[0].machine.over
+        self.unit = self.rows[1 if self.table else 0].axis.given.unit
         self.name = "_".join([f"clear{number}", *(str(row.axis.number) for row in self.rows)])
         self.factors = (given.first_factor, given.second_factor)
         self.scales = [shown(factor, row.axis.unit) for factor, row in zip(self.factors, self.rows, strict=True)]

@@ -16,10 +16,12 @@ LEAST_POINTS = 2
 class MechanismEntry(Model):
     """The mechanism that makes the motor's turning the axis' motion."""
 
-    SIZE: ClassVar[str] = ""  # the entry that sets the ratio, of a kind with a constant ratio that is not 1
+    # the entry that sets the ratio, of a kind with a constant ratio that is not 1
+    SIZE: ClassVar[str] = ""
     UNITS: ClassVar[tuple[str, ...]] = ("mm",)  # of axes that it moves
     NEEDED: ClassVar[tuple[str, ...]] = ()  # sizes that may be empty in an unfinished design only
-    LARGE: ClassVar[dict[str, Any]] = {}  # sizes, with which a changing ratio reaches wherever an axis goes
+    # sizes, with which a changing ratio reaches wherever an axis goes
+    LARGE: ClassVar[dict[str, Any]] = {}
     APART: ClassVar[str] = "the sizes of the mechanism do not go together"
     SLIDES: ClassVar[bool] = False  # whether its load travels while its axis turns
 
@@ -178,7 +180,8 @@ Mechanism = Annotated[Turned | PressCrank | CrankSlider | Rocker | Table, Field(
 MECHANISMS: dict[str, type[MechanismEntry]] = {
     get_args(model.model_fields["kind"].annotation)[0]: model for model in get_args(get_args(Mechanism)[0])
 }
-LINKED = tuple(kind for kind, model in MECHANISMS.items() if model.LARGE and not model.SLIDES)  # the ratio changes
+# the ratio changes
+LINKED = tuple(kind for kind, model in MECHANISMS.items() if model.LARGE and not model.SLIDES)
 BELTED = tuple(kind for kind, model in MECHANISMS.items() if issubclass(model, Belted))
 SLIDING = tuple(kind for kind, model in MECHANISMS.items() if model.SLIDES)
 SCREWS = ("lead screw",)  # whose losses are friction in a thread

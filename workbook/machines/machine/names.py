@@ -14,7 +14,8 @@ from workbook.machines.machine.entries_beside import ClearanceEntry
 from workbook.machines.machine.view import MovingAxis
 
 NAMES = {title: list(markdown_rows(text)) for title, text in sections(__file__)}
-LATER = ("block", "book", "checks", "mend", "status")  # what names of cells that are declared later begin with
+# what names of cells that are declared later begin with
+LATER = ("block", "book", "checks", "mend", "status")
 BUILT = "Named when the book was built"
 
 

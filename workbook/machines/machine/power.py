@@ -37,7 +37,8 @@ class Mains:
     """
 
     def __init__(self, drives: Sequence[DriveView], entered: PowerEntry) -> None:
-        self.drives, self.entered, self.over, eta = drives, entered, drives[0].tables.machine.over, entered.efficiency
+        self.drives, self.entered = drives, entered
+        self.over, eta = drives[0].tables.machine.over, entered.efficiency
         self.each = [drive.energy.mean_bus_power(drive.driven.drive_cycle.time, eta) for drive in drives]
         self.alone = total_bus_power(self.each)
         most = [(drive.top("P"), -drive.top("P", -1)) for drive in drives]
@@ -49,11 +50,13 @@ class Mains:
         power = np.array([drive.sampled[1] for drive in drives])
         self.drawn = bus[:, None] * np.where(power > 0.0, power / eta, power * eta)
         self.sum, self.apart = self.drawn.sum(axis=0), np.maximum(self.drawn, 0.0).sum(axis=0)
-        self.weights = np.full(self.sum.size, 1.0 / (self.sum.size - 1))  # in a mean, by the trapezoidal rule
+        # in a mean, by the trapezoidal rule
+        self.weights = np.full(self.sum.size, 1.0 / (self.sum.size - 1))
         self.weights[[0, -1]] /= 2.0
         self.cuts = BusCuts(drives, bus, np.array([self.mains, self.resistor]))
         mains, resistor = bus * self.mains, bus * self.resistor
-        self.proves = bus * (mains - (resistor.sum() - resistor))  # what the bus takes at least, by a drive's peak
+        # what the bus takes at least, by a drive's peak
+        self.proves = bus * (mains - (resistor.sum() - resistor))
         self.burns = bus * (resistor - (mains.sum() - mains))  # what it burns at least
         self.peak = min(self.cuts.peak_most, max(0.0, float(self.sum.max()), float(self.proves.max())))
         self.burnt_peak = min(self.cuts.burnt_most, max(0.0, -float(self.sum.min()), float(self.burns.max())))

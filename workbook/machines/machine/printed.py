@@ -27,7 +27,9 @@ def printed_sheet(book: Book, view: DriveView) -> None:
     """Declare the sheet of an axis."""
     cell = CELLS["printed"].sharing(**view.parts)
     driven = view.driven
-    m, drive, hardest = driven.mechanism, replace(driven.train.drive, method="document"), driven.axis.max_acceleration
+    m = driven.mechanism
+    drive = replace(driven.train.drive, method="document")
+    hardest = driven.axis.max_acceleration
     values = [
         m.load.inertia / m.inertia_divisor(m.last, "document"),
         m.inertia("document"),

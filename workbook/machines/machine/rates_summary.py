@@ -109,7 +109,8 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
         return "1" if axes == 1 else f"MATCH({value},{column},0)"
 
     high = found.rates.high
-    unmet = f"{most}={NO_RATE}" if axes == 1 else f"COUNTIF({most},{NO_RATE})>0"  # IronCalc lacks it of one cell
+    # IronCalc lacks it of one cell
+    unmet = f"{most}={NO_RATE}" if axes == 1 else f"COUNTIF({most},{NO_RATE})>0"
     apart = f'IF(COUNT({most})=0,"{NONE_BINDS}",IF(MAX({least})<MIN({most}),MIN({most}),{NO_RATE}))'
     words = range_in_words(found.rates, "about_", "hold")
     cell = CELLS["range_of_rates"].sharing(unmet=unmet, no_rate=NO_RATE, least=least)

@@ -38,20 +38,16 @@ class MovingAxis:
         typed: entered.Axis,
         over: Abscissa,
     ) -> None:
-        self.given, self.number, self.library, self.speed, self.typed, self.over = (
-            given,
-            number,
-            library,
-            speed,
-            typed,
-            over,
-        )
+        self.given, self.number, self.library = given, number, library
+        self.speed, self.typed, self.over = speed, typed, over
         self.unit, self.base = UNITS[given.unit], BASES[given.unit]
 
     @property
     def sized(self) -> Self:
         """The axis at the rate that its drive is sized at."""
-        return self if self.given.rate is None else self.at_speed(shaft_speed(si(self.given.rate, PER_MINUTE)))
+        if self.given.rate is None:
+            return self
+        return self.at_speed(shaft_speed(si(self.given.rate, PER_MINUTE)))
 
     def at_speed(self, speed: float, given: entered.Axis | None = None) -> Self:
         """Return the axis at a speed (rad/s), ``given`` with another drive: of the same motion over a turn."""
@@ -164,7 +160,9 @@ class MachineView:
 
     def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
         self.given, self.over, rate = machine, machine.over, si(machine.per_minute, PER_MINUTE)
-        self.time, self.speed, self.room = turn_time(rate), shaft_speed(rate), machine.sizes.motion_pieces or 0
+        self.time = turn_time(rate)
+        self.speed = shaft_speed(rate)
+        self.room = machine.sizes.motion_pieces or 0
         self.hands_over = bool(machine.laws.of("LIN"))
         self.angles = np.linspace(0.0, TURN, machine.sizes.cycle + 1)
         self.samples: Array = si(self.angles, DEGREE)

@@ -40,7 +40,8 @@ class AtAngles:
     def __init__(self, station: Station, schedule: str, theta: Array, pieces: Pieces) -> None:
         self.row, _ = SCHEDULES[schedule]
         self.plan, self.angle = station.schedules[self.row - 1], si(theta, DEGREE)
-        self.travel, self.rates = self.plan.travel(self.angle), self.plan.rates(self.angle, station.machine.rate)
+        self.travel = self.plan.travel(self.angle)
+        self.rates = self.plan.rates(self.angle, station.machine.rate)
         self.rows = rows_of(OF_TOOL[schedule], self.plan.parts, pieces)
 
     def columns(self, suffix: str) -> list[Quantity]:

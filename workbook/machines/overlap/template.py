@@ -28,7 +28,8 @@ from workbook.template_outputs import CamAxis
 
 CELLS = cell_tables(__file__)
 
-PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s²", "S2: 5.17")  # what S2 prints beside the first sheet's results
+# what S2 prints beside the first sheet's results
+PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s²", "S2: 5.17")
 UNITS = ("°", "mm", "mm/°", "mm/°²")
 
 
@@ -94,7 +95,8 @@ def exportables(view: OverlapView, pieces: Pieces) -> list[Exportable]:
 
 def axes(machine: IndexingOverlap) -> list[CamAxis]:
     """Return the transfer, which goes on every turn, and each tool as it is set."""
-    view, units = OverlapView(machine, library.laws(machine.laws)), (shown(1.0, DEGREE), shown(1.0, MM))
+    view = OverlapView(machine, library.laws(machine.laws))
+    units = (shown(1.0, DEGREE), shown(1.0, MM))
     transfer = profile_of(pieces_of_parts(view.transfer.parts, True), FULL_TURN).in_units(*units)
     cam_axes = [CamAxis("transfer", transfer, "°", "mm")]
     for station in view.stations:

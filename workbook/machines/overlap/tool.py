@@ -185,7 +185,8 @@ def corners_table(sheet: Sheet, station: Station, pieces: Pieces) -> None:
     """Declare the corners of the diagram, at which the clearance is least."""
     cell = CELLS["corners"]
     at = station.engine.critical_angles(station.as_set)
-    theta, edges = shown(at.angle, DEGREE), [f"=[@schedules.{edge}.3]" for edge in ("away", "there", "leaves", "back")]
+    theta = shown(at.angle, DEGREE)
+    edges = [f"=[@schedules.{edge}.3]" for edge in ("away", "there", "leaves", "back")]
     sheet.row += 1
     cell.place(
         sheet,

@@ -37,7 +37,8 @@ class OverlapView:
         self.peaks = peaks[0], peaks[1]  # the largest of any tool in m/s², in sequence and as set
         self.alone = len(self.stations) == 1  # its book has no sheets for each tool then
         self.room = self.sizes.motion_pieces or 0  # rows of the tables of pieces
-        self.angles = np.linspace(0.0, TURN, self.sizes.cycle + 1)  # of the master shaft at the samples, in degrees
+        # of the master shaft at the samples, in degrees
+        self.angles = np.linspace(0.0, TURN, self.sizes.cycle + 1)
         self.scene = Scene([station.engine for station in self.stations])  # as drawn
 
     def each(self, formula: str) -> list[str]:
@@ -74,9 +75,11 @@ class Station:
         way_out = longest.angle_out if tool.angle_out is None else si(tool.angle_out, DEGREE)
         self.before = self.engine.one_after_the_other()
         self.longest = replace(self.engine, passage=replace(self.passage, allowance=0.0)).overlapping()
-        self.as_set = replace(longest, angle_in=way_in, angle_out=way_out)  # as entered, or the longest less a bit
+        # as entered, or the longest less a bit
+        self.as_set = replace(longest, angle_in=way_in, angle_out=way_out)
         self.schedules = self.before, self.longest, self.as_set
-        self.peaks = [schedule.peak_acceleration(machine.rate) for schedule in self.schedules]  # m/s²
+        # m/s²
+        self.peaks = [schedule.peak_acceleration(machine.rate) for schedule in self.schedules]
         self.angles_set = shown(way_in, DEGREE), shown(way_out, DEGREE)
 
     @cached_property

@@ -52,7 +52,9 @@ def bend_angles(handover: AxisHandover) -> list[float]:
 def bends_table(sheet: Sheet, handover: AxisHandover) -> None:
     """Declare the table, a row for each phase."""
     column = handover.columns(CELLS["bends_table"])
-    room, at, phases = rows_of_phases(handover), handover.rows.at, [step for _, step in handover.phases]
+    room = rows_of_phases(handover)
+    at = handover.rows.at
+    phases = [step for _, step in handover.phases]
     size, angles = handover.motion.size(0), bend_angles(handover)
 
     def e(n: int) -> str:

@@ -133,7 +133,8 @@ def jumps(handover: AxisHandover) -> list[int]:
 
 def pulse_extremes(handover: AxisHandover, room: int) -> list[Quantity]:
     """Return the columns of the pieces' table: what pieces of laws of two pulses add to the extremes of their steps."""
-    column, joints = (handover.columns(CELLS["pulse_extremes"]), handover.rows.at.pieces.replace("_pieces", "_joints"))
+    column = handover.columns(CELLS["pulse_extremes"])
+    joints = handover.rows.at.pieces.replace("_pieces", "_joints")
     earlier, jumping = leaps(handover)
 
     def of(figure: Callable[[MotionPiece], float]) -> list[float]:

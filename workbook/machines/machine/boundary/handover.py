@@ -39,7 +39,9 @@ class AxisHandover:
         self.rows, self.axis, self.over, self.motion = rows, axis, over, axis.motion
         self.handed = handovers(replace(axis.joined, motion=axis.motion), axis.entered_rates, axis.given.repeats)
         self.entries = f"axis{axis.number}"
-        self.required, self.kinds, self.last = rows.at.required, f"{self.entries}_kinds", f"{self.entries}_last"
+        self.required = rows.at.required
+        self.kinds = f"{self.entries}_kinds"
+        self.last = f"{self.entries}_last"
         self.open, self.room = f'[axes.closes.{axis.number}]="open"', len(rows.firsts)
         self.in_row = {place: k for k, place in enumerate(axis.places)}
 
@@ -62,7 +64,8 @@ class AxisHandover:
     @property
     def parts(self) -> dict[str, str]:
         """The names of cells and tables that formulas have as parts."""
-        at, own = self.rows.at, {"entries": self.entries, "kinds": self.kinds, "last": self.last, "open": self.open}
+        at = self.rows.at
+        own = {"entries": self.entries, "kinds": self.kinds, "last": self.last, "open": self.open}
         return {"phases": at.phases, "pieces": at.pieces, "ends": at.ends, "asked": self.required} | own
 
     def columns(self, table: CellTable) -> Callable[..., Quantity]:

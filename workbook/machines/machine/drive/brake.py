@@ -8,7 +8,6 @@ import numpy as np
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity
 from workbook.book.rows import filled
-from workbook.book.sentence import exceeding
 from workbook.machines.machine.drive.view import DriveView
 
 CELLS = cell_tables(__file__)
@@ -59,5 +58,4 @@ def torque(view: DriveView) -> Quantity:
 def holds(view: DriveView) -> Quantity:
     """Return the check of the brake's holding torque."""
     load, most = view.points.brake_torque, view.driven.brake.torque
-    says = exceeding("@brake_load", "@brake_torque", "Nm", load, most)
-    return CELLS["holds"]("@ok_brake", load <= most, called=view.driven.called, says=says)
+    return CELLS["holds"].limit("@ok_brake", load, most, called=view.driven.called)

@@ -37,7 +37,8 @@ def linkage_of(given: kinds.MechanismEntry, unit: float) -> Linkage:
         case kinds.Table():
             return PositionTable([(si(point.angle, DEGREE), si(point.position, unit)) for point in given.points])
         case kinds.Rocker():
-            angle, sense = si(given.start_angle or 0.0, DEGREE), -1 if given.direction == "backward" else 1
+            angle = si(given.start_angle or 0.0, DEGREE)
+            sense = -1 if given.direction == "backward" else 1
             lever, link, offset = mm(given.lever_length, given.link_length, given.offset)
             return rocker(lever, link, offset, angle, given.slide != "behind", sense)
         case kinds.CrankSlider():
@@ -79,7 +80,8 @@ class Driven:
         entered, products = axis.given, machine.selection
         if entered.mechanism is None or entered.motor is None:
             raise ValueError(f"{entered.name} has no drive")
-        self.axis, self.entered, self.number, self.products = axis.sized, entered, axis.number, products
+        self.axis, self.entered, self.number = axis.sized, entered, axis.number
+        self.products = products
         self.called = f"Drive {entered.called}"
         self.given, self.entered_motor, load = entered.mechanism, entered.motor, entered.load
         self.holding = entered.motor.holding
@@ -88,22 +90,23 @@ class Driven:
         self.motor_used = motor_in_use(entered, products, limits)
         self.reducer = reducer_in_use(entered, products, limits)
         falling = self.catalogued_falling if products.knows_falling else LEVEL
-        self.motor, self.left = replace(self.motor_used.motor, falling=falling), left_of(entered.motor)
+        self.motor = replace(self.motor_used.motor, falling=falling)
+        self.left = left_of(entered.motor)
 
         self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in kinds.LINKED else None
         self.by_angle = by_angle_of(self.given) if self.given.SLIDES else self._arm(machine.gravity)
-        self.travels = entered.unit == "mm" or self.given.SLIDES  # the load: with its axis, or as a slide
+        # the load: with its axis, or as a slide
+        self.travels = entered.unit == "mm" or self.given.SLIDES
         bed = (self.given.belt_on_bed or 0.0) if isinstance(self.given, kinds.Belted) else 0.0
         slide = Slide(load.mass, load.friction, radians(load.slope), load.force, machine.gravity, bed).load
         turns = Load(si(load.inertia, KG_CM2), load.torque, load.friction_torque)
-        self.load, self.parts = (
-            slide if self.travels else turns,
-            [turning(part, 1 + len(entered.stages)) for part in entered.parts],
-        )
+        self.load = slide if self.travels else turns
+        self.parts = [turning(part, 1 + len(entered.stages)) for part in entered.parts]
         self.windows = tuple(Window(si(w.start, DEGREE), si(w.stop, DEGREE), w.force, w.resists) for w in load.windows)
 
         self.mechanism = self._mechanism()
-        self.beside_motor = self.mechanism.on_shaft(0) - self.reducer.inertia  # of parts, without the reducer's
+        # of parts, without the reducer's
+        self.beside_motor = self.mechanism.on_shaft(0) - self.reducer.inertia
         self.at_motor = self.motor_used.inertia + self.mechanism.on_shaft(0)
         brake = entered.motor.brake  # holds any torque, in any dwell, where no figures are entered
         self.brake = Brake(brake.torque, si(brake.closing + brake.opening, MS)) if brake else Brake()

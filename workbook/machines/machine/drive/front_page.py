@@ -14,7 +14,8 @@ from workbook.book.chart import Chart, in_scope
 from workbook.book.declare import Quantity, Sheet, Text
 from workbook.book.limits import Limit
 
-TOP, ROW, HEAD = 4, 13.5, 18.0  # the first row of the page; heights of rows, and of the heads of groups, in points
+# the first row of the page; heights of rows, and of the heads of groups, in points
+TOP, ROW, HEAD = 4, 13.5, 18.0
 LEFT, RIGHT = 2, 8  # the columns of labels; symbols stand beside them
 HEADS = {
     4: ("entered", "stage 1"),
@@ -28,7 +29,8 @@ HEADS = {
 }
 COLUMNS = {head: column for column, heads in HEADS.items() for head in heads}
 """by head, the columns of quantities"""
-UNITS, NOTES, SAYS = {LEFT: 7, RIGHT: 12}, 13, 15  # the columns of units, of notes, of what checks say
+# the columns of units, of notes, of what checks say
+UNITS, NOTES, SAYS = {LEFT: 7, RIGHT: 12}, 13, 15
 QUIET = ("note", "judged")  # heads that are not shown
 MESSAGES = {
     4: (17, "@entries", "entries"),

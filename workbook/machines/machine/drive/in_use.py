@@ -134,7 +134,9 @@ def falling_of(name: str, products: Products, reserve: float) -> TorqueFall:
 
 def left_of(motor: AxisMotor) -> float:
     """Return the share of its rated torque that a motor can give at the temperature around it."""
-    return 1.0 if motor.temperature is None else derating(motor.temperature, motor.limit, motor.rated_at)
+    if motor.temperature is None:
+        return 1.0
+    return derating(motor.temperature, motor.limit, motor.rated_at)
 
 
 def reducer_in_use(axis: Axis, products: Products, limits: Limits) -> ReducerInUse:

@@ -18,7 +18,9 @@ CONSTANT = "IF([dir]=0,@held2,IF({0}*[dir]<0,@in2,@out2))*{0}"
 
 def by_inertia(view: DriveView) -> tuple[str, str]:
     """Return the formulas of the torques of inertia on the mechanism's shaft, and at the motor's."""
-    return ("@j1*[al]", f"@j0*@i1{stages.between(view.driven)}*[al]") if view.varies else ("@j1i2*[a]", "@j0i*[a]")
+    if view.varies:
+        return ("@j1*[al]", f"@j0*@i1{stages.between(view.driven)}*[al]")
+    return ("@j1i2*[a]", "@j0i*[a]")
 
 
 def behind(view: DriveView) -> str:

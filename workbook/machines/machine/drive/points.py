@@ -130,7 +130,9 @@ def cuts_table(sheet: Sheet, view: DriveView) -> None:
     """Declare where an interval can begin: at the motion's pieces, at edges of process forces, and where it turns."""
     table = f"axis{view.driven.number}_pieces"
     pieces = filled([shown(piece.begin, DEGREE) for piece in view.cycle.pieces], view.room, TURN)
-    steps, turning, bent = range(1, view.steps), range(1, view.turn_rows + 1), range(1, len(view.bends) // 2 + 1)
+    steps = range(1, view.steps)
+    turning = range(1, view.turn_rows + 1)
+    bent = range(1, len(view.bends) // 2 + 1)
     turned = filled([shown(turn.at, DEGREE) for turn in view.turns[: view.turns_cut]], view.turn_rows, TURN)
     edges = [*pieces, *view.edges, *(TURN * n / view.steps for n in steps), *turned, *view.bends]
     windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)] + [-n for n in steps]
@@ -201,7 +203,8 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
     speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*[cycle{i}.v.same]/1000"
     shaft = list[Quantity]()
     if linkage := view.driven.linkage:
-        angle, speeds = linkage.shaft(view.load.position).angle, shown(view.between.of(view.points.speed), RPM)
+        angle = linkage.shaft(view.load.position).angle
+        speeds = shown(view.between.of(view.points.speed), RPM)
         shaft = [
             cell("phi", view.between.of(angle), formula=line("phi"), scale=1.0),
             cell("n", speeds, formula=line("n")),

@@ -138,7 +138,8 @@ def way(names: list[str], begin: int, sign: int) -> list[str]:
             share = "0"
         else:
             low, high = (use.format(row, row) for use in uses)
-            limit, grows = f"[@held.limit.{row}]=0", f"({high}-{low}>@least_use*{low})*({high}-{low})"
+            limit = f"[@held.limit.{row}]=0"
+            grows = f"({high}-{low}>@least_use*{low})*({high}-{low})"
             share = f"IF({limit},0,MIN(1/@least_use,{grows}/MAX(tiny,[cap]-{low})))"
         found.append(f"={holds}{share}")
     return found

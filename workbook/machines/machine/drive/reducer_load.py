@@ -66,9 +66,12 @@ def means(sheet: Sheet, view: DriveView) -> None:
 
 def shaft_of(view: DriveView) -> Shaft:
     """Return the shaft behind the reducer of a drive, as the sheet Selection reads it."""
-    d, motor, reducer, rms = view.driven, view.driven.motor_used, view.driven.reducer, view.reserve.rms_torque
+    d, motor, reducer = view.driven, view.driven.motor_used, view.driven.reducer
+    rms = view.reserve.rms_torque
     top, torque = view.reserve.peak_torque.value, view.scales.torque
-    load, turning, behind = load_of(view), view.scales.turning * view.load.output_ratio, view.scales.behind
+    load = load_of(view)
+    turning = view.scales.turning * view.load.output_ratio
+    behind = view.scales.behind
     rows = formulas_by_row(__file__, "as Selection reads it")
     formulas = dict(zip(rows["figure"], rows["reads"], strict=True))
     formulas |= {"brake": "0"} if view.brakes else {}

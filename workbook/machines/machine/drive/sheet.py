@@ -121,7 +121,8 @@ def entries(driven: Driven) -> list[Quantity]:
     """Return the entries of this mechanism, its load, stages, reducer and motor."""
     cell = CELLS["entries"]
     m, key = driven.given, f"axes.{driven.number - 1}"
-    entry, own = table_of(type(m)).entries(m, f"{key}.mechanism"), table_of(Axis).entries(driven.entered, key)
+    entry = table_of(type(m)).entries(m, f"{key}.mechanism")
+    own = table_of(Axis).entries(driven.entered, key)
     none = f"empty: {'2 − 1/η_2, of its friction' if m.kind in SCREWS else 'η_2'}; 0 or less: self-locking"
     return [
         cell("@axis", driven.entered.name, number=driven.number),
@@ -194,7 +195,8 @@ def outcome(view: DriveView) -> list[Quantity]:
 def uses(view: DriveView) -> list[Quantity]:
     """Return the shares of the limits that are used, and the reserves of the motor."""
     cell, limits = CELLS["uses"], view.driven.limits
-    names, least = ("rms", "peak", "speed", "reducer", "mean", "input"), (limits.rms_reserve, limits.peak_reserve)
+    names = ("rms", "peak", "speed", "reducer", "mean", "input")
+    least = (limits.rms_reserve, limits.peak_reserve)
     shares = {name: check.use for name, check in zip(names, [*view.reserve, *view.reducer_checks], strict=True)}
     shares["inertia"] = view.inertia_ratio / limits.inertia_ratio
     reserves = zip(names, view.reserve, (*least, limits.speed_reserve), strict=False)
@@ -231,7 +233,8 @@ def energies(view: DriveView) -> list[Quantity]:
 def at_rate(view: DriveView) -> list[Quantity]:
     """Return the rows of the reducer's cycles an hour, and of the motor's curve if the book has any."""
     cell = CELLS["at_rate"]
-    driven, falling, held = view.driven, view.driven.catalogued_falling, view.reducer_checks[0].limit
+    driven, falling = view.driven, view.driven.catalogued_falling
+    held = view.reducer_checks[0].limit
     peak, row, motors = driven.motor.peak_torque, driven.motor_used.row, driven.products.motors
     listed = row > 0 and motors[row - 1].end_torque is not None
     fastest = driven.motor.max_speed * driven.limits.speed_reserve
@@ -257,17 +260,14 @@ def checks(view: DriveView) -> list[Quantity]:
     driven, (torque, mean, speed) = view.driven, view.reducer_checks
     called, reducer = driven.called, driven.reducer
     mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').text}")
+    within = motor.within_reducer(called, "@smax", "@reducer_held")
     is_level, level_says = not driven.catalogued_falling.fall, CheckSentence(f'"{LEVEL}"', LEVEL)
     level = cell("@ok_curve", is_level, says=level_says)
     return [
         *motor.limit_checks(view.reserve, called, mends=mends),
-        *motor.within_reducer(
-            called,
-            ("torque", "@smax", "@reducer_held", torque.ok, torque.value, torque.limit),
-            ("mean torque", "@smean", "@reducer_mean", mean.ok, mean.value, reducer.mean_torque),
-            ("speed", "@speed", "@reducer_nmax", speed.ok, shown(speed.value, RPM), reducer.max_speed),
-            mends=mends,
-        ),
+        within.limit("@ok_reducer_peak", torque.value, torque.limit, mends),
+        within.limit("@ok_reducer_mean", mean.value, reducer.mean_torque, mends),
+        within.limit("@ok_reducer_speed", shown(speed.value, RPM), reducer.max_speed, mends),
         creeping.creeping_check(view),
         motor.inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
         turns_check(view),

@@ -85,25 +85,29 @@ class DriveView:
     """
 
     def __init__(self, tables: AxisTables, driven: Driven, like: "DriveView | None" = None) -> None:
-        self.tables, self.driven, machine, own = tables, driven, tables.machine.given, driven.entered.rate
+        self.tables, self.driven, machine = tables, driven, tables.machine.given
+        own = driven.entered.rate
         self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, tables.machine.room
         self.rows = self.room + self.steps - 1
         self.slides, self.varies = driven.given.SLIDES, driven.linkage is not None
         self.brakes = driven.entered.motor is not None and driven.entered.motor.brake is not None
-        self.knows_falling, self.for_selection = machine.selection.knows_falling, machine.selection.axis is not None
+        self.knows_falling = machine.selection.knows_falling
+        self.for_selection = machine.selection.axis is not None
         self.rate = machine.per_minute if own is None else own
         self.time = driven.drive_cycle.time  # of a cycle (s)
         self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour
         pieces, near = list(tables.pieces.pieces), tables.axis.motion.tolerance
         self.turn_rows, found = machine.sizes.turns, tables.turning.turns
-        self.bends = bend_angles(tables.ends) if tables.ends else []  # where accelerations are cut (°); 360: nowhere
+        # where accelerations are cut (°); 360: nowhere
+        self.bends = bend_angles(tables.ends) if tables.ends else []
         taken = 2 * len(driven.windows) + 2 * (polynomials(tables.ends) if tables.ends else 0)
         self.turns_cut = min(len(found), self.turn_rows, self.room - len(pieces) - taken)
         self.turns = found[: self.turn_rows]
         inside = [*(point.at for point in found[: self.turns_cut]), *(si(at, DEGREE) for at in self.bends if at < TURN)]
         self.cycle = QuadratureCycle(driven.drive_cycle, pieces, near, inside)
         self.load: LoadPoints = replace(like.load, train=driven.train) if like else self.cycle.points()
-        self.points, self.numbers = DrivePoints(self.load), np.arange(len(self.cycle.intervals))[:, None]
+        self.points = DrivePoints(self.load)
+        self.numbers = np.arange(len(self.cycle.intervals))[:, None]
         self.point_rows = self.rows * POINTS
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
         self.speed = self.size("n") if self.varies else turns  # the largest of the motor (rad/s)
@@ -153,7 +157,8 @@ class DriveView:
         """The view of :attr:`peak_points`, measured by the same scales."""
         _ = self.scales
         other = copy(self)
-        other.points, other.load, other.point_rows = self.peak_points, self.peak_points.load, len(self.peaks)
+        other.points, other.load = self.peak_points, self.peak_points.load
+        other.point_rows = len(self.peaks)
         other.numbers = np.array([[peak.at // POINTS] for peak in self.peaks.values()])
         return other
 
@@ -229,31 +234,23 @@ class DriveView:
     @property
     def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
         """The peak and the mean torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
-        limits, points, behind = self.driven.reducer.limits, self.points, self.load.output_torque
-        found = (
-            ("peak torque", self.size("S"), limits.peak_at(1.0 / self.time)),
-            ("mean torque", points.cubic_mean(behind), limits.mean_torque),
-            ("input speed", self.speed, limits.input_speed),
+        limits, mean = self.driven.reducer.limits, self.points.cubic_mean(self.load.output_torque)
+        return (
+            LimitCheck("peak torque", self.size("S"), limits.peak_at(1.0 / self.time)),
+            LimitCheck("mean torque", mean, limits.mean_torque),
+            LimitCheck("input speed", self.speed, limits.input_speed),
         )
-        peak, mean, speed = (LimitCheck(name, value, limit) for name, value, limit in found)
-        return peak, mean, speed
 
     @property
     def limit_checks(self) -> dict[str, LimitCheck]:
         """The quantities at the points against each limit, by its name in the engine (Nm, rad/s)."""
-        left, torque = self.points.reserve(self.driven.motor).ravel(), np.abs(self.points.torque).ravel()
+        left = self.points.reserve(self.driven.motor).ravel()
+        torque = np.abs(self.points.torque).ravel()
         k = int(left.argmin())
         below = LimitCheck(BELOW, float(torque[k]), float(torque[k] + left[k]))
-        named = (
-            "RMS torque",
-            "peak torque",
-            "motor speed",
-            "reducer peak torque",
-            "reducer mean torque",
-            "reducer input speed",
-            BELOW,
-        )
-        return dict(zip(named, (*self.reserve, *self.reducer_checks, below), strict=True))
+        checks = dict(zip(("RMS torque", "peak torque", "motor speed"), self.reserve, strict=True))
+        checks |= {f"reducer {check.name}": check for check in self.reducer_checks}
+        return checks | {BELOW: below}
 
     @cached_property
     def rates(self) -> Rates:
@@ -294,4 +291,6 @@ class DriveView:
 def drive_of(tables: AxisTables) -> DriveView | None:
     """Return the drive of an axis, if it has one."""
     given = tables.axis.given
-    return DriveView(tables, Driven(tables.axis, tables.machine.given)) if given.mechanism and given.motor else None
+    if given.mechanism and given.motor:
+        return DriveView(tables, Driven(tables.axis, tables.machine.given))
+    return None

@@ -70,7 +70,8 @@ def inertias(view: DriveView, sizes: list[Quantity]) -> list[Quantity]:
         load = CELLS["load that travels"]("@m", moved, mass=mass)
     else:
         load = CELLS["load that turns"]("@m", moved)
-    of_load, largest = "m (dx/dψ)²" if view.slides else "m/φ'²", ", the largest" if driven.train.inertia_varies else ""
+    of_load = "m (dx/dψ)²" if view.slides else "m/φ'²"
+    largest = ", the largest" if driven.train.inertia_varies else ""
     return [
         load,
         *sizes,

@@ -35,10 +35,12 @@ from workbook.template_outputs import LIMITS
 
 FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
 LIGHTER = 0.9  # of the inertias of load and parts
-RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}  # by what must not jump: the highest derivative that is 0 at ends
+# by what must not jump: the highest derivative that is 0 at ends
+RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}
 RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
 SHAPED = "Shaped"  # begins the name of a law that is shaped for its drive
-SHAPED_FOR = ("rate", "torque", "power", "energy")  # aims for which laws are shaped, all but the rate by least torque
+# aims for which laws are shaped, all but the rate by least torque
+SHAPED_FOR = ("rate", "torque", "power", "energy")
 PIECES = 8  # of a law that is shaped for its drive, at most
 NEAR = 1e-9  # of the rise: ends of laws that differ by less are the same
 
@@ -62,7 +64,9 @@ def where(machine: AnyMachine, name: str, moment: Moment) -> str:
     if moment.phase not in axis.entered:
         return f"rest at {at}"
     phase = f"phase {axis.entered.index(moment.phase) + 1}"
-    return f"{phase}, at {at}" if moment.share == 1.0 else f"{phase}, {100.0 * moment.share:.0f} % of it"
+    if moment.share == 1.0:
+        return f"{phase}, at {at}"
+    return f"{phase}, {100.0 * moment.share:.0f} % of it"
 
 
 def changes(machine: AnyMachine, name: str, rate: float, aim: Aim) -> Iterator[Change]:
@@ -91,7 +95,8 @@ def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[
         passes = phase.passes or axis.phases[(k + 1) % len(axis.phases)].passes
         if not phase.lift or passes or phase.law not in known:
             continue
-        path, begin = ("axes", str(i), "phases", str(k), "law"), f"{axis.name} phase {k + 1}: {known[phase.law].words}"
+        path = ("axes", str(i), "phases", str(k), "law")
+        begin = f"{axis.name} phase {k + 1}: {known[phase.law].words}"
         with suppress(ValueError, ArithmeticError):  # too few pieces, or what the engine refuses
             if driven:
                 pieces, least = min(PIECES, machine.sizes.pieces), not aim.is_rate
@@ -127,11 +132,9 @@ def free_name(machine: AnyMachine, i: int, k: int) -> str:
 
 def shaped(driven: Driven, rate: float, k: int, begin: str, name: str, most: int, least_torque: bool) -> Change:
     """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into ``most`` pieces."""
-    axis, rest, checks = (
-        driven.axis,
-        RESTS[driven.axis.given.smoothness],
-        at_speed(driven.limit_checks, rate * math.tau),
-    )
+    axis = driven.axis
+    rest = RESTS[driven.axis.given.smoothness]
+    checks = at_speed(driven.limit_checks, rate * math.tau)
     law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=most, least_torque=least_torque).law
     pieces = [
         {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
@@ -153,7 +156,9 @@ def edge_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
 
 def product_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
     """Yield the next motor up and down by the rated torque, and other ratios, of the catalogues."""
-    axis, products, limits = machine.axes[i], machine.selection, machine.limits.of_axis(machine.axes[i].limits)
+    axis = machine.axes[i]
+    products = machine.selection
+    limits = machine.limits.of_axis(machine.axes[i].limits)
     motor, reducer = motor_in_use(axis, products, limits), reducer_in_use(axis, products, limits)
     rated = motor.rated_torque * limits.rms_reserve
     rows = sorted(products.motors, key=lambda row: row.rated_torque)
@@ -195,7 +200,8 @@ def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
             yield Change(sentence, {("axes", str(i), "limits", name): lower}, "other")
 
 
-BY_RATE = tuple(check for check, _ in LIMITS.values())  # names of checks of limits, behind the drive's
+# names of checks of limits, behind the drive's
+BY_RATE = tuple(check for check, _ in LIMITS.values())
 
 
 def breaks(machine: AnyMachine) -> set[str]:

@@ -25,7 +25,8 @@ from workbook.template_outputs import Column
 
 WEIGHED = ("mass", "cost")
 FIXED = Column([None], np.zeros(1, dtype=np.intp))  # of what does not differ
-DesignPlaces = tuple[int, int, int]  # motor, reducer and rate of a design, by their places among those that differ
+# motor, reducer and rate of a design, by their places among those that differ
+DesignPlaces = tuple[int, int, int]
 
 
 class DriveStudy:

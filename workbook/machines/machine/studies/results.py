@@ -106,7 +106,9 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
     i, given = axis.number, axis.given
 
     def of_move(k: int, figure: str, power: int) -> Any:
-        return getattr(axis.moves[k], figure) * axis.speed**power * faster**power if k in axis.moves else 0.0
+        if k in axis.moves:
+            return getattr(axis.moves[k], figure) * axis.speed**power * faster**power
+        return 0.0
 
     def of_whole(figure: str, power: int) -> Any:
         return getattr(axis, figure) * faster**power
@@ -130,7 +132,9 @@ def of_axis(axis: MovingAxis, faster: Any) -> tuple[Computations, Computations]:
 def end_checks(machine: AnyMachine, axis: MovingAxis, rows: Callable[[], Any]) -> Computations:
     """Return the checks of the velocities at a motion's ends, where straight lines can give it some."""
     ends = rows()[axis.number - 1].ends if machine.laws.of("LIN") else None
-    return {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")} if ends else {}
+    if ends:
+        return {q.name: partial(np.array, q.value) for q in ends.checks(f"axis{axis.number}", "")}
+    return {}
 
 
 def checks_of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:

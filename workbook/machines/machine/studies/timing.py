@@ -27,7 +27,8 @@ STEP = 0.01  # degrees of a turn, by multiples of which edges move
 SHORTEST = 1.0  # degrees of a turn that a phase lasts at least, as far as edges move
 HALF = 0.5  # of the way to the next edge of an axis, so that none passes another
 GAPS = 181  # places of the cycle at which gaps are looked at
-Bounds = dict[float, tuple[float, float]]  # by the place of edges, the first and the last to which they may move
+# by the place of edges, the first and the last to which they may move
+Bounds = dict[float, tuple[float, float]]
 
 
 def rooms(base: AnyMachine, machine: AnyMachine, i: int) -> list[Room]:
@@ -81,7 +82,8 @@ def rooms_of(base: AnyMachine, i: int, bounds: Bounds) -> Iterator[Room]:
     edges = edges_of(base.axes[i], i)
     for group in places_together(base, i, edges):
         limits = [(bounds[place][0] - place, bounds[place][1] - place) for place in group if place in bounds]
-        low, high = max((low for low, _ in limits), default=0.0), min((high for _, high in limits), default=0.0)
+        low = max((low for low, _ in limits), default=0.0)
+        high = min((high for _, high in limits), default=0.0)
         if high > low:
             words = {" and ".join(edges[place].values()): place for place in group}
             moved = {path: place for place in group for path in edges[place]}

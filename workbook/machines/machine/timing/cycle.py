@@ -24,7 +24,8 @@ EARLIER = "([theta]-@late-[p])*@lap"  # the travel of the turns that its phases 
 
 def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int) -> None:
     """Declare the sheet of an axis; ``floor`` is the height of its lane in the timing diagram."""
-    over, axis, i, unshifted = machine.over, tables.axis, tables.axis.number, tables.axis.unshifted(machine.samples)
+    over, axis, i = machine.over, tables.axis, tables.axis.number
+    unshifted = tables.axis.unshifted(machine.samples)
     title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
     unit, lowest, highest = axis.given.unit, f"[axes.low.{i}]", f"[axes.high.{i}]"
@@ -95,7 +96,8 @@ def results(tables: AxisTables) -> list[Quantity]:
 
 def exportable(tables: AxisTables) -> Exportable:
     """Return an axis as the sheet Export may have it."""
-    axis, i, unit, over = tables.axis, tables.axis.number, tables.axis.given.unit, tables.machine.over
+    axis, i, unit = tables.axis, tables.axis.number, tables.axis.given.unit
+    over = tables.machine.over
     units = (over.unit, unit, f"{unit}/{over.unit}", f"{unit}/{over.unit}²")
     later = ShiftCells(f"[axes_taken.late.{i}]", "eps", f"[axes.travel.{i}]", axis.unshifted, axis.motion.lifts_sum)
     return Exportable(

@@ -92,10 +92,8 @@ def entered(tables: AxisTables) -> list[Quantity]:
             passing.append(cell("{end}s", filled(values, tables.rows, ""), end=end, tables=tables, source=KINDS))
     y = f"INDEX([{steps}.y0],2*[k])+INDEX([{steps}.h],2*[k])-[lack]"
     reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
-    ends, size = (
-        [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered],
-        shown(axis.motion.size(0), axis.unit),
-    )
+    ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
+    size = shown(axis.motion.size(0), axis.unit)
     return [
         cell("kind", sampling.kinds(axis.phases, tables.rows), formula=doubled(sampling.kind(tables.at.ends))),
         cell("start", entry("start"), format=over.format, upper_limit=over.upper_limit),
@@ -110,7 +108,9 @@ def entered(tables: AxisTables) -> list[Quantity]:
 def extremes(tables: AxisTables) -> list[Quantity]:
     """Return the columns of each movement's greatest rates, and its duration where the cycle's length is entered."""
     axis, over, by = tables.axis, tables.machine.over, "t" if tables.machine.over.timed else "δ"
-    symbols, units, lift = over.extremes, over.rates(axis.given.unit), over.lift(axis.given.unit).shown
+    symbols = over.extremes
+    units = over.rates(axis.given.unit)
+    lift = over.lift(axis.given.unit).shown
     figures = [
         (word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
         for k, (word, *_, source, figure) in enumerate(RATES, 1)
@@ -230,7 +230,8 @@ def going_beyond(last: str, over: Abscissa) -> str:
 def gaps(tables: AxisTables) -> list[float]:
     """Return how long the axis rests before each phase, in degrees; before the first spare row, behind the last."""
     phases, n = tables.axis.given.phases, tables.rows
-    begins, ends = filled([p.start for p in phases], n, 360.0), [0.0, *filled([p.stop for p in phases], n, 360.0)]
+    begins = filled([p.start for p in phases], n, 360.0)
+    ends = [0.0, *filled([p.stop for p in phases], n, 360.0)]
     return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
 

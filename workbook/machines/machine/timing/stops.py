@@ -73,7 +73,9 @@ class HardStop(NamedTuple):
 
     def reached_by(self, motion: Motion) -> float:
         """Return how far towards it a motion goes."""
-        return self.outwards * math.inf if self.feeds_on else shown(motion.reach[STOPS.index(self.end)], self.axis.unit)
+        if self.feeds_on:
+            return self.outwards * math.inf
+        return shown(motion.reach[STOPS.index(self.end)], self.axis.unit)
 
     def is_kept(self, reached: float) -> bool:
         """Return whether an axis that goes so far does not go beyond it."""

@@ -13,14 +13,17 @@ from workbook.machines.machine.mechanism import ON_BED, Belted, MechanismEntry
 
 CELLS = cell_tables(__file__)
 
-Column = Callable[[Array], list[float]]  # makes a column of a table of an array of values at its places
-Table = Callable[[Sheet, Driven, int], None]  # declares a table of as many rows as the book has for positions
+# makes a column of a table of an array of values at its places
+Column = Callable[[Array], list[float]]
+# declares a table of as many rows as the book has for positions
+Table = Callable[[Sheet, Driven, int], None]
 
 
 class LinkagePage(NamedTuple):
     """The part of a sheet for a mechanism whose ratio depends on the position; formulas in the scope of the drive."""
 
-    sizes: Callable[[Driven], list[Quantity]]  # the rows of its sizes in m, and of where it can bring its load to
+    # the rows of its sizes in m, and of where it can bring its load to
+    sizes: Callable[[Driven], list[Quantity]]
     ratios: Callable[[Driven, Array, Column], list[Quantity]]
     """the columns of φ' (``g``), φ'' (``h``) and the shaft's angle at the position in the column ``y``"""
     varied: Callable[[int, int, int], tuple[dict[str, Any], float, float]]
@@ -31,7 +34,8 @@ class LinkagePage(NamedTuple):
     holds: str  # what that is about
     wrong: str  # the formula of what is said where they do not
     within: str  # between what it reaches its positions
-    ends: dict[str, str]  # the formulas of the names of both ends of the reach, ``low`` and ``high``
+    # the formulas of the names of both ends of the reach, ``low`` and ``high``
+    ends: dict[str, str]
     entered: Table | None = None  # the table of what is entered, if it has one
     worked: Table | None = None  # that of its workings
 

@@ -109,7 +109,8 @@ def crank_varied(i: int, k: int, room: int) -> tuple[dict[str, Any], float, floa
 def rocker_sizes(driven: Driven) -> list[Quantity]:
     """Return the rows of a rocker in m, and of where it can bring its load to."""
     cell = CELLS["rocker_sizes"]
-    linkage, begin = of_kind(SlideLinkage, driven.linkage), si(of_kind(Rocker, driven.given).start_angle or 0.0, DEGREE)
+    linkage = of_kind(SlideLinkage, driven.linkage)
+    begin = si(of_kind(Rocker, driven.given).start_angle or 0.0, DEGREE)
     low, high, *_ = linkage.reach
     return [
         *lengths(linkage, "lever_length", "link_length"),
