@@ -45,7 +45,7 @@ class TorqueInterval:
 
     def load(self, u: Array) -> LoadMotion:
         """Return the motion of the load at u."""
-        y, velocity, acceleration = (curve.at(u) for curve in self.piece.curves[:3])
+        y, velocity, acceleration = (curve(u) for curve in self.piece.curves[:3])
         return LoadMotion(y, velocity * self.speed, acceleration * self.speed**2)
 
     def shaft(self, u: Array) -> ShaftMotion:

@@ -58,7 +58,7 @@ def directions(piece: MotionPiece) -> Directions:
     """Return where a piece moves each way; by default that of a piece without duration."""
     if not piece.duration:
         return Directions()
-    v = piece.curves[1].at(piece.duration * MIDDLES)
+    v = piece.curves[1](piece.duration * MIDDLES)
     each = [MIDDLES[way * v > 0.0] for way in (1.0, -1.0)]
     firsts = [float(places[0]) if places.size else NEVER for places in each]
     lasts = [float(places[-1]) if places.size else NOWHERE for places in each]

@@ -4,7 +4,6 @@ A law is found by its number, which a class in any file of this folder states. :
 workbook needs of each. Everything else (tables of pieces, drop-downs, variations, tests) iterates over the catalogue.
 """
 
-from collections.abc import Iterable
 from difflib import get_close_matches
 from importlib import import_module
 from pkgutil import iter_modules
@@ -18,7 +17,7 @@ from engine.laws.simple import Dwell
 
 __all__ = [
     "CATALOGUE", "Coefficients", "Dwell", "Kinematics", "Law", "Piece", "PieceLaw", "UnknownLawError", "family_named",
-    "law", "nearest_names",
+    "law",
 ]  # fmt: skip
 
 for _file in iter_modules(__path__):
@@ -41,12 +40,6 @@ _KNOWN = {_key(name): family for family in CATALOGUE for name in (family.code, f
 def family_named(name: str) -> type[Law] | None:
     """Return the class of the catalogue's law with this code, name or alias; None where it has none."""
     return _KNOWN.get(_key(name))
-
-
-def nearest_names(name: str, names: Iterable[str]) -> list[str]:
-    """Return the three of the names that are most like the given name, the likest first."""
-    known = {each.casefold(): each for each in names}
-    return [known[each] for each in get_close_matches(name.casefold(), known, n=3, cutoff=0.0)]
 
 
 def law(name: str, **parameters: Any) -> Law:
@@ -73,6 +66,7 @@ def law(name: str, **parameters: Any) -> Law:
     """
     chosen = family_named(name)
     if chosen is None:
-        names = (each for family in CATALOGUE for each in (family.code, family.name, *family.aliases))
-        raise UnknownLawError(f"no law is named {name!r}; expected one of {', '.join(nearest_names(name, names))}")
+        names = {each.casefold(): each for family in CATALOGUE for each in (family.code, family.name, *family.aliases)}
+        near = (names[each] for each in get_close_matches(name.casefold(), names, n=3, cutoff=0.0))
+        raise UnknownLawError(f"no law is named {name!r}; expected one of {', '.join(near)}")
     return chosen(**parameters)

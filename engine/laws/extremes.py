@@ -6,11 +6,12 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
 from numpy.polynomial import Polynomial
 
-from engine.laws.base import Array, Coefficients, Flags
+from engine.laws.base import Array, Coefficients, Flags, Real
 from engine.laws.piece import Piece, Sine, cut, gains, placed_pieces
 
 STEPS = 100  # of Newton's method, or of halving if a step leaves the bracket: to the last digit
@@ -26,22 +27,14 @@ class Curve:
     c: tuple[float, ...]
     sines: tuple[Sine, ...] = ()
 
-    def __call__(self, u: float) -> float:
-        """Return f(u)."""
-        value = 0.0
+    def __call__(self, u: Real) -> Real:
+        """Return f at a number u, or at each of an array."""
+        sin: Any = np.sin if isinstance(u, np.ndarray) else math.sin
+        value = 0.0 * u
         for c in reversed(self.c):
             value = value * u + c
         for p, w, phi in self.sines:
-            value += p * math.sin(w * u + phi)
-        return value
-
-    def at(self, u: Array) -> Array:
-        """Return f at an array of u."""
-        value = np.zeros(np.shape(u))
-        for c in reversed(self.c):
-            value = value * u + c
-        for p, w, phi in self.sines:
-            value = value + p * np.sin(w * u + phi)
+            value = value + p * sin(w * u + phi)
         return value
 
     @cached_property

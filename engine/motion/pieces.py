@@ -33,7 +33,7 @@ class MotionPiece:
 
     def at(self, u: Array) -> MotionValues[Array]:
         """Return y, y', y'', y''' at u."""
-        return MotionValues(*(curve.at(u) for curve in self.curves))
+        return MotionValues(*(curve(u) for curve in self.curves))
 
     @cached_property
     def curves(self) -> tuple[Curve, Curve, Curve, Curve]:

@@ -36,16 +36,6 @@ there (right-click its tab > Move or Copy); the names come with it.
 By hand: Formulas > Name Manager > New for each entry below: its name, and its formula under Refers to.
 The names that begin with _ are called by the others: take them all.
 """
-MENU = {
-    "verify": "Verify",
-    "cancel": "Cancel",
-    "mark": "Mark Findings",
-    "clear": "Clear Marks",
-    "put-back": "Put Back",
-    "regenerate": "Regenerate",
-    "insert": "Insert Function…",
-}
-"""the commands of the menu of Calc, with their titles"""
 PACKAGE = resources.files("workbook.functions") / "addin"
 
 
@@ -104,6 +94,7 @@ def add_in(python: str) -> dict[str, bytes]:
         *described,
         "motion.py",
         "motion_menu.py",
+        "Addons.xcu",
         "ProtocolHandler.xcu",
     ]
     category = Text(*TEXTS["category"])
@@ -111,8 +102,7 @@ def add_in(python: str) -> dict[str, bytes]:
     registry = wizard.generate(namespace=NAMESPACE, functions=FUNCTIONS, category=category)
     files = {name: (PACKAGE / name).read_text(encoding="utf-8").encode() for name in texts}
     files["description.xml"] = files["description.xml"].replace(b"VERSION", __version__.encode())
-    menu = Template((PACKAGE / "Addons.xcu").read_text(encoding="utf-8")).generate(commands=MENU)
-    files |= {"Addons.xcu": menu, "pythonpath/motionbook_python.py": f"PYTHON = {python!r}\n".encode()}
+    files["pythonpath/motionbook_python.py"] = f"PYTHON = {python!r}\n".encode()
     files |= {"CalcAddIns.xcu": registry, "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
     for module in sorted((PACKAGE / "motion_functions").iterdir(), key=attrgetter("name")):
         if module.name.endswith(".py"):

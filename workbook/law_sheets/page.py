@@ -16,20 +16,9 @@ from workbook.fields.texts import sheet_title
 from workbook.fields.units import MM, shown, si
 from workbook.law_sheets.library import NamedLaw
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, COEFFICIENTS, LABELS, Parameter, entries_of
+from workbook.laws.family import ADDS, BEHIND, COEFFICIENTS, LABELS, Parameter, entries_of
 
 CELLS = cell_tables(__file__)
-
-SPELLED = {  # what the columns of a table of pieces add to a(u)
-    "c0": "c0",
-    "c1": "c1 u",
-    "c2": "c2 u²",
-    "c3": "c3 u³",
-    "c4": "c4 u⁴",
-    "c5": "c5 u⁵",
-    "P": "P sin(ωu + φ)",
-    "P2": "P₂ sin(ω₂u + φ₂)",
-}
 
 
 def finite(value: float) -> float | str:
@@ -52,7 +41,7 @@ def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces)
         results(sheet, named, rise)
         page.work(sheet, named, stack, sizes)
         if page.pieces:
-            a = " + ".join(words for name, words in SPELLED.items() if name in page.columns) or "0"
+            a = " + ".join(words for name, words in ADDS.items() if name in page.columns) or "0"
             sheet.heading("Pieces", f"On each piece a(u) = {a}, u = ξ − ξ_k; velocity and position are carried on.")
             rows, pieces = page.pieces, law.monotone_pieces()
             values = [entries_of(piece) for piece in pieces]

@@ -10,7 +10,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from engine.laws.pulse_law import K, PulseLaw
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity
 from workbook.laws.family import Page, PieceRow
 
@@ -58,6 +58,17 @@ class Stage(NamedTuple):
 
     form: Form | None
     duration: str = ""  # empty where it is what an engineer enters
+
+
+FORMS = {form.word: form for form in (FLAT, SINE_OUT, SINE_IN, LINE_OUT, LINE_IN, HALF_SINE)}
+
+
+def stages_in(module: str, title: str) -> dict[int, Stage]:
+    """Return the stages in the table under a heading beside a module: each its number, form and duration."""
+    columns = formulas_by_row(module, title)
+    durations = columns.get("duration", [""] * len(columns["stage"]))
+    rows = zip(columns["stage"], columns["form"], durations, strict=True)
+    return {int(stage): Stage(FORMS.get(form), duration) for stage, form, duration in rows}
 
 
 def added(terms: Sequence[str]) -> str:

@@ -12,30 +12,23 @@ from pydantic import Field, create_model
 
 from engine.laws import Law, Piece
 from engine.laws.base import BREAK_TOLERANCE
+from workbook.book.cell_tables import formulas_by_row
 from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.sentence import amount, figure
 from workbook.fields.paths import get, put, split
 from workbook.fields.types import DesignError, Model, Number, Positive
 
-COEFFICIENTS = (
-    ("cv", "Velocity coefficient", "C_v"),
-    ("ca_max", "Acceleration coefficient", "C_a+"),
-    ("ca_min", "Deceleration coefficient", "C_a−"),
-    ("ca_rms", "RMS acceleration coefficient", "C_a,rms"),
-    ("cj", "Jerk coefficient", "C_j"),
-    ("va_max", "Largest v·a, when driving", "max(v·a)"),
-    ("va_min", "Lowest v·a, when braking", "min(v·a)"),
-)
+_NAMED, _PIECES = (formulas_by_row(__file__, title) for title in ("coefficients", "entries of a piece"))
+COEFFICIENTS = list(zip(_NAMED["name"], _NAMED["label"], _NAMED["symbol"], strict=True))
+"""name, label and symbol of each"""
 SINE, SECOND = ("P", "omega", "phi"), ("P2", "omega2", "phi2")
 POWERS = ("c0", "c1", "c2", "c3", "c4", "c5")
 ENTRIES = ("d", *POWERS, *SINE, *SECOND)
 """the columns of a table of pieces; those of a second sine are there in books with a law that needs them"""
-LABELS = {  # label and symbol of each
-    "d": ("duration", "d"), "c0": ("constant", "c0"), "c1": ("slope", "c1"), "c2": ("quadratic", "c2"),
-    "c3": ("cubic", "c3"), "c4": ("quartic", "c4"), "c5": ("quintic", "c5"),
-    "P": ("amplitude", "P"), "omega": ("frequency", "ω"), "phi": ("phase", "φ"),
-    "P2": ("second amplitude", "P₂"), "omega2": ("its frequency", "ω₂"), "phi2": ("its phase", "φ₂"),
-}  # fmt: skip
+LABELS = dict(zip(_PIECES["entry"], zip(_PIECES["label"], _PIECES["symbol"], strict=True), strict=True))
+"""label and symbol of each"""
+ADDS = {name: words for name, words in zip(_PIECES["entry"], _PIECES["adds"], strict=True) if words != "–"}
+"""what it adds to the acceleration"""
 # the column behind the charts of a law's sheet, where workings of its entries may stand
 BEHIND = 20
 REACHES = "ABS([@samples.s.last]-1)<check_zero"

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from workbook.book.cell_tables import CellTable
+from workbook.book.cell_tables import CellTable, formulas_by_row, value_of
 from workbook.laws.family import ENTRIES, LawCheck, Parameter, PieceRow
 
 
@@ -25,6 +25,13 @@ def pieces_in(table: CellTable) -> tuple[PieceRow, ...]:
 def coefficients_in(table: CellTable) -> dict[str, tuple[str, str]]:
     """Return the formula of each coefficient in a table, and its equation in words."""
     return {name: (row.texts["formula"], row.texts["source"]) for name, row in table.items()}
+
+
+def variations_in(module: str, title: str) -> tuple[dict[str, Any], ...]:
+    """Return the variations in the table under a heading beside a module: a row each, the entries by their columns."""
+    columns = formulas_by_row(module, title)
+    rows = zip(*columns.values(), strict=True)
+    return tuple(dict(zip(columns, map(value_of, row), strict=True)) for row in rows)
 
 
 def fields_of(kind: Any, texts: dict[str, str]) -> dict[str, str]:

@@ -36,8 +36,3 @@ class SevenDurations(LawSheet):
 
 DURATIONS = parameters_in(CELLS["durations"])
 LASTING = (*checks_in(CELLS["checks"]), BRIEF)
-
-
-def lasting(*rows: list[float]) -> tuple[dict[str, list[float]], ...]:
-    """Return variations by the durations of the seven stages."""
-    return tuple({"durations": row} for row in rows)

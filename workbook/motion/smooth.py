@@ -124,7 +124,7 @@ class Joints:
         at_begins = [np.array(opening(piece)) for piece in pieces]
 
         def begun(name: str, n: int) -> Quantity:
-            values = [float(piece.curves[n].at(u)) for piece, u in zip(pieces, at_begins, strict=True)]
+            values = [float(piece.curves[n](u)) for piece, u in zip(pieces, at_begins, strict=True)]
             begin = at_place(rows, n, "0") if rows.at.opens else at_begin(rows, n)
             return cell(name, values, begin=begin, scale=self.scales[n - 1])
 

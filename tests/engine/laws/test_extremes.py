@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws.extremes import Curve, coefficients_of, zeros
+from engine.laws.extremes import Curve, zeros
 from engine.laws.piece import Piece, gains
 from tests.engine.extremes import extremes_of
 
@@ -75,20 +75,6 @@ def test_extremes_of_a_piece_are_the_largest_of_many_samples(piece, v0):
         room = 1e-4 * (1 + np.abs(values).max())
         assert low - 1e-12 * room <= values.min() <= low + room
         assert high - room <= values.max() <= high + 1e-12 * room
-
-
-@pytest.mark.parametrize("c5", [-840.0, 0.0])
-def test_pieces_of_degree_five_and_of_two_sines_carry_their_integrals(c5):
-    """Against Gauss-Legendre: v = ∫a du, s = ∫(1 − u)a du."""
-    nodes, weights = np.polynomial.legendre.leggauss(64)
-    u = (nodes + 1) / 2
-    a = 3 * u - 2 * u**4 + c5 * u**5 + 2 * np.sin(7 * u + 0.3) - 0.5 * np.sin(31 * u - 1)
-    piece = Piece(1.0, (0.0, 3.0, 0.0, 0.0, -2.0, c5), 2.0, 7.0, 0.3, -0.5, 31.0, -1.0)
-    s, v, end, _ = (float(x[0]) for x in gains(np.array([1.0]), np.array(piece.row)[:, None]))
-    assert (v, s) == pytest.approx((weights @ a / 2, weights @ (a * (1 - u)) / 2), rel=1e-12)
-    square = coefficients_of((piece,)).ca_rms ** 2
-    assert square == pytest.approx(weights @ (a * a) / 2, rel=1e-12)
-    assert end == pytest.approx(1 + c5 + 2 * math.sin(7.3) - 0.5 * math.sin(30), rel=1e-12)
 
 
 @pytest.mark.parametrize("c", [(0.0,) * 3, (0.0,) * 7])

@@ -238,10 +238,7 @@ class Session:
         helper.executeDispatch(self.frame, ".uno:FunctionDialog", "", 0, ())
 
 
-COMMANDS: dict[str, Callable[[Session], None]] = {
-    "verify": Session.verify, "cancel": Session.cancel, "mark": Session.mark, "clear": Session.clear,
-    "put-back": Session.put_back, "regenerate": Session.regenerate, "insert": Session.insert,
-}  # fmt: skip
+COMMANDS = "verify cancel mark clear put-back regenerate insert".split()
 sessions: dict[str, Session] = {}
 """by the documents' own names of the moment"""
 
@@ -269,7 +266,8 @@ class Menu(unohelper.Base, XServiceInfo, XInitialization, XDispatchProvider, XDi
         """Carry out a command."""
         if self.frame is not None:
             name = self.frame.getController().getModel().RuntimeUID
-            COMMANDS[url.Path](sessions.setdefault(name, Session(self.context, self.frame)))
+            session = sessions.setdefault(name, Session(self.context, self.frame))
+            getattr(session, url.Path.replace("-", "_"))()
 
     def addStatusListener(self, listener: Any, url: Any) -> None:
         """Take no notice: a command can always be given."""

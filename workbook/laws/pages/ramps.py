@@ -10,9 +10,9 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.sentence import figure
 from workbook.fields.types import DesignError
 from workbook.laws import family, seven_stages
-from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, LINE_OUT, Stage, edged
+from workbook.laws.edged import edged, stages_in
 from workbook.laws.family import LawSheet, Page
-from workbook.laws.page_tables import checks_in, coefficients_in, parameters_in, pieces_in
+from workbook.laws.page_tables import checks_in, coefficients_in, parameters_in, pieces_in, variations_in
 
 CELLS = cell_tables(__file__)
 
@@ -43,7 +43,7 @@ TRAPEZOIDAL_VELOCITY = Page(
     entries=BreakPoints,
     law=TrapezoidalVelocity,
     parameters=BREAKS,
-    variations=tuple({"rise_end": (15 + 7 * k) / 100, "fall_start": (60 + 5 * k) / 100} for k in range(6)),
+    variations=variations_in(__file__, "break points: variations"),
     checks=CHECKS,
     pieces=pieces_in(CELLS["trapezoidal velocity: pieces"]),
     coefficients=coefficients_in(CELLS["trapezoidal velocity: coefficients"]),
@@ -53,7 +53,7 @@ TRAPEZOIDAL_VELOCITY = Page(
 )
 
 SINE_RAMPS = edged(
-    {2: Stage(HALF_SINE, "=@av"), 4: Stage(None, "=@aw-@av"), 6: Stage(HALF_SINE, "=1-@aw")},
+    stages_in(__file__, "sine ramps: stages"),
     source="CODESYS, SML_RampType, Sin2; mechdesigner.support, 'Cycloidal CV'",
     law=SineRamps,
     entries=family.parameters_of(SineRamps, BreakPoints, rise_end=RiseEnd, fall_start=FallStart),
@@ -63,16 +63,11 @@ SINE_RAMPS = edged(
 )
 
 S_CURVE = edged(
-    dict(enumerate(map(Stage, (LINE_OUT, FLAT, LINE_IN, None, LINE_IN, FLAT, LINE_OUT)), 1)),
+    stages_in(__file__, "S-curve: stages"),
     source="TwinCAT NC, set-point generator with seven phases",
     law=SCurve,
     parameters=seven_stages.DURATIONS,
     entries=family.parameters_of(SCurve, seven_stages.SevenDurations, durations=seven_stages.Seven),
-    variations=seven_stages.lasting(
-        [0.05, 0.2, 0.1, 0.15, 0.2, 0.1, 0.2],
-        [0.25, 0.0, 0.25, 0.0, 0.25, 0.0, 0.25],
-        [0.0, 0.2, 0.2, 0.1, 0.3, 0.2, 0.0],
-        [0.1, 0.15, 0.05, 0.3, 0.0, 0.2, 0.2],
-    ),
+    variations=variations_in(__file__, "S-curve: variations"),
     checks=seven_stages.LASTING,
 )

@@ -17,7 +17,7 @@ POINTS = np.linspace(0.0, 1.0, 201)
 
 def at_points(piece: MotionPiece, order: int) -> Array:
     """Return the position (order 0) or a derivative of a piece at its points."""
-    return piece.curves[order].at(piece.duration * POINTS)
+    return piece.curves[order](piece.duration * POINTS)
 
 
 @dataclass(frozen=True)

@@ -105,7 +105,7 @@ def step_extremes(handover: AxisHandover) -> list[Quantity]:
 
 def at_ends(piece: MotionPiece, order: int) -> list[float]:
     """Return a derivative at the begin and at the end of a piece."""
-    return [float(y) for y in piece.curves[order].at(np.array([0.0, piece.duration]))]
+    return [float(y) for y in piece.curves[order](np.array([0.0, piece.duration]))]
 
 
 def leaps(handover: AxisHandover) -> tuple[list[float], list[int]]:
@@ -142,7 +142,7 @@ def pulse_extremes(handover: AxisHandover, room: int) -> list[Quantity]:
         return filled((figure(piece) if step.mode == PULSES and piece.duration else 0.0 for piece, step in both), room)
 
     def mean_square(piece: MotionPiece) -> float:
-        return float(WEIGHTS @ piece.curves[2].at(piece.duration * (NODES + 1.0) / 2.0) ** 2) / 2.0
+        return float(WEIGHTS @ piece.curves[2](piece.duration * (NODES + 1.0) / 2.0) ** 2) / 2.0
 
     lows = of(lambda piece: float(at_points(piece, 0).min()) - handover.begin_of(piece))
     highs = of(lambda piece: float(at_points(piece, 0).max()) - handover.begin_of(piece))
