@@ -23,8 +23,8 @@ from workbook.functions.declarations import CODES, FUNCTIONS
 from workbook.laws.registry import FAMILY
 
 OLD_PYTHON = (3, 8)  # the oldest that a LibreOffice which can install the add-in has
-ALLOWED = {"__future__", "bisect", "functools", "itertools", "math", "struct", "typing", "unohelper", "motionbook",
-           "motion_functions", "com.sun.star.lang"} | {  # of the menu:
+ALLOWED = {"__future__", "bisect", "fractions", "functools", "itertools", "math", "struct", "typing", "unohelper",
+           "motionbook", "motion_functions", "com.sun.star.lang"} | {  # of the menu:
            "json", "os", "re", "shutil", "subprocess", "tempfile", "threading", "uno", "motionbook_python",
            "motion_functions.window",
            "com.sun.star.awt", "com.sun.star.beans", "com.sun.star.document", "com.sun.star.frame"}  # fmt: skip
@@ -216,7 +216,7 @@ def test_the_add_in_refuses_the_parameters_that_the_law_refuses(code, value):
         changed = {field: [*row] if index else value}
         by_law = refuses(lambda changed=changed: page.make_law(entered.model_copy(update=changed)), ValueError)
         by_add_in = refuses(lambda row=row: library.law(code, parameters(code, (tuple(row),))), Refused)
-        assert by_add_in == by_law, f"{code}, {parameter.key} of {value}: see domains in library.py"
+        assert by_add_in == by_law, f"{code}, {parameter.key} of {value}: see laws.md"
 
 
 def test_the_same_bytes_each_time(add_in, tmp_path):

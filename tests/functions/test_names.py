@@ -9,16 +9,15 @@ from tests.functions.case import Case
 from tests.functions.cases import value_cases
 from tests.functions.edges import edge_cases
 from workbook.functions.addin.motion_functions.library import LAWS
-from workbook.functions.declarations import CODES, FUNCTIONS, SAID
+from workbook.functions.declarations import CODES, FUNCTIONS, TAKES
 from workbook.laws.registry import FAMILY
 
 
 def test_the_functions_have_every_law_and_say_what_it_takes():
     known = {*CODES} - {"OWN"}  # which takes rows of pieces
     takes = {code for code in known if FAMILY[code].parameters}
-    assert known <= {*LAWS}, "LAWS of motion_functions/library.py has no entry"
-    assert takes <= {*SAID}, "functions.toml does not say what it takes"
-    assert not (known - takes) & {*SAID}, "functions.toml says what it takes, which is nothing"
+    assert known <= {*LAWS}, "motion_functions/laws.md has no row"
+    assert takes == {*TAKES} - {"OWN"}, "motion_functions/laws.md does not say what it takes, or of what takes nothing"
 
 
 @pytest.fixture(scope="module")

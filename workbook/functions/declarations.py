@@ -21,9 +21,8 @@ NAMESPACE = "MOTION"
 TEXTS = tomllib.loads(Path(__file__).with_name("functions.toml").read_text(encoding="utf-8"))
 CODES: tuple[str, ...] = tuple(code for code, page in FAMILY.items() if page.functions)
 """codes of the laws that the functions know: of every family but points, which are a table of their own"""
-SAID = {code: Text(*entry["says"]) for entry in TEXTS["takes"] for code in entry["codes"]}
 # what each law takes that takes anything
-TAKES = {code: SAID[code] for code in (*LAWS, "OWN") if code in SAID}
+TAKES = {code: Text(*law.takes) for code, law in LAWS.items() if law.takes} | {"OWN": Text(*TEXTS["own"])}
 
 
 class Argument(NamedTuple):

@@ -1,25 +1,22 @@
 """The functions as names of Excel: LAMBDA formulas of ``formulas.txt``, as Excel shows them and as a file stores them.
 
-What differs from law to law is built from the add-in's table of laws. A file marks what Excel 2007 did not know:
+What differs from law to law is built from the add-in's table, ``laws.md``. A file marks what Excel 2007 did not know:
 functions by ``_xlfn.``, parameters and variables by ``_xlpm.``, optional ones, shown as ``[name]``, by ``_xlop.``
 (Microsoft, [MS-XLSX] 2.2.2, 'Formulas': future-function-list and _xlpm).
 """
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
-from inspect import Parameter, signature
 from math import lcm
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from workbook.book.formula import words
-from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm, mirrored
+from workbook.functions.addin.motion_functions.library import LAWS, OWN, PIECE, LawForm, mirrored
 from workbook.functions.declarations import FUNCTIONS
 
 SOURCE = Path(__file__).with_name("formulas.txt")
@@ -27,10 +24,7 @@ LATER = "DROP HSTACK ISOMITTED LAMBDA LET MAKEARRAY MAP REDUCE SCAN SEQUENCE TAK
 FUTURE = {name: f"_xlfn.{name}" for name in LATER} | {"FILTER": "_xlfn._xlws.FILTER"}
 PREFIX = re.compile(r"_xl(?:fn|ws|pm|op)\.")
 HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
-PIECE = "duration c0 c1 c2 c3 c4 c5 amplitude omega phase amplitude2 omega2 phase2".split()
-"""the columns of a piece; behind them stands the velocity with which the first begins"""
 LARGEST = 1000  # denominator of a number of a law
-PI = ("", "PI()", "PI() ^ 2")
 
 
 class Definition(NamedTuple):
@@ -79,64 +73,6 @@ def meaning(stored: str) -> list[tuple[str, object]]:
     return [(kind, float(part) if kind == "number" else part.upper()) for kind, part in parts]
 
 
-@dataclass(frozen=True)
-class Term:
-    """A part of a formula; ``loose`` where a product needs brackets around it."""
-
-    text: str
-    loose: bool = False
-
-    def __sub__(self, other: Any) -> Term:
-        return Term(f"{self.text} - {term(other).within}", True)
-
-    def __rsub__(self, other: Any) -> Term:
-        return term(other) - self
-
-    def __mul__(self, other: Any) -> Any:
-        if isinstance(other, float) and other in (0.0, 1.0):
-            return self if other else 0.0
-        return Term(f"{self.within} * {term(other).within}")
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: float) -> Term:
-        return Term(f"{self.within} / {other:g}")
-
-    @property
-    def within(self) -> str:
-        """The text as a part of a product, or behind a minus."""
-        return f"({self.text})" if self.loose else self.text
-
-    def chosen(self, value: float, then: Any, other: Any) -> Any:
-        """Return ``then`` where this is a value, else ``other``."""
-        return then if then == other else Term(f"IF({self.text} = {term(value).text}, {spelled(then, other)})")
-
-
-def term(value: Any) -> Term:
-    """Return a number as a term: a fraction, or a multiple of π or π²; terms as they are."""
-    if isinstance(value, Term):
-        return value
-    for power, pi in enumerate(PI):
-        ratio = Fraction(value / math.pi**power).limit_denominator(LARGEST)
-        if abs(ratio * math.pi**power - value) <= 1e-15 * abs(value):
-            return fraction(ratio, pi)
-    raise ValueError(f"{value!r} is no fraction of 1, π or π²")
-
-
-def fraction(value: Fraction, pi: str = "") -> Term:
-    """Return a fraction, or a multiple of a power of π, as a term."""
-    if value < 0:
-        return Term(f"0 - {fraction(-value, pi).text}", True) if pi else Term(f"-{fraction(-value).text}", True)
-    over = f" / {value.denominator}" if value.denominator > 1 else ""
-    whole = str(value.numerator) if value.numerator != 1 or not pi else ""
-    return Term(f"{' * '.join(part for part in (whole, pi) if part)}{over}", bool(over))
-
-
-def spelled(*values: Any) -> str:
-    """Return terms in a row, as the arguments of a function."""
-    return ", ".join(term(value).text for value in values)
-
-
 def array(values: Sequence[float]) -> str:
     """Return a number, or several as an array, as whole ones over what they have in common."""
     ratios = [Fraction(value).limit_denominator(LARGEST) for value in values]
@@ -146,24 +82,10 @@ def array(values: Sequence[float]) -> str:
     return text if common == 1 else f"{text} / {common}"
 
 
-def of_parameters(function: Callable[..., Any], text: Callable[[Any], str]) -> str:
-    """Return the formula of a function of a law's parameters, as a text, where the column ``p`` holds them."""
-    names = signature(function).parameters
-    if any(parameter.kind is Parameter.VAR_POSITIONAL for parameter in names.values()):
-        return "p"
-    formula = text(function(*(Term(name) for name in names)))
-    let = ", ".join(f"{name}, INDEX(p, {k})" for k, name in enumerate(names, 1))
+def with_parameters(law: LawForm, formula: str) -> str:
+    """Return a formula of a law's parameters where the column ``p`` holds them."""
+    let = ", ".join(f"{name}, INDEX(p, {k})" for k, name in enumerate(law.parameters, 1))
     return f"LET({let}, {formula})" if let else formula
-
-
-def pieces_formula(law: LawForm) -> str:
-    """Return the pieces of a law that writes them out; all but the first have no use for its velocity."""
-
-    def rows(pieces: Sequence[Mapping[str, Any]]) -> str:
-        each = [f"HSTACK({spelled(*(piece.get(name, 0.0) for name in PIECE), law.begin)})" for piece in pieces]
-        return f"VSTACK({', '.join(each)})"
-
-    return of_parameters(law.pieces, rows) if law.pieces else ""
 
 
 def polynomial_formula(law: LawForm) -> str:
@@ -171,7 +93,7 @@ def polynomial_formula(law: LawForm) -> str:
     first = [2 * Fraction(c) for c in law.half]
 
     def half(share: str, c: Sequence[Fraction]) -> str:
-        powers = [f"{fraction(value).text} / {share} ^ {i}" if value else "0" for i, value in enumerate(c, 1)]
+        powers = [f"{str(value).replace('/', ' / ')} / {share} ^ {i}" if value else "0" for i, value in enumerate(c, 1)]
         return f"HSTACK({', '.join([share, *powers, *'0' * (len(PIECE) - len(c))])})"
 
     return f"LET(share, INDEX(p, 1), rest, 1 - share, VSTACK({half('share', first)}, {half('rest', mirrored(first))}))"
@@ -179,13 +101,11 @@ def polynomial_formula(law: LawForm) -> str:
 
 def domain_condition(law: LawForm) -> str:
     """Return the condition under which a law can have the parameters ``p``."""
-    conditions = ["_MOTION.LASTS(_MOTION.SEVEN(code, p))"] if law.stages else []
-    for k, domain in law.domains.items():
-        at, below = f"INDEX(p, {k + 1})", "<" if domain.open else "<="
-        if domain.among:
-            conditions.append(f"OR({', '.join(f'{at} = {value:g}' for value in domain.among)})")
-        else:
-            conditions += [f"0 {below} {at}", f"{at} {below} 1"]
+    conditions = ["_MOTION.LASTS(_MOTION.SEVEN(code, p))"] if law.staged else []
+    for condition in law.possible:
+        for k, name in enumerate(law.parameters, 1):
+            condition = re.sub(rf"\b{name}\b", f"INDEX(p, {k})", condition)
+        conditions.append(condition)
     return f"AND({', '.join(conditions)})" if len(conditions) > 1 else "".join(conditions) or "TRUE"
 
 
@@ -195,10 +115,7 @@ def by_law(text: Callable[[LawForm], str], otherwise: str, **more: str) -> str:
     for code, formula in more.items():
         codes_of.setdefault(formula, []).append(f'code = "{code}"')
     for code, law in LAWS.items():
-        try:
-            codes_of.setdefault(text(law), []).append(f'code = "{code}"')
-        except TypeError as error:
-            raise TypeError(f"{code}: of parameters LAWS may take differences, products and choices") from error
+        codes_of.setdefault(text(law), []).append(f'code = "{code}"')
     codes_of.pop("", None)
     for formula, codes in reversed(codes_of.items()):
         among = codes[0] if len(codes) == 1 else f"OR({', '.join(codes)})"
@@ -211,15 +128,15 @@ def tables() -> dict[str, str]:
     stages = "_MOTION.STAGES(_MOTION.SEVEN(code, p), {})"
 
     def built(law: LawForm) -> str:
-        if law.stages:
-            return stages.format(str(law.straight).upper())
-        return polynomial_formula(law) if law.half else pieces_formula(law)
+        if law.staged:
+            return stages.format(str(law.form == "straight").upper())
+        return polynomial_formula(law) if law.half else with_parameters(law, f"VSTACK(HSTACK({law.formula}))")
 
     def seven(law: LawForm) -> str:
-        return of_parameters(law.stages, lambda d: f"VSTACK({spelled(*d)})") if law.stages else ""
+        return with_parameters(law, f"VSTACK({law.formula})") if law.formula else "p"
 
     def meets(law: LawForm) -> str:
-        unstaged = "1" if law.stages else "0"
+        unstaged = "1" if law.staged else "0"
         return f"IF(INDEX(p, 1) = 1 / 2, {len(law.half) // 2}, 0)" if law.half else unstaged
 
     return {
@@ -227,6 +144,6 @@ def tables() -> dict[str, str]:
         "count": by_law(lambda law: str(len(law.delivered)), "#VALUE!"),
         "fits": by_law(domain_condition, "FALSE"),
         "built": by_law(built, "#VALUE!", OWN="_MOTION.FULL(p)"),
-        "seven": by_law(seven, "#VALUE!"),
+        "seven": by_law(lambda law: seven(law) if law.staged else "", "#VALUE!"),
         "meets": by_law(meets, "0"),
     }

@@ -174,14 +174,8 @@ def functions(sheet: Sheet, shown: PageInputs) -> None:
     formulas = [f"={f.name}({','.join(ARGUMENTS[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
     cell = CELLS["functions"]
     sheet.heading("The functions, each computed for these entries")
-    sheet.table(
-        "functions",
-        "In Excel, a range of ξ, s or x gives as many results",
-        len(FUNCTIONS),
-        cell("call", calls),
-        cell("gives", results(shown), formula=formulas),
-        *cell.of_rows(FUNCTIONS, about="help.en"),
-    ).quiet = QUIET
+    gives = cell("gives", results(shown), formula=formulas)
+    cell.place(sheet, cell("call", calls), gives, *cell.of_rows(FUNCTIONS, about="help.en")).quiet = QUIET
 
 
 def results(shown: PageInputs) -> list[Any]:
@@ -252,13 +246,8 @@ def samples(sheet: Sheet, shown: PageInputs) -> None:
     """Declare what each argument takes, then the sampled law and the sampled motion."""
     arguments: dict[str, Argument] = {a.name.en: a for f in FUNCTIONS for a in f.arguments}
     sheet.heading("The arguments")
-    sheet.table(
-        "arguments",
-        "Bad arguments give the error values of built-in functions: #VALUE!, #NUM!",
-        len(arguments),
-        CELLS["arguments"]("argument", list(arguments)),
-        *CELLS["arguments"].of_rows(arguments.values(), takes="help.en"),
-    )
+    cell = CELLS["arguments"]
+    cell.place(sheet, cell("argument", list(arguments)), *cell.of_rows(arguments.values(), takes="help.en"))
     sheet.heading("The sampled law and the sampled motion")
     xi = np.arange(LAW_STEPS + 1) / LAW_STEPS
     x = np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
@@ -271,15 +260,9 @@ def sampled(
     sheet: Sheet, name: str, abscissa: str, x: Array, arguments: str, columns: Iterable[tuple[Sequence[str], Array]]
 ) -> None:
     """Declare a sampled table over an abscissa: of each column its name, words, symbol and function, and its values."""
-    cell = CELLS["samples"]
-    sheet.table(
-        name,
-        f"The {name}",
-        len(x),
-        cell(abscissa, x),
-        *(
-            cell("{name}", values, name=key, words=words, symbol=symbol, function=function, arguments=arguments)
-            for (key, words, symbol, function), values in columns
-        ),
-        cell("k", list(range(len(x)))),
-    ).quiet = QUIET
+    cell = CELLS["samples"].sharing(table=name, arguments=arguments)
+    called = [
+        cell("{name}", values, name=key, words=words, symbol=symbol, function=function)
+        for (key, words, symbol, function), values in columns
+    ]
+    cell.place(sheet, cell(abscissa, x), *called, cell("k", list(range(len(x))))).quiet = QUIET

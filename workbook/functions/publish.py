@@ -105,6 +105,6 @@ def add_in(python: str) -> dict[str, bytes]:
     files["pythonpath/motionbook_python.py"] = f"PYTHON = {python!r}\n".encode()
     files |= {"CalcAddIns.xcu": registry, "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
     for module in sorted((PACKAGE / "motion_functions").iterdir(), key=attrgetter("name")):
-        if module.name.endswith(".py"):
+        if module.name.endswith((".py", ".md")):
             files[f"pythonpath/motion_functions/{module.name}"] = module.read_text(encoding="utf-8").encode()
     return files

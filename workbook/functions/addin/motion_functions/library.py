@@ -7,8 +7,11 @@ deceleration of the same kind. Source: S1, 'Modified trapezoidal (acceleration) 
 from __future__ import annotations
 
 import math
+import os
+import re
+from fractions import Fraction
 from functools import lru_cache
-from typing import Any, Callable, Mapping, NamedTuple, Sequence, Tuple
+from typing import Any, Callable, NamedTuple, Sequence, Tuple
 
 from .law import NUM, VALUE, Law, Piece, Refused, Stage
 
@@ -21,54 +24,55 @@ End = Tuple[float, float, float]
 REST: End = (0.0, 0.0, 0.0)  # velocity, acceleration and jerk at an end of a law, per unit of ξ
 
 
-class Domain(NamedTuple):
-    """The numbers that a parameter may be: those named, else from 0 to 1; ``open`` without both ends."""
-
-    among: tuple[float, ...] = ()
-    open: bool = False
-
-    def has(self, value: float) -> bool:
-        """Whether a number is in the domain."""
-        if self.among:
-            return value in self.among
-        return 0.0 < value < 1.0 if self.open else 0.0 <= value <= 1.0
-
-
 class LawForm(NamedTuple):
-    """A law: its parameters as delivered, and its form, of three.
+    """A row of ``laws.md``: how a law follows from its parameters."""
 
-    ``stages`` gives the durations of the edge up, the constant and the edge down of the first pulse, of the uniform
-    velocity, and of the second pulse in the order of time; edges are quarters of a sine, or ``straight``. ``half``
-    has the acceleration of a polynomial's first half by powers of u/λ, over 1/λ and twice. ``pieces`` gives the
-    entries of each piece by name, and ``begin`` is the velocity with which they begin.
-    """
+    parameters: tuple[str, ...]  # their names in formulas
+    delivered: tuple[float, ...]
+    form: str  # stages, straight, half or pieces
+    formula: str
+    half: tuple[float, ...]
+    possible: tuple[str, ...]  # conditions that they have to keep to
+    takes: tuple[str, ...]  # what it takes, in English, Italian and German
 
-    delivered: tuple[float, ...] = ()
-    stages: Callable[..., Sequence[Any]] | None = None
-    straight: bool = False
-    half: tuple[float, ...] = ()
-    pieces: Callable[..., Sequence[Mapping[str, Any]]] | None = None
-    begin: float = 0.0
-    # of parameters by place, where the durations do not tell what is impossible
-    domains: Mapping[int, Domain] = {}
+    @property
+    def staged(self) -> bool:
+        """Whether seven durations say it."""
+        return self.form in ("stages", "straight")
 
+    def computed(self, formula: str, p: Sequence[float]) -> Sequence[Any]:
+        """Return the values of a formula, which has several, for parameters."""
+        return function(", ".join(self.parameters), formula)(*p)
 
-def turning(turn: Any, end: float, then: Any, other: Any) -> Any:
-    """Return ``then`` where a motion turns round at this end (−1 start, 1 end), else ``other``."""
-    if isinstance(turn, (int, float)):
-        return then if turn == end else other
-    return turn.chosen(end, then, other)
-
-
-def shared(share: Any, rise: Sequence[Any], fall: Sequence[Any], cruise: Any = 0.0) -> Sequence[Any]:
-    """Return the durations of two pulses by the shares of their stages, those of the second from its end."""
-    return (*(share * d for d in rise), cruise, *((1.0 - share) * d for d in fall[::-1]))
+    def stages(self, p: Sequence[float]) -> Sequence[float]:
+        """Return the seven durations: those of a formula, else the parameters."""
+        return self.computed(self.formula, p) if self.formula else p
 
 
-def cut(share: Any, turn: Any, whole: Sequence[Any], rest: Sequence[Any]) -> Sequence[Any]:
-    """Return the durations of two pulses, of which that where the motion turns round has the stages ``rest``."""
-    rise, fall = ([turning(turn, end, *both) for both in zip(rest, whole)] for end in (-1.0, 1.0))
-    return shared(share, rise, fall)
+@lru_cache(maxsize=None)
+def function(parameters: str, formula: str) -> Callable[..., Sequence[Any]]:
+    """Return a formula of ``laws.md``, a file beside this, as a function of parameters; it gives each of its values."""
+    python = re.sub("(?<![<>])=", "==", formula).replace("^", "**")
+    known = {"IF": lambda so, then, other: then if so else other, "OR": lambda *each: any(each), "PI": lambda: math.pi}
+    compiled: Callable[..., Sequence[Any]] = eval(f"lambda {parameters}: ({python},)", known)
+    return compiled
+
+
+def numbers(text: str) -> tuple[float, ...]:
+    """Return the fractions in a text as numbers."""
+    return tuple(float(Fraction(word)) for word in text.split())
+
+
+def laws_in(text: str) -> dict[str, LawForm]:
+    """Return the laws in the rows of the table in a text, by their codes."""
+    lines = (line.split("|")[1:-1] for line in text.splitlines() if line.startswith("|"))
+    _, _, *rows = ([cell.strip(" `") for cell in line] for line in lines)
+    laws = {}
+    for code, parameters, delivered, form, formula, possible, *takes in rows:
+        half = numbers(formula) if form == "half" else ()
+        conditions, words = (tuple(filter(None, texts)) for texts in (possible.split("; "), takes))
+        laws[code] = LawForm(tuple(parameters.split()), numbers(delivered), form, formula, half, conditions, words)
+    return laws
 
 
 def mirrored(half: Sequence[Any]) -> Sequence[Any]:
@@ -77,52 +81,10 @@ def mirrored(half: Sequence[Any]) -> Sequence[Any]:
     return [-sum(half[i] * math.comb(i, k) * (-1) ** k for i in range(k, n)) for k in range(n)]
 
 
-def two_sines(turn: Any) -> Sequence[Mapping[str, Any]]:
-    """Return the piece of the double harmonic, from rest to a reversal at its end, or the other way round."""
-    first, second = (turning(turn, 1.0, 0.5 * math.pi, past * math.pi) for past in (-1.5, -2.5))
-    p = math.pi**2 / 2
-    return [
-        {
-            "duration": 1.0,
-            "amplitude": p,
-            "omega": math.pi,
-            "phase": first,
-            "amplitude2": -p,
-            "omega2": 2.0 * math.pi,
-            "phase2": second,
-        }
-    ]
-
-
-# stages of a pulse
-FLAT, HALVES, EDGE, QUARTERS = (0.0, 1.0, 0.0), (0.5, 0.0, 0.5), (0.0, 0.0, 1.0), (0.25, 0.5, 0.25)
-ENDS, ANYWHERE, PART = Domain((-1.0, 1.0)), Domain((-1.0, 0.0, 1.0)), Domain()
-SHARED = {0: Domain(open=True)}
-LAWS: dict[str, LawForm] = {
-    "DWL": LawForm(pieces=lambda: [{"duration": 1.0}]),
-    "LIN": LawForm(pieces=lambda: [{"duration": 1.0}], begin=1.0),
-    "ACS": LawForm((0.5,), lambda share: shared(share, FLAT, FLAT)),
-    "CIC": LawForm((0.5,), lambda share: shared(share, HALVES, HALVES)),
-    "CUB": LawForm((0.5,), half=(1.5, -1.5), domains=SHARED),
-    "SHM": LawForm((0.5,), lambda share: shared(share, EDGE, EDGE)),
-    "PO5": LawForm((0.5,), half=(0.0, 7.5, -11.25, 3.75), domains=SHARED),
-    "PO7": LawForm((0.5,), half=(0.0, 0.0, 26.25, -52.5, 32.8125, -6.5625), domains=SHARED),
-    "TVP": LawForm((1 / 3, 2 / 3), lambda rise, fall: (0.0, rise, 0.0, fall - rise, 0.0, 1.0 - fall, 0.0)),
-    "SRT": LawForm((0.25, 0.75), lambda rise, fall:
-                    (rise / 2, 0.0, rise / 2, fall - rise, (1.0 - fall) / 2, 0.0, (1.0 - fall) / 2)),
-    "MTP": LawForm((0.125, 0.25, 0.125, 0.0, 0.125, 0.25, 0.125), lambda *d: d),
-    "SCV": LawForm((1 / 12, 1 / 6, 1 / 12, 1 / 3, 1 / 12, 1 / 6, 1 / 12), lambda *d: d, straight=True),
-    "DHM": LawForm((1.0,), pieces=two_sines, domains={0: ENDS}),
-    "MSN": LawForm((0.5, 0.25, 0.25), lambda share, first, last:
-                    shared(share, (first, 0.0, 1.0 - first), (last, 0.0, 1.0 - last))),
-    "MTS": LawForm((0.5, 0.0, 0.5), lambda share, turn, edge: cut(share, turn, QUARTERS, (0.0, 1.0 - edge, edge)),
-                    domains={1: ANYWHERE, 2: PART}),
-    "SCC": LawForm((1 / 3, 1 / 3, 1 / 3, 0.0, 0.5), lambda outer, level, inner, cruise, share:
-                    shared(share, (outer, level, inner), (outer, level, inner), cruise)),
-    "HAC": LawForm((0.5, 1.0), lambda share, turn: cut(share, turn, (0.25, 0.0, 0.75), EDGE), domains={1: ENDS}),
-    "SGS": LawForm((0.5, 0.5), lambda share, curved:
-                    shared(share, (0.0, 0.0, curved), (0.0, 0.0, curved), 1.0 - curved)),
-}  # fmt: skip
+PIECE = "duration c0 c1 c2 c3 c4 c5 amplitude omega phase amplitude2 omega2 phase2".split()
+"""the numbers of a piece in a formula; behind them stands the velocity with which it begins"""
+with open(os.path.join(os.path.dirname(__file__), "laws.md"), encoding="utf-8") as table:
+    LAWS = laws_in(table.read())
 PARAMETERS = {code: len(family.delivered) for code, family in LAWS.items()}
 
 
@@ -140,14 +102,14 @@ def law(code: str, parameters: Rows, lift: float = 1.0, begin: End = REST, end: 
         p = list(declared.delivered)
     if len(p) != len(declared.delivered):
         raise Refused(VALUE)
-    require(all(domain.has(p[k]) for k, domain in declared.domains.items()))
-    if declared.stages:
-        return seven_stages(declared.stages(*p), lift, begin, end, declared.straight)
+    require(all(all(declared.computed(condition, p)) for condition in declared.possible))
+    if declared.staged:
+        return seven_stages(declared.stages(p), lift, begin, end, declared.form == "straight")
     if declared.half:
         return polynomial(declared.half, p[0], lift, begin, end)
     require(begin == end == REST)  # it begins and ends as it does, whatever is beside it
-    pieces = declared.pieces(*p) if declared.pieces else []
-    return Law([Piece(**entries).scaled(lift) for entries in pieces], declared.begin * lift)
+    *piece, velocity = declared.computed(declared.formula, p)
+    return Law([Piece(**dict(zip(PIECE, piece))).scaled(lift)], velocity * lift)
 
 
 def own_law(rows: Rows, lift: float) -> Law:
