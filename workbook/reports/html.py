@@ -29,9 +29,9 @@ ROOM = 24  # beside the front, to the right
 Box = tuple[float, float, float, float]  # left, top, right and bottom of what is taken
 
 
-def document(title: str, body: str) -> str:
-    """Return a page of HTML."""
-    return rendered("reports/document.html", title=title, style=STYLE, body=body)
+def document(title: str, body: str, above: str = "") -> str:
+    """Return a page of HTML, with what stands above its body."""
+    return rendered("reports/document.html", title=title, style=STYLE, body=body, above=above)
 
 
 def rendered(template: str, /, **values: Any) -> str:

@@ -2,27 +2,24 @@
 
 import asyncio
 import re
+import signal
 import tempfile
 from collections.abc import Callable
-from datetime import datetime
+from contextlib import suppress
 from functools import lru_cache, partial
 from pathlib import Path
 
-from tornado.web import HTTPError
-
 from workbook.build import read_inputs
 from workbook.controllers.registry import TARGETS
-from workbook.errors import WriteError
-from workbook.serve import editing, pages, shown, study, tables
+from workbook.serve import editing, home, pages, shown, study, tables
 from workbook.serve.handler import REPORT, Action, Folder, Page, state
-from workbook.serve.server import SVG, serving, static
+from workbook.serve.server import serving, static
 from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 
 STATIC = ("favicon.ico", "busy.js", "home.js", "study.js")
 MODULES = r"/(page/(?:vendor/)?[\w-]+\.(?:js|css))"
-BIN = ".bin"  # of a folder: what was deleted on the first page
 ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 
@@ -33,63 +30,10 @@ async def write(command: str, suffix: str, page: Page) -> str | None:
     return await page.write_by(command, path, page.folder.free(f"{path.stem}{suffix}"))
 
 
-async def work_out(function: Callable[[str, str], str], page: Page, name: str) -> str:
-    """Return a function's result for the name and text of a description of the folder."""
-    return await page.work.in_worker(function, name, read_text(page.folder.file(name), "a description"), slow=True)
-
-
-async def home(page: Page) -> str:
-    """Show the folder's files with verdicts, a new machine, an upload, a comparison."""
-    times = {path: datetime.fromtimestamp(path.stat().st_mtime).astimezone() for path in page.folder.files()}
-    return pages.page(
-        "motionbook",
-        "home",
-        "home",
-        folder=page.folder.path,
-        times=times,
-        verdicts=page.verdicts,
-        waiting=page.work.waiting,
-        templates=TEMPLATES,
-        bin=len([*deleted.iterdir()]) if (deleted := page.folder.path / BIN).is_dir() else 0,
-        bin_name=BIN,
-    )
-
-
-async def keep(page: Page) -> None:
-    """Duplicate or rename a file of the folder, under a name that is free, or move it into the folder's bin."""
-    path, do = page.file(), page.get_body_argument("do")
-    name = page.get_body_argument("as").removesuffix(path.suffix) + path.suffix
-    if do == "duplicate":
-        page.folder.free(name).write_bytes(path.read_bytes())
-    elif do == "rename":
-        path.rename(path if name == path.name else page.folder.free(name))
-    elif do == "delete":
-        path.parent.joinpath(BIN).mkdir(exist_ok=True)
-        path.rename(path.parent / BIN / f"{datetime.now():%Y-%m-%d %H-%M-%S} {path.name}")
-    else:
-        raise WriteError(f"{do!r}: expected duplicate, rename or delete")
-    page.redirect("/")
-
-
-async def download(page: Page, name: str) -> bytes:
-    """Send a file of the folder."""
-    page.set_header("Content-Type", "application/octet-stream")
-    page.set_header("Content-Disposition", "attachment")
-    return page.folder.file(name).read_bytes()
-
-
-async def new(page: Page) -> str | None:
-    """Write a new description, and edit it."""
-    path = page.folder.free(f"{page.get_body_argument('name').removesuffix('.toml')}.toml")
-    return await page.write_by("new", page.get_body_argument("template"), path)
-
-
-async def picture(page: Page, name: str) -> str:
-    """Send the picture of a template in the gallery."""
-    if name not in TEMPLATES:
-        raise HTTPError(404)
-    page.set_header("Content-Type", SVG)
-    return await page.work.in_worker(shown.picture, name, slow=True)
+async def print_page(page: Page, name: str) -> str:
+    """Show a description on a page to print."""
+    text = read_text(page.folder.file(name), "a description")
+    return pages.framed(await page.work.in_worker(shown.sheet, name, text, slow=True))
 
 
 async def verify(page: Page) -> str:
@@ -130,7 +74,7 @@ async def export(page: Page) -> str:
         if share := page.get_body_argument(order, ""):
             options += ["--tolerance", f"{order}={share}%"]
     with tempfile.TemporaryDirectory() as folder:
-        done = await page.work.run(
+        done = await page.run(
             "export",
             book,
             "--to",
@@ -155,10 +99,10 @@ async def export(page: Page) -> str:
 
 
 async def read(page: Page) -> str:
-    """Write what a controller's file was folder of as a description, under a name that is free, and edit it."""
+    """Write what a controller's file holds as a description, under a name that is free, and edit it."""
     with page.upload("table", "table.txt") as table:
-        target = page.folder.free(f"{table.stem}.toml")
-        done = await page.work.run("read", table, "--from", page.get_body_argument("target"), "-o", target)
+        target = page.folder.free(table.stem, ".toml")
+        done = await page.run("read", table, "--from", page.get_body_argument("target"), "-o", target)
     if done.code:
         return pages.printed(table.name, done.text, "not read")
     return pages.printed(table.name, done.text, "read", target)
@@ -172,14 +116,13 @@ def axes(book: Path, digest: str) -> list[str]:
 
 
 GET: dict[str, Action] = {
-    r"/": home, r"/file/([^/]+)": download, r"/edit/([^/]+)": editing.edit, r"/state/([^/]+)": editing.file_state,
-    r"/short/([^/]+)": partial(work_out, shown.in_short), r"/print/([^/]+)": partial(work_out, shown.sheet),
-    r"/picture/([^/]+)\.svg": picture, r"/vary/([^/]+)": study.vary, r"/study/([^/]+)": study.show,
-    r"/progress/([^/]+)": study.progress, r"/controller/([^/]+)": controller, MODULES: static,
+    "/": home.home, "/file/NAME": home.download, "/edit/NAME": editing.edit, "/state/NAME": editing.file_state,
+    "/brief/NAME": home.brief, "/print/NAME": print_page, "/picture/NAME.svg": home.picture, "/vary/NAME": study.vary,
+    "/study/NAME": study.show, "/progress/NAME": study.progress, "/controller/NAME": controller, MODULES: static,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
 ACTIONS = (editing.change, editing.figures, editing.verdict, editing.discard, editing.theirs, editing.save)
-OWN = (new, keep, verify, upload, compare, export, read, study.begin, study.cancel)
+OWN = (home.new, home.keep, verify, upload, compare, export, read, study.begin, study.cancel)
 POST: dict[str, Action] = {
     **{f"/{action.__name__}": action for action in (*ACTIONS, *OWN)},
     "/open": editing.open_design,
@@ -191,12 +134,14 @@ POST: dict[str, Action] = {
 
 
 async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]) -> None:
-    """Serve a folder on this computer until it is interrupted."""
-    work = Work()
-    shared = {"folder": Folder(path), "work": work, "verdicts": dict[str, str]()}
+    """Serve a folder on this computer until it is interrupted, or terminated."""
+    work, ended = Work(), asyncio.Event()
+    with suppress(NotImplementedError):  # on Windows, which has no such signal
+        asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, ended.set)
+    shared = {"folder": Folder(path), "work": work}
     try:
         async with serving(GET, POST, shared, port, browse, tell):
             work.worker().submit(tables.schema, "machine")  # the first design page asks for it
-            await asyncio.Event().wait()
+            await ended.wait()
     finally:
         work.stop()

@@ -1,5 +1,6 @@
 """The base of every address: who may ask, and the files of the folder that is served, and nothing outside it."""
 
+import asyncio
 import base64
 import hashlib
 import hmac
@@ -7,7 +8,7 @@ import json
 import os
 import re
 import tempfile
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Awaitable, Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -15,9 +16,10 @@ from typing import Any, TypeAlias
 from tornado.web import HTTPError, RequestHandler
 
 from workbook.errors import MotionbookError, ReadError, WriteError
+from workbook.file_cache import store_cached
 from workbook.reports.html import STYLE
 from workbook.serve import pages
-from workbook.serve.work import Done, Work
+from workbook.serve.work import Done, Work, WorkError
 
 RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{k}" for port in ("COM", "LPT") for k in range(1, 10))}
 KINDS = (".toml", ".xlsx", ".xlsm")  # descriptions and workbooks: what the first page lists
@@ -26,6 +28,7 @@ NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
 LARGEST = 60_000_000  # bytes of an upload: what verify takes of a file at most
 COOKIE = "motionbook"
 REPORT = "report.html"
+BRIEF, JUDGED = "brief", "judged"  # of the cache: what a description comes to, the verdict on a book
 STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
 POLICY = (
     f"default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'self' 'sha256-{STYLED}'; img-src 'self'; "
@@ -53,9 +56,18 @@ class Folder:
             raise ReadError(f"{name}: there is no such file of a machine in this folder")
         return path
 
-    def free(self, name: str) -> Path:
-        """Return the path for a new file: the name, or that with a number; raise WriteError for no name of a file."""
-        path = self._within(name)
+    def free(self, name: str, suffix: str = "", own: Path | None = None) -> Path:
+        """Return the path for a new file: the name, or that with a number; raise WriteError for no name of a file.
+
+        ``suffix`` is added where it ends otherwise; a file that is renamed may keep its ``own`` name.
+        """
+        ending = Path(name).suffix.lower()
+        if suffix and ending != suffix.lower():
+            if ending in MADE:
+                raise WriteError(f"{name}: expected a name that ends in {suffix}")
+            name = f"{name}{suffix}"
+        if (path := self._within(name)) == own:
+            return path
         if path.stem.split(".")[0].upper() in RESERVED:
             raise WriteError(f"{name}: Windows has no such file; expected another name")
         if path.suffix.lower() not in MADE:
@@ -78,12 +90,10 @@ def state(path: Path) -> str:
 class Page(RequestHandler):
     """A page for who has the token; Host is compared against DNS rebinding, Origin against posts from other pages."""
 
-    def initialize(
-        self, method: str, action: "Action | None", folder: Folder, work: Work, verdicts: dict[str, str]
-    ) -> None:
+    def initialize(self, method: str, action: "Action | None", folder: Folder, work: Work) -> None:
         """Take the action of this address with its HTTP method, and what all pages share."""
-        self.method, self.action = method, action
-        self.folder, self.work, self.verdicts = folder, work, verdicts
+        self.method, self.action, self.folder, self.work = method, action, folder, work
+        self._command: asyncio.Future[Done] | None = None
 
     def set_default_headers(self) -> None:
         """Let a browser load nothing from elsewhere, run no script but the server's own and keep no copy."""
@@ -171,9 +181,23 @@ class Page(RequestHandler):
             path.write_bytes(files[0].body)
             yield path
 
+    async def run(self, *command: str | Path, folder: str | None = None) -> Done:
+        """Run a command of motionbook; it ends with the browser's wait for this page. Files are told by their names."""
+        self._command = asyncio.ensure_future(self.work.run(*command, folder=folder))
+        try:
+            done = await self._command
+        except asyncio.CancelledError:
+            raise WorkError("cancelled") from None
+        return done._replace(text=without_folders(done.text, command))
+
+    def on_connection_close(self) -> None:
+        """End the command that nobody waits for any more."""
+        if self._command is not None:
+            self._command.cancel()
+
     async def write_by(self, command: str, source: Path | str, target: Path) -> str | None:
         """Write a file by a command, under a name that is free; edit it where it is a description, else offer it."""
-        done = await self.work.run(command, source, "-o", target)
+        done = await self.run(command, source, "-o", target)
         if target.suffix == ".toml" and not done.code:
             self.redirect(pages.address("edit", target.name))
             return None
@@ -184,14 +208,24 @@ class Page(RequestHandler):
         """Return how a command ended whose last option writes a report, and that; empty where there is none."""
         with tempfile.TemporaryDirectory() as folder:
             report = Path(folder) / REPORT
-            done = await self.work.run(*command, report)
-            return done, report.read_text(encoding="utf-8") if report.exists() else ""
+            done = await self.run(*command, report)
+            text = report.read_text(encoding="utf-8") if report.exists() else ""
+            return done, without_folders(text, command)
 
     async def reported(self, path: Path, *links: str) -> str:
-        """Verify a workbook and return its report, links above it."""
+        """Verify a workbook and return its report, links above it; the verdict is kept by what the file holds."""
+        digest = state(path)
         done, text = await self.run_with_report("verify", path, "--report")
-        verdict = self.verdicts[path.name] = pages.VERDICTS.get(done.code, "cannot be read")
+        verdict = pages.VERDICTS.get(done.code, "cannot be read")
+        store_cached(JUDGED, digest, {"verdict": verdict})
         return pages.framed(text, *links) if text else pages.printed(path.name, done.text, verdict)
+
+
+def without_folders(text: str, paths: Iterable[str | Path]) -> str:
+    """Return a text without the folders of files in it."""
+    for folder in {path.parent for path in paths if isinstance(path, Path)}:
+        text = text.replace(f"{folder}{os.sep}", "")
+    return text
 
 
 Action: TypeAlias = Callable[..., Awaitable[str | bytes | None]]

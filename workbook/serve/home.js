@@ -1,5 +1,5 @@
-// Tell of each description in the folder what it comes to, one after the other.
-for (const place of document.querySelectorAll("[data-short]")) {
-  const answer = await fetch(`/short/${encodeURIComponent(place.dataset.short)}`);
-  place.textContent = answer.ok ? await answer.text() : "–";
+// Tell of each description in the folder what it comes to, one after the other; what is known stands there already.
+for (const place of document.querySelectorAll("[data-brief]")) {
+  const answer = await fetch(`/brief/${encodeURIComponent(place.dataset.brief)}`).catch(() => null); // null: cancelled
+  if (answer?.ok) place.innerHTML = await answer.text();
 }

@@ -1,32 +1,70 @@
-"""The pages, from the templates beside: what is in the folder, a description to edit, what a command printed."""
+"""The pages, from the templates beside: a bar above each, forms and links, what a command printed."""
 
+import re
+import tomllib
+import zipfile
 from collections.abc import Sequence
+from contextlib import suppress
+from datetime import datetime
+from functools import lru_cache
+from html import unescape
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from urllib.parse import quote
 
 from workbook.reports.html import document, rendered, shown
 
+TITLE = re.compile(r"<dc:title>([^<]*)</dc:title>")
+LONGEST = 1_000_000  # bytes that are read of a file for its title
 VERDICTS = {0: "agrees", 1: "disagrees", 2: "cannot be read", 3: "agrees; the design fails its checks"}
 
 
-def page(title: str, template: str, *scripts: str, **values: Any) -> str:
-    """Return a page with its scripts, and the script that shows when the server is at work."""
-    given = {
-        "title": title,
-        "link": link,
-        "address": address,
-        "post": post,
-        "choice": choice,
-        "is_study": is_study,
-    } | values
-    tags = (f'<script src="/{script}.js" type="module"></script>' for script in ("busy", *scripts))
-    return document(title, rendered(f"serve/{template}.html", **given) + "".join(tags))
+class Item(NamedTuple):
+    """A file of the folder: when it was changed, its title, the description that a study is of."""
+
+    path: Path
+    time: str
+    title: str
+    base: str
+
+
+def page(title: str, template: str, *scripts: str, do: Sequence[str] = (), **values: Any) -> str:
+    """Return a page with its scripts; ``do`` are links and buttons of the bar above it."""
+    given = {"title": title, "link": link, "address": address, "post": post, "choice": choice, "is_study": is_study}
+    tags = (f'<script src="/{script}.js" type="module"></script>' for script in scripts)
+    body = rendered(f"serve/{template}.html", **given | values)
+    return document(title, body + "".join(tags), bar(*do, at_home=template in ("home", "watch")))
+
+
+def bar(*do: str, at_home: bool = False) -> str:
+    """Return what stands above a page: the way to the first page, and what can be done with what it shows."""
+    return rendered("serve/bar.html", do="".join(do), at_home=at_home)
+
+
+def item(path: Path) -> Item:
+    """Return a file as the first page lists it."""
+    about = path.stat()
+    title, base = known_of(path, about.st_mtime_ns, about.st_size)
+    return Item(path, f"{datetime.fromtimestamp(about.st_mtime):%Y-%m-%d %H:%M}", title, base)
+
+
+@lru_cache(1000)
+def known_of(path: Path, changed: int, size: int) -> tuple[str, str]:
+    """Return the title of a file, and of a study the description that it is of; ``changed`` tells its versions."""
+    with suppress(OSError, ValueError, KeyError, zipfile.BadZipFile, NotImplementedError):
+        if path.suffix.lower() != ".toml":
+            with zipfile.ZipFile(path) as file, file.open("docProps/core.xml") as properties:
+                title = TITLE.search(properties.read(LONGEST).decode(errors="replace"))
+            return unescape(title[1]) if title else path.stem, ""
+        if size < LONGEST:
+            data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+            return str(data.get("title") or path.stem), str(data.get("base", path.stem)) if "vary" in data else ""
+    return path.stem, ""
 
 
 def is_study(path: Path) -> bool:
     """Whether a file says what varies in a description, and is none itself."""
-    return any(line.startswith("[[vary]]") for line in path.read_text(encoding="utf-8", errors="replace").splitlines())
+    return bool(item(path).base)
 
 
 def design_page(name: str, study: str, pick: str) -> str:
@@ -34,10 +72,9 @@ def design_page(name: str, study: str, pick: str) -> str:
     return rendered("serve/page/design.html", name=name, study=study, pick=pick)
 
 
-def framed(report: str, *links: str) -> str:
-    """Return a report of a command with links above it."""
-    above = f'<p>{link("/", "All machines")}</p><div class="above">{"".join(links)}</div>'
-    return report.replace("<body>", f"<body>{above}", 1)
+def framed(report: str, *do: str) -> str:
+    """Return a report of a command below the bar."""
+    return report.replace("<body>", f"<body>{bar(*do)}", 1)
 
 
 def printed(title: str, words: str, verdict: str, *files: Path) -> str:
@@ -51,8 +88,8 @@ def address(page: str, name: str) -> str:
 
 
 def link(href: str, words: str) -> str:
-    """Return a link with room behind it."""
-    return f'<span><a href="{shown(href)}">{shown(words)}</a> </span>'
+    """Return a link that looks as a button does."""
+    return f'<a class="button" href="{shown(href)}">{shown(words)}</a>'
 
 
 def post(action: str, name: str, words: str) -> str:

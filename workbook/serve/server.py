@@ -14,7 +14,6 @@ from tornado.web import Application, HTTPError
 from workbook.serve.handler import LARGEST, Action, Page
 
 SVG = "image/svg+xml"
-TYPES = {".svg": SVG, ".css": "text/css", ".js": "text/javascript"}
 ICON = {"favicon.ico": "icon.svg"}
 TYPES = {".svg": SVG, ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}
 
@@ -37,12 +36,12 @@ async def serving(
     browse: bool,
     tell: Callable[[str], None],
 ) -> AsyncIterator[None]:
-    """Serve actions by their addresses, ``shared`` by all; ``tell`` the address to begin with."""
+    """Serve actions by their addresses, with NAME for any file, ``shared`` by all; ``tell`` where to begin."""
     token = secrets.token_urlsafe(24)
     sockets = bind_sockets(port, "127.0.0.1")
     port = sockets[0].getsockname()[1]
     handlers: list[Any] = [
-        (path, Page, {**shared, "method": method, "action": action})
+        (path.replace("NAME", "([^/]+)"), Page, {**shared, "method": method, "action": action})
         for method, actions in (("GET", get), ("POST", post))
         for path, action in actions.items()
     ]

@@ -12,16 +12,13 @@ from workbook.book.rows import is_number
 from workbook.book.summary import TITLE
 from workbook.differences.design import Design, Figure, Key
 from workbook.entries.machine import Machine
-from workbook.errors import MotionbookError
 from workbook.reading.descriptions import counted_from_1, described, parse_toml, template_named
 from workbook.reports.differences import figure
 from workbook.reports.html import Line, document, plot, rendered
-from workbook.template import FOLDER
 
 REMEMBERED = 4  # designs that are remembered: the saved one, and the latest
 KNOWN = ("number", "revision", "author", "date")  # what identifies a machine beside its title
 LINES = 6  # checks that fail, in sentences on the page to print; more are counted
-FIRST = 3  # results in a line
 DRAWN, FEWER, MANY = 4, 2, 12  # charts below the table of axes, and how many where it is longer than this
 
 
@@ -120,25 +117,3 @@ def sheet(name: str, text: str) -> str:
 def short(value: Any) -> str:
     """Return a number with four digits that count, and all before its point; another value as it is."""
     return (f"{value:,.0f}" if abs(value) >= 1000.0 else f"{value:.4g}") if is_number(value) else figure(value)
-
-
-def in_short(name: str, text: str) -> str:
-    """Return in a line the first results of a description, and how many checks fail."""
-    try:
-        shown = design(name, text)
-    except MotionbookError as error:
-        return str(error).partition("\n")[0]
-    whole = [
-        f"{result.label} {short(result.value)} {result.unit}".rstrip()
-        for result in shown.summary.values()
-        if not result.place
-    ]
-    fails = len(failing(shown))
-    return "; ".join([*whole[:FIRST], f"{fails} checks FAIL" if fails else "all checks OK"])
-
-
-@lru_cache
-def picture(template: str) -> str:
-    """Return the first chart of a template's committed description as a picture of its own."""
-    shown = design(template, (FOLDER / f"{template}.toml").read_text(encoding="utf-8"))
-    return pictures(shown, 1)[0]

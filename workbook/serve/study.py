@@ -26,6 +26,7 @@ from workbook.reports.html import shown
 from workbook.serve import pages
 from workbook.serve.handler import Page
 from workbook.serve.tables import edited
+from workbook.serve.words import spoken
 from workbook.studies import folder
 from workbook.studies.evaluate import Label, listed_results, require_names
 from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, make_plan, read_study
@@ -51,7 +52,8 @@ async def vary(page: Page, name: str) -> str:
     """Show the form of a study of a description."""
     path = page.folder.file(name)
     tables, results = await page.work.in_worker(choices, path)
-    return pages.page(f"{name}: study", "vary", name=name, tables=tables, results=results, rows=ROWS, asked=ASKED)
+    given = {"name": name, "tables": tables, "results": results, "rows": ROWS, "asked": ASKED}
+    return pages.page(f"{name}: study", "vary", do=[pages.link(pages.address("edit", name), f"Design {name}")], **given)
 
 
 async def new(page: Page) -> None:
@@ -85,10 +87,11 @@ async def cancel(page: Page) -> None:
 
 async def show(page: Page, name: str) -> str:
     """Show a study; the script fetches how far it is."""
-    path, base = page.folder.file(name), ""
-    with suppress(MotionbookError):  # of a study that is no TOML there is nothing to edit
-        base = str(parse_toml(read_text(path, "a study, a .toml file"), path).get("base", ""))
-    return pages.page(name, "study", "study", base=base)
+    path, do = page.folder.file(name), []
+    with suppress(MotionbookError, KeyError):  # of a study that is no TOML there is nothing to edit
+        base = str(parse_toml(read_text(path, "a study, a .toml file"), path)["base"])
+        do = [pages.link(pages.address("edit", base), f"Design {base}")]
+    return pages.page(name, "study", "study", do=do)
 
 
 async def progress(page: Page, name: str) -> str:
@@ -135,9 +138,8 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
         if last == "name" and above and above[-1] in PRODUCTS:
             words[key] = [product.name for product in getattr(machine.selection, PRODUCTS[above[-1]])]
         if isinstance(value, float) or key in words:
-            named = get(data, (*above[:2], "name"), "")
             row = field_to_vary(data, path, value, words.get(key, []))
-            tables.setdefault(f"{spell(above)} {named}".strip(), []).append(row)
+            tables.setdefault(spoken((*above,), data), []).append(row)
     return tables, [name for _, names in listed_results(machine) for name in names]
 
 

@@ -76,7 +76,7 @@ class Watch:
 
     async def _serve(self, port: int, browse: bool) -> None:
         actions: dict[str, Action] = {"/": self._page, "/now": self._fragment, STATIC: static}
-        shared = {"folder": Folder(self.paths[0].parent), "work": self._work, "verdicts": {}}
+        shared = {"folder": Folder(self.paths[0].parent), "work": self._work}
 
         def tell(address: str) -> None:
             say(OUT, f"Open {address} (Ctrl+C ends)")

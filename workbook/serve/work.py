@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import suppress
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -20,6 +21,7 @@ POSIX = os.name == "posix"
 MEMORY = 6 * 2**30  # bytes of address space of a command, where the system can limit it
 LONGEST = 600.0  # seconds of a command
 PATIENCE = 60.0  # seconds of what is worked out beside the server
+GRACE = 2.0  # seconds of a command that is interrupted, until it is killed
 NOT_WRITTEN = "not written"
 T = TypeVar("T")
 
@@ -53,14 +55,13 @@ class Job:
         self.done = Done(self._process.returncode or 0, printed.decode(errors="replace"))
 
     def interrupt(self) -> None:
-        """Interrupt it as Ctrl+C does: what is complete stays."""
-        if self._process.returncode is None:
-            self._process.send_signal(signal.SIGINT) if POSIX else self._process.terminate()
+        """Interrupt it, and kill it if that does not end it: what is complete stays."""
+        interrupt(self._process)
+        asyncio.get_running_loop().call_later(GRACE, kill, self._process)
 
-    def kill(self) -> None:
-        """End it and the processes that it began."""
-        if self._process.returncode is None:
-            os.killpg(self._process.pid, signal.SIGKILL) if POSIX else self._process.kill()
+    def stop(self) -> None:
+        """End it with the server."""
+        kill(self._process)
         self._reading.cancel()
 
 
@@ -116,10 +117,9 @@ class Work:
         try:
             printed, _ = await asyncio.wait_for(process.communicate(), LONGEST)
         except TimeoutError:
-            process.kill()
-            await process.wait()
             return Done(2, f"stopped after {LONGEST:.0f} s")
         finally:
+            await end(process)
             self._running.discard(process)
         return Done(process.returncode or 0, printed.decode(errors="replace"))
 
@@ -128,19 +128,19 @@ class Work:
         busy = next((name for name, job in self.jobs.items() if job.done is None), None)
         if busy is not None:  # each leaves a single core free
             raise WorkError(f"{busy} is at work; cancel it, or wait for its end")
-        self.jobs[path.name] = Job(await start_command("study", path, *options, start_new_session=True), before)
+        self.jobs[path.name] = Job(await start_command("study", path, *options), before)
 
     def stop(self) -> None:
         """End all commands that run."""
         for process in self._running:
-            process.kill()
+            kill(process)
         for job in self.jobs.values():
-            job.kill()
+            job.stop()
         for slow in (False, True):
             self._end_worker(slow)
 
 
-async def start_command(*arguments: str | Path, **more: Any) -> asyncio.subprocess.Process:
+async def start_command(*arguments: str | Path, cwd: str | None = None) -> asyncio.subprocess.Process:
     """Start a command of motionbook with a limit of memory, its errors among what it prints."""
     return await asyncio.create_subprocess_exec(
         sys.executable,
@@ -151,9 +151,36 @@ async def start_command(*arguments: str | Path, **more: Any) -> asyncio.subproce
         stdout=asyncio.subprocess.PIPE,
         stderr=asyncio.subprocess.STDOUT,
         env=os.environ | {"COLUMNS": "120"},
-        preexec_fn=limit_memory if POSIX else None,
-        **more,
+        preexec_fn=prepare_command if POSIX else None,
+        start_new_session=True,
+        cwd=cwd,
     )
+
+
+def interrupt(process: asyncio.subprocess.Process) -> None:
+    """Interrupt a command that is at work as Ctrl+C does."""
+    if process.returncode is None:
+        process.send_signal(signal.SIGINT) if POSIX else process.terminate()
+
+
+def kill(process: asyncio.subprocess.Process) -> None:
+    """Kill a command that is at work, with the processes that it began."""
+    if process.returncode is None:
+        os.killpg(process.pid, signal.SIGKILL) if POSIX else process.kill()
+
+
+async def end(process: asyncio.subprocess.Process) -> None:
+    """End a command: interrupted, and killed where that does not end it soon."""
+    interrupt(process)
+    with suppress(TimeoutError):
+        await asyncio.wait_for(process.wait(), GRACE)
+    kill(process)
+
+
+def prepare_command() -> None:
+    """Limit the memory of this process, and let it be interrupted where the server cannot be."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    limit_memory()
 
 
 def limit_memory() -> None:

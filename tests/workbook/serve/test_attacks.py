@@ -64,6 +64,22 @@ def test_a_hundred_commands_wait_for_their_turn(monkeypatch):
 
 
 @pytest.mark.skipif(not Path("/proc").is_dir(), reason="the processes of a machine are listed in /proc")
+def test_a_command_ends_with_the_wait_for_it(server):
+    host, _, port = server.host.partition(":")
+    body, kind = server.form(name="cutting.toml"), "application/x-www-form-urlencoded"
+    head = (f"POST /build HTTP/1.1\r\nHost: {server.host}\r\nOrigin: http://{server.host}\r\nContent-Type: {kind}\r\n"
+            f"Cookie: motionbook={server.token}\r\nContent-Length: {len(body)}\r\n\r\n{body}")  # fmt: skip
+    before, ours = {path.name for path in server.root.iterdir()}, f"build\0{server.root}".encode()
+    with socket.create_connection((host, int(port)), timeout=20) as connection:
+        connection.sendall(head.encode())
+        while not any(ours in words_of(pid) for pid in pids()):
+            time.sleep(0.05)
+    while any(ours in words_of(pid) for pid in pids()):
+        time.sleep(0.1)
+    assert {path.name for path in server.root.iterdir()} == before
+
+
+@pytest.mark.skipif(not Path("/proc").is_dir(), reason="the processes of a machine are listed in /proc")
 def test_a_study_ends_with_the_server_and_its_parts_stay(tmp_path):
     write_text(tmp_path / "long.toml", write_machine(cutting.small(cycle=12, law=4)))
     with serving(tmp_path) as server:

@@ -6,7 +6,8 @@ import shutil
 import subprocess
 import sys
 import time
-from urllib.parse import quote
+import zipfile
+from urllib.parse import quote, unquote
 from xml.etree.ElementTree import fromstring
 
 import openpyxl
@@ -17,6 +18,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.reports.cams import percent
 from workbook.reports.differences import figure
 from workbook.reports.study import figure as figure_of
+from workbook.serve.home import grouped
 from workbook.serve.shown import short
 from workbook.studies.plan import read_study
 from workbook.templates import TEMPLATES
@@ -72,13 +74,46 @@ def test_a_verified_book_is_taken_into_edit_and_built_anew(server):
     assert same_book(server.root / name, server.root / "cutting.xlsx")
 
 
-def test_the_first_page_tells_each_description_in_short(server):
-    assert 'data-short="live.toml"' in server.ask("/").body.decode()
-    found = read_design(server.root / "live.toml")
+def test_the_first_page_tells_what_a_description_comes_to_and_keeps_it_by_its_contents(server):
+    path = server.root / "told.toml"
+    shutil.copy(server.root / "live.toml", path)
+    path.write_text(path.read_text(encoding="utf-8").replace("lift = 80.0", f"lift = 80.0{time.time_ns()}"), "utf-8")
+    assert 'data-brief="told.toml"' in server.ask("/").body.decode()
+    found = read_design(path)
     rate = next(one for one in found.results().values() if one.label == "Production rate")
-    said = server.ask("/short/live.toml").body.decode()
-    assert said.startswith(f"Production rate {rate.value:g} cycles/min; ")
-    assert said.endswith("all checks OK" if all(one.value == "OK" for one in found.checks().values()) else "FAIL")
+    told = server.ask("/brief/told.toml").body.decode()
+    assert f"<p>Production rate {rate.value:g} cycles/min; " in told
+    assert f"{sum(one.value == 'FAIL' for one in found.checks().values()) or ''}" in told
+    assert "<polyline" in told
+    home = server.ask("/").body.decode()
+    assert 'data-brief="told.toml"' not in home
+    assert told.strip() in home
+    path.write_text("title = 3", encoding="utf-8")
+    assert "to complete" in server.ask("/brief/told.toml").body.decode()
+    path.unlink()
+
+
+def test_books_and_studies_stand_with_their_design(tmp_path):
+    for name, title in (("a.toml", "Press"), ("b.toml", "Saw"), ("c.toml", "Press")):
+        (tmp_path / name).write_text(f'title = "{title}"', encoding="utf-8")
+    (tmp_path / "x.toml").write_text('title = "Study"\nbase = "b.toml"\n[[vary]]\nkey = "k"', encoding="utf-8")
+    for name, title in (("a-2.xlsx", "Press"), ("other.xlsx", "Saw"), ("alone.xlsx", "Gone")):
+        with zipfile.ZipFile(tmp_path / name, "w") as book:
+            book.writestr("docProps/core.xml", f"<dc:title>{title}</dc:title>")
+    (tmp_path / "no.xlsx").write_bytes(b"no book")
+    groups = grouped(sorted(tmp_path.iterdir()))
+    told = [(group.title, group.design and group.design.path.name, [each.path.name for each in group.others])
+            for group in groups]  # fmt: skip
+    assert told == [("Gone", None, ["alone.xlsx"]), ("no", None, ["no.xlsx"]), ("Press", "a.toml", ["a-2.xlsx"]),
+                    ("Press", "c.toml", []), ("Saw", "b.toml", ["other.xlsx", "x.toml"])]  # fmt: skip
+
+
+def test_an_empty_machine_has_the_axis_that_is_named(server):
+    done = server.ask("/new", server.form(template="", name="Füller 1.2", axis="Ram"))
+    path = server.root / unquote(done.headers["Location"].removeprefix("/edit/"))
+    assert (path.name, [axis.name for axis in read_machine(path).axes]) == ("Füller 1.2.toml", ["Ram"])
+    assert server.ask("/new", server.form(template="", name="mine.xlsx", axis="Ram")).code == 400
+    path.unlink()
 
 
 def test_two_machines_are_compared_as_by_the_command(server):

@@ -1,0 +1,199 @@
+"""The first page: designs with their books and studies, what each comes to; new ones, and what is done with files."""
+
+import re
+from collections.abc import Mapping
+from datetime import datetime
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import tomlkit
+from tornado.web import HTTPError
+
+from workbook.book.chart import COLOURS
+from workbook.book.rows import is_number
+from workbook.errors import MotionbookError, WriteError
+from workbook.file_cache import load_cached, store_cached
+from workbook.reports.html import path as places
+from workbook.reports.html import rendered, scale
+from workbook.serve import pages, shown
+from workbook.serve.editing import draft_of
+from workbook.serve.handler import BRIEF, JUDGED, Page, state
+from workbook.serve.parts import LAW, LIFT, TURN
+from workbook.serve.server import SVG
+from workbook.template import FOLDER
+from workbook.templates import TEMPLATES
+from workbook.text_files import read_text
+from workbook.writing.output_files import write_text
+
+BIN = ".bin"  # of a folder: what was deleted on the first page
+WIDTH, HEIGHT, POINTS = 300, 100, 90  # of the small picture, and how many points a line of it has
+FIRST = 3  # results in a line
+RATE = 60.0  # cycles/min of an empty machine
+
+
+class Group(NamedTuple):
+    """A design, if there is one, and the books and studies of it."""
+
+    title: str
+    design: pages.Item | None
+    others: list[pages.Item]
+
+
+def grouped(files: list[Path]) -> list[Group]:
+    """Return the files of a folder: each design with its books and studies, what has none under its own title."""
+    items = [pages.item(path) for path in files]
+    designs = [each for each in items if each.path.suffix.lower() == ".toml" and not each.base]
+    groups = {each.path.name: Group(each.title, each, []) for each in designs}
+    for each in items:
+        if each not in designs:
+            owner = owner_of(each, designs)
+            key = owner.path.name if owner else f"/{each.title}"  # no name of a file
+            groups.setdefault(key, Group(each.title, None, [])).others.append(each)
+    return sorted(groups.values(), key=lambda group: group.title.casefold())
+
+
+def owner_of(file: pages.Item, designs: list[pages.Item]) -> pages.Item | None:
+    """Return the design that a book or a study is of: by the name of its file, else by its title."""
+    if file.base:
+        return next((each for each in designs if each.path.name == file.base), None)
+    named = [each for each in designs if re.fullmatch(rf"{re.escape(each.path.stem)}(-\d+)?", file.path.stem)]
+    titled = [each for each in designs if each.title == file.title]
+    return named[-1] if named else titled[0] if len(titled) == 1 else None
+
+
+def brief_known(path: Path) -> dict[str, Any] | None:
+    """Return what a description comes to, where this is known of its contents."""
+    return load_cached(BRIEF, state(path))
+
+
+async def home(page: Page) -> str:
+    """Show the folder's machines with what is known of them, a new machine, an upload, a comparison."""
+    files = page.folder.files()
+    deleted = page.folder.path / BIN
+    return pages.page(
+        "motionbook",
+        "home",
+        "home",
+        do=(pages.link("#compare", "Compare"), pages.link("#verify", "Verify"), pages.link("#new", "New machine")),
+        folder=page.folder.path,
+        groups=grouped(files),
+        names=[path.name for path in files],
+        waiting=page.work.waiting,
+        templates=TEMPLATES,
+        bin=len([*deleted.iterdir()]) if deleted.is_dir() else 0,
+        bin_name=BIN,
+        brief=brief_known,
+        verdict_on=lambda path: (load_cached(JUDGED, state(path)) or {}).get("verdict"),
+        width=WIDTH,
+        height=HEIGHT,
+    )
+
+
+async def brief(page: Page, name: str) -> str:
+    """Send what a description comes to, for the first page; it is kept by the contents of the file."""
+    path = page.folder.file(name)
+    digest, text = state(path), read_text(path, "a description")
+    known = load_cached(BRIEF, digest)
+    if known is None:
+        known = await page.work.in_worker(summary, name, text, slow=True)
+        store_cached(BRIEF, digest, known)
+    return rendered("serve/brief.html", known=known, width=WIDTH, height=HEIGHT)
+
+
+def summary(name: str, text: str) -> dict[str, Any]:
+    """Return the first results of a description, its verdict in words, and the lines of a small picture."""
+    try:
+        design = shown.design(name, text)
+    except MotionbookError as error:
+        first, *more = str(error).splitlines()
+        words = f"{len(more)} to complete" if more else "to complete"
+        return {"results": more[0] if more else first, "state": "unfinished", "verdict": words, "lines": []}
+    results = [f"{result.label} {shown.short(result.value)} {result.unit}".rstrip()
+               for result in design.summary.values() if not result.place and is_number(result.value)]  # fmt: skip
+    fails, checks = len(shown.failing(design)), len(design.checks())
+    verdict = f"{fails} of {checks} checks FAIL" if fails else f"{checks} checks OK"
+    state = "fails" if fails else "agrees"
+    return {"results": "; ".join(results[:FIRST]), "state": state, "verdict": verdict, "lines": lines_of(design)}
+
+
+def lines_of(design: shown.ShownDesign) -> list[tuple[str, str]]:
+    """Return the lines of a design's first chart as points of a small picture, each with its colour."""
+    _, lines = next(iter(shown.charts_drawn(design)), (None, []))
+    if not lines:
+        return []
+    across, up = (
+        scale(np.concatenate([getattr(line, name) for line in lines]), begin, end, powers=False)
+        for name, begin, end in (("x", 0.0, WIDTH), ("y", HEIGHT - 2.0, 2.0))
+    )
+    few = [slice(None, None, max(1, len(line.x) // POINTS)) for line in lines]
+    return [(places(across.at(line.x[part]), up.at(line.y[part])), COLOURS[k % len(COLOURS)])
+            for k, (line, part) in enumerate(zip(lines, few, strict=True))]  # fmt: skip
+
+
+async def keep(page: Page) -> None:
+    """Duplicate or rename a file of the folder, under a name that is free, or move it into the folder's bin."""
+    path, do = page.file(), page.get_body_argument("do")
+    draft = draft_of(path)
+    if do == "duplicate":
+        page.folder.free(page.get_body_argument("as"), path.suffix).write_bytes(path.read_bytes())
+    elif do == "rename":
+        target = page.folder.free(page.get_body_argument("as"), path.suffix, path)
+        path.rename(target)
+        if draft.exists():
+            draft.rename(draft_of(target))
+    elif do == "delete":
+        path.parent.joinpath(BIN).mkdir(exist_ok=True)
+        for file in filter(Path.exists, (path, draft)):
+            file.rename(path.parent / BIN / f"{datetime.now():%Y-%m-%d %H-%M-%S} {file.name}")
+    else:
+        raise WriteError(f"{do!r}: expected duplicate, rename or delete")
+    page.redirect("/")
+
+
+async def download(page: Page, name: str) -> bytes:
+    """Send a file of the folder."""
+    page.set_header("Content-Type", "application/octet-stream")
+    page.set_header("Content-Disposition", "attachment")
+    return page.folder.file(name).read_bytes()
+
+
+async def new(page: Page) -> str | None:
+    """Write a new description, of a template or of an empty machine with an axis, and edit it."""
+    name, template = page.get_body_argument("name"), page.get_body_argument("template")
+    path = page.folder.free(name, ".toml")
+    if template:
+        return await page.write_by("new", template, path)
+    write_text(path, empty_machine(name, page.get_body_argument("axis")))
+    page.redirect(pages.address("edit", path.name))
+    return None
+
+
+def empty_machine(title: str, axis: str) -> str:
+    """Return the description of a machine of one axis, which goes and comes back."""
+    quarter = TURN / 4.0
+    phases = [{"start": k * quarter, "stop": (k + 1.0) * quarter, "lift": lift, "law": LAW}
+              for k, lift in ((0, LIFT), (2, -LIFT))]  # fmt: skip
+    data: Mapping[str, Any] = {
+        "template": "machine",
+        "title": title,
+        "master": {"rate": RATE},
+        "axes": [{"name": axis, "group": "Group", "phases": phases}],
+    }
+    return tomlkit.dumps(data)
+
+
+async def picture(page: Page, name: str) -> str:
+    """Send the picture of a template in the gallery."""
+    if name not in TEMPLATES:
+        raise HTTPError(404)
+    page.set_header("Content-Type", SVG)
+    return await page.work.in_worker(template_picture, name, slow=True)
+
+
+@lru_cache
+def template_picture(template: str) -> str:
+    """Return the first chart of a template's committed description as a picture of its own."""
+    design = shown.design(template, (FOLDER / f"{template}.toml").read_text(encoding="utf-8"))
+    return shown.pictures(design, 1)[0]
