@@ -117,7 +117,7 @@ def axes(book: Path, digest: str) -> list[str]:
 
 GET: dict[str, Action] = {
     "/": home.home, "/file/NAME": home.download, "/edit/NAME": editing.edit, "/state/NAME": editing.file_state,
-    "/brief/NAME": home.brief, "/print/NAME": print_page, "/picture/NAME.svg": home.picture, "/vary/NAME": study.vary,
+    "/brief/NAME": home.brief, "/print/NAME": print_page, "/vary/NAME": study.vary,
     "/study/NAME": study.show, "/progress/NAME": study.progress, "/controller/NAME": controller, MODULES: static,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip

@@ -3,13 +3,11 @@
 import re
 from collections.abc import Mapping
 from datetime import datetime
-from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 import tomlkit
-from tornado.web import HTTPError
 
 from workbook.book.chart import COLOURS
 from workbook.book.rows import is_number
@@ -21,8 +19,6 @@ from workbook.serve import pages, shown
 from workbook.serve.editing import draft_of
 from workbook.serve.handler import BRIEF, JUDGED, Page, state
 from workbook.serve.parts import LAW, LIFT, TURN
-from workbook.serve.server import SVG
-from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
@@ -182,18 +178,3 @@ def empty_machine(title: str, axis: str) -> str:
         "axes": [{"name": axis, "group": "Group", "phases": phases}],
     }
     return tomlkit.dumps(data)
-
-
-async def picture(page: Page, name: str) -> str:
-    """Send the picture of a template in the gallery."""
-    if name not in TEMPLATES:
-        raise HTTPError(404)
-    page.set_header("Content-Type", SVG)
-    return await page.work.in_worker(template_picture, name, slow=True)
-
-
-@lru_cache
-def template_picture(template: str) -> str:
-    """Return the first chart of a template's committed description as a picture of its own."""
-    design = shown.design(template, (FOLDER / f"{template}.toml").read_text(encoding="utf-8"))
-    return shown.pictures(design, 1)[0]

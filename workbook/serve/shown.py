@@ -1,4 +1,4 @@
-"""The results of a description by its book: on a page to print, in a line, the first chart as a picture."""
+"""The results of a description by its book: its charts, and a page to print."""
 
 from functools import cached_property, lru_cache
 from pathlib import Path

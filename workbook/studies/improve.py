@@ -3,12 +3,12 @@
 import math
 from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from engine.drive.highest_rate import RateLimit, limits_in_order, moment_of
 from engine.drive.limits import at_speed
 from workbook.errors import InputError
-from workbook.fields.paths import Place, get
+from workbook.fields.paths import Place, get, put
 from workbook.improving import Change
 from workbook.pool import Pool, WorkerDied
 from workbook.studies.design import GAIN, Design
@@ -138,10 +138,5 @@ def edited(path: Path, design: Design) -> str:
     document = tomlkit.parse(read_text(path, "a machine description, a .toml file"))
     rate = rate_to_write(design)
     for place, value in ({**design.changes} | ({RATE: rate} if rate else {})).items():
-        held: Any = document
-        for part in place[:-1]:
-            if part not in held and not isinstance(held, list):
-                held[part] = tomlkit.table()
-            held = held[int(part)] if isinstance(held, list) else held[part]
-        held[place[-1]] = value
+        put(document, place, value)
     return tomlkit.dumps(document)

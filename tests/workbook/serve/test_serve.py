@@ -8,7 +8,6 @@ import sys
 import time
 import zipfile
 from urllib.parse import quote, unquote
-from xml.etree.ElementTree import fromstring
 
 import openpyxl
 import pytest
@@ -21,7 +20,6 @@ from workbook.reports.study import figure as figure_of
 from workbook.serve.home import grouped
 from workbook.serve.shown import short
 from workbook.studies.plan import read_study
-from workbook.templates import TEMPLATES
 from workbook.writing.archive import same_book
 
 SAVED = {"name": "cutting.toml", "as": "cutting.toml"}
@@ -40,17 +38,6 @@ def test_a_tampered_book_from_elsewhere_gets_the_report_of_the_command(server):
     assert f"{sheet}!{cell}" in report
     assert "the formula is not the one that was generated" in report
     assert not (server.root / "tampered.xlsx").exists()
-
-
-def test_the_gallery_has_a_picture_of_each_template(server):
-    home = server.ask("/").body.decode()
-    for name in TEMPLATES:
-        assert f'src="/picture/{name}.svg"' in home
-        picture = server.ask(f"/picture/{name}.svg")
-        assert (picture.code, picture.headers["Content-Type"]) == (200, "image/svg+xml")
-        assert [one.tag for one in fromstring(picture.body).iter() if one.tag.endswith("polyline")]
-    assert server.ask("/picture/nothing.svg").code == 404
-    assert server.ask("/favicon.ico").headers["Content-Type"] == "image/svg+xml"
 
 
 def test_the_page_to_print_has_the_results_of_the_design(server):
@@ -87,6 +74,7 @@ def test_the_first_page_tells_what_a_description_comes_to_and_keeps_it_by_its_co
     assert "<polyline" in told
     home = server.ask("/").body.decode()
     assert 'data-brief="told.toml"' not in home
+    assert server.ask("/favicon.ico").headers["Content-Type"] == "image/svg+xml"
     assert told.strip() in home
     path.write_text("title = 3", encoding="utf-8")
     assert "to complete" in server.ask("/brief/told.toml").body.decode()
