@@ -217,8 +217,10 @@ class Page(RequestHandler):
         digest = state(path)
         done, text = await self.run_with_report("verify", path, "--report")
         verdict = pages.VERDICTS.get(done.code, "cannot be read")
+        if not text:
+            return pages.printed(path.name, done.text, verdict)
         store_cached(JUDGED, digest, {"verdict": verdict})
-        return pages.framed(text, *links) if text else pages.printed(path.name, done.text, verdict)
+        return pages.framed(text, *links)
 
 
 def without_folders(text: str, paths: Iterable[str | Path]) -> str:
