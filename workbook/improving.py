@@ -99,7 +99,8 @@ class Improving(NamedTuple, Generic[M]):
     limits of drives that do not hold. ``figure`` gives what an axis is to have less of. ``rooms`` are the edges that
     may move from a base, of a present machine by the axis that limits; ``margins`` the shares by which holds what must
     meanwhile; ``process_rate`` is the rate (1/s) that times of the process allow, ``sheet_rate`` the highest rate
-    (cycles/min) that the sheets of all drives state.
+    (cycles/min) that the sheets of all drives state. ``reshaped`` gives the axis whose drive a law is shaped for,
+    and the change that shapes it anew.
     """
 
     limits: Callable[[M], Mapping[str, Callable[[], LimitChecks]]]
@@ -111,3 +112,4 @@ class Improving(NamedTuple, Generic[M]):
     margins: Callable[[M], Array]
     process_rate: Callable[[M], float]
     sheet_rate: Callable[[M], float]
+    reshaped: Callable[[M, str], tuple[str, Change]]

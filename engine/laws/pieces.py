@@ -27,7 +27,7 @@ class PieceLaw(Law):
     code = "OWN"
     number = 7
     name = "Own law"
-    aliases = ("own", "pieces")
+    aliases = ("own", "pieces", "OPT")
     source = "own law of the engineer; the example is the polynomial 3-4-5"
 
     pieces: tuple[Piece, ...]

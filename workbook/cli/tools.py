@@ -158,6 +158,7 @@ def improve(
     axis: str = option("NAME", "The axis that has less of it; else the one that has most.", "--axis", default=""),
     frequency: float = option("HZ", "Natural frequency of the load of --for vibration.", min=0.0, default=0.0),
     damping: float = option("ZETA", "Its damping ratio.", min=0.0, max=0.99, default=0.0),
+    freeze: bool = flag("--freeze", "Only shape the laws anew that the description has shaped for their drives."),
     jobs: int | None = option("N", "Processes at once; else this process alone.", "--jobs", min=1),
     force: Force = False,
 ) -> None:
@@ -169,10 +170,13 @@ def improve(
     engine; a change that breaks a check is left out. With --for an axis has less of something at the same rate. Ctrl+C
     leaves the best so far.
 
-    Exit code 0: done. 2: it cannot be done. 3: a check of what was written fails.
+    Exit code 0: done. 2: it cannot be done. 3: a check of what was written fails; with --freeze and nothing written, a
+    law would gain.
     """
     from workbook.commands import improve as improving
 
+    if freeze:
+        raise typer.Exit(improving.freeze(machine, output, force))
     if (aim == "vibration") != (frequency > 0.0):
         raise typer.BadParameter("expected --frequency with --for vibration, and only with it")
     raise typer.Exit(improving.improve(machine, output, change, (aim, frequency, damping), axis, jobs, force))

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from workbook.build import failing_checks, read_description
 from workbook.cluster import pool
-from workbook.errors import AGREES, FAILS
+from workbook.errors import AGREES, FAILS, InputError
 from workbook.fields.paths import spell
 from workbook.fields.units import PER_MINUTE, shown
 from workbook.improving import AIMS, AimName
@@ -13,7 +13,7 @@ from workbook.reading.descriptions import parse_toml
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.reports.terminal import shown as escaped
 from workbook.studies.design import Design, first_design
-from workbook.studies.improve import STAGES, better, edited, gain_in_words, obstacles, single_gains
+from workbook.studies.improve import STAGES, better, edited, gain_in_words, obstacles, reshaped_laws, single_gains
 from workbook.studies.timing import Done
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
@@ -45,17 +45,32 @@ def improve(
         def done(count: int, total: int, words: str) -> None:
             status.update(escaped(f"Trying {count} of {total}: {words}"))
 
-        sizes = parse_toml(read_text(path, DESCRIPTION), path).get("sizes", {})
-        design = first_design(read_description(path), "motion_pieces" in sizes, aim, axis)
+        design = first_design(read_description(path), is_roomy(path), aim, axis)
         show_limits(design)
         with pool(jobs or 1, None) as workers:
             best = show_gains(design, stage, workers, done)
+    return AGREES if output is None else write_best(path, best, output, force)
+
+
+def is_roomy(path: Path) -> bool:
+    """Return whether a description says how many pieces of a motion there is room for."""
+    return "motion_pieces" in parse_toml(read_text(path, DESCRIPTION), path).get("sizes", {})
+
+
+def freeze(path: Path, output: Path | None, force: bool) -> int:
+    """Shape the laws anew that are shaped for their drives; print what that gains; return the exit code."""
+    refuse_itself(output, path)
+    if output is not None:
+        refuse_existing(output, force)
+    with ERR.status("Shaping laws for their drives …"):
+        laws = [*reshaped_laws(first_design(read_description(path), is_roomy(path), AIMS["torque"]))]
+    for _, words, gain in laws:
+        say(OUT, f"{words}, {gain or 'fits its drive'}")
+    if not laws:
+        raise InputError([f'{path}: no law is shaped for its drive; expected laws.OPT.shaped = "torque", or "rate"'])
     if output is None:
-        return AGREES
-    if best is design:
-        say(ERR, f"{output} is not written: no better design is known", "yellow")
-        return AGREES
-    return write_best(path, best, output, force)
+        return FAILS if any(gain for *_, gain in laws) else AGREES
+    return write_best(path, laws[-1][0], output, force)
 
 
 def show_limits(design: Design) -> None:
@@ -94,6 +109,9 @@ def show_gains(design: Design, stage: str, workers: Pool, done: Done) -> Design:
 
 def write_best(path: Path, best: Design, output: Path, force: bool) -> int:
     """Write the description of the best design, and print which of its checks fail; return the exit code."""
+    if not best.changes:
+        say(ERR, f"{output} is not written: no better design is known", "yellow")
+        return AGREES
     with ERR.status(escaped(f"Writing and judging {output} …")):
         write_text(output, edited(path, best), force)
         machine = read_description(output)

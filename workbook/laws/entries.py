@@ -149,9 +149,11 @@ def in_family(name: str, entry: Any) -> Any:
     if name in CODES:
         if entry.get("family", name) != name:
             raise EntryError(f"{name}.family", f"the law {name} is of its own family; expected another name")
+        if entry.get("shaped"):
+            raise EntryError(f"{name}.shaped", "every book has this law; expected a name of its own, such as laws.OPT")
         return {**entry, "family": name}
     given = entry.get("family", code_named(name))
-    if (family := listed(given, [*ENTRIES])) is None:
+    if (family := listed(code_named(given) if isinstance(given, str) else given, [*ENTRIES])) is None:
         problem = "empty" if given is None else f"no family is named {quoted(given)}"
         raise EntryError(f"{key_of(name)}.family", f"{problem}; expected {nearest(given, [*ENTRIES])}")
     return {**entry, "family": family}

@@ -2,14 +2,15 @@
 
 import math
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
 from engine.drive.highest_rate import RateLimit, limits_in_order, moment_of
 from engine.drive.limits import at_speed
 from workbook.errors import InputError
-from workbook.fields.paths import Place, get, put
-from workbook.improving import Change
+from workbook.fields.paths import Place, get, key_of, put
+from workbook.improving import AIMS, Change
 from workbook.pool import Pool, WorkerDied
 from workbook.studies.design import GAIN, Design
 from workbook.studies.plan import changed_machine
@@ -115,6 +116,31 @@ def better(design: Design, kinds: Collection[str], pool: Pool, done: Done) -> It
             yield design
         if design is begin:
             return
+
+
+def reshaped_laws(design: Design) -> Iterator[tuple[Design, str, str]]:
+    """Yield each law that is shaped for its drive shaped anew: a design with it, its place, and what that gains.
+
+    A law that gains nothing stays as it is, and what it gains is empty.
+    """
+    for name in design.machine.laws.names:
+        if not (aim := getattr(design.machine.laws[name], "shaped", None)):
+            continue
+        present, costs = replace(design, aim=AIMS[aim], held={}, costs={}), list[float]()
+        for _ in range(ROUNDS):  # at the higher rate another law is the best
+            try:
+                axis, change = design.improving.reshaped(present.machine, name)
+                other = present.changed(change)
+                costs = costs or [present.cost_of(axis)]
+                cost = math.inf if isinstance(other, str) else other.cost_of(axis)
+            except (ValueError, ArithmeticError) as error:  # too few pieces, or what the engine refuses
+                raise InputError([f"laws.{key_of(name)}.shaped: {error}"]) from None
+            if isinstance(other, str) or cost >= costs[-1] * (1.0 - GAIN):
+                break
+            present = other
+            costs.append(cost)
+        design = replace(design, machine=present.machine, changes=present.changes)
+        yield design, f"{name}: {change.words}", gain_in_words(present, costs[0], costs[-1]) if costs[1:] else ""
 
 
 def rate_to_write(design: Design) -> float | None:

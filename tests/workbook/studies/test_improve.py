@@ -11,8 +11,9 @@ from engine.drive.rate_range import rate_range
 from tests.tiers import seed
 from tests.workbook.machines.drawn_drives import drawn_machine
 from tests.workbook.studies.studied import base
+from workbook.build import read_entered, write_book
 from workbook.commands import improve as command
-from workbook.errors import AGREES, InputError
+from workbook.errors import AGREES, FAILS, InputError
 from workbook.fields.paths import table
 from workbook.fields.units import PER_MINUTE, si
 from workbook.machines.machine.exact import drives_of, limits_of
@@ -145,6 +146,57 @@ def test_where_nothing_is_better_no_file_is_written_and_that_is_said(tmp_path, m
     assert command.improve(base(tmp_path), tmp_path / "faster.toml", "laws", RATE_AIM, "", None, False) == AGREES
     assert not (tmp_path / "faster.toml").exists()
     assert "is not written" in capsys.readouterr().err.replace("\n", " ")
+
+
+def shaped_feed(tmp_path, of: str = 'shaped = "torque"', **changes):
+    """The description of a feed whose law is to be shaped."""
+    path = base(tmp_path, **changes)
+    text = re.sub(r'law = "[^"]*"', 'law = "OPT"', path.read_text("utf-8"), count=1)
+    path.write_text(f"{text}\n[laws.OPT]  # a remark\n{of}\n", encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("aim", ["torque", "rate"])
+def test_a_law_is_frozen_and_fits_until_the_drive_changes(aim: str, tmp_path, capsys) -> None:
+    path, frozen = shaped_feed(tmp_path, f'shaped = "{aim}"'), tmp_path / "frozen.toml"
+    assert command.freeze(path, None, False) == FAILS
+    assert "→ shaped for its drive, " in capsys.readouterr().out
+    assert command.freeze(path, frozen, False) == AGREES
+    assert "[laws.OPT]  # a remark" in frozen.read_text("utf-8")
+    before, after = (first_design(read_machine(file), False) for file in (path, frozen))
+    assert after.rate > before.rate or aim == "torque"
+    assert after.machine.laws["OPT"].shaped == aim
+    assert after.machine.master == before.machine.master
+    assert command.freeze(frozen, None, False) == AGREES
+    assert "fits its drive" in capsys.readouterr().out
+    text = re.sub(r"(?m)^efficiency = .*", "efficiency = 0.6", frozen.read_text("utf-8"))
+    frozen.write_text(text, encoding="utf-8")
+    assert command.freeze(frozen, None, False) == FAILS
+
+
+def test_a_book_keeps_what_its_law_is_shaped_for(tmp_path) -> None:
+    write_book(machine := read_machine(path := shaped_feed(tmp_path)), tmp_path / "feed.xlsx")
+    _, read, _ = read_entered(tmp_path / "feed.xlsx")
+    assert read.laws["OPT"] == machine.laws["OPT"]
+    text = path.read_text("utf-8").replace("[laws.OWN]", '[laws.OWN]\nshaped = "rate"')
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=r"laws.OWN.shaped: every book has this law"):
+        read_machine(path)
+
+
+@pytest.mark.parametrize(
+    ("of", "smoothness", "match"),
+    [
+        ("", "velocity", "no law is shaped"),
+        ('[laws.X]\nfamily = "opt"\nshaped = "rate"', "velocity", r"laws.X.shaped: 0 phases"),
+        ('shaped = "torque"', "jerk", r"laws.OPT.shaped: degree"),
+    ],
+)
+def test_a_law_that_cannot_be_shaped_says_why(of: str, smoothness: str, match: str, tmp_path) -> None:
+    path = shaped_feed(tmp_path, of, smoothness=smoothness)
+    path.write_text(re.sub("(?m)^pieces = .*", "pieces = 2", path.read_text("utf-8")), encoding="utf-8")
+    with pytest.raises(InputError, match=match):
+        command.freeze(path, None, False)
 
 
 def test_axes_that_limit_alike_have_better_laws_both(tmp_path) -> None:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import AfterValidator, Field
@@ -61,11 +61,15 @@ class Piece(Model):
 TURNING = RowRule("turning", "OR([P]+0=0,[omega]+0<>0)", "omega", "ω of a sine, expected more than 0")
 
 
+SHAPED = "What `motionbook improve --freeze` shapes its pieces for: least RMS torque of its drive, or its highest rate"
+
+
 class OwnLaw(LawSheet):
     """The engineer's own law, piece by piece; the default is the polynomial 3-4-5."""
 
     name: Text = "Polynomial 3-4-5"
     pieces: list[Piece] = Field(default=[Piece(duration=1.0, c1=60.0, c2=-180.0, c3=120.0)])
+    shaped: Literal["torque", "rate"] | None = Field(default=None, description=SHAPED, examples=["torque"])
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield pieces that do not fill the rise."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from engine.drive.highest_rate import Moment
 from engine.drive.limits import at_speed
+from engine.drive.rate_range import at_points
 from engine.drive.shaped import shape_phase
 from engine.laws.base import Kinematics
 from engine.laws.vibration import residual
@@ -18,8 +19,9 @@ from engine.motion import Phase
 from workbook.book.checks import ZERO
 from workbook.book.quantity import OK
 from workbook.book.sentence import figure
-from workbook.fields.paths import Place
-from workbook.fields.units import DEGREE, KW, PER_MINUTE, shown
+from workbook.errors import InputError
+from workbook.fields.paths import Place, key_of
+from workbook.fields.units import DEGREE, KW, PER_MINUTE, shown, si
 from workbook.improving import Aim, Change, Figure, Improving
 from workbook.law_sheets.library import NamedLaw, laws, named_laws
 from workbook.laws.entries import ENTRIES, Laws, references
@@ -38,7 +40,7 @@ LIGHTER = 0.9  # of the inertias of load and parts
 # by what must not jump: the highest derivative that is 0 at ends
 RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}
 RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
-SHAPED = "Shaped"  # begins the name of a law that is shaped for its drive
+SHAPED = "Shaped"  # begins the name of a new law that is shaped for its drive
 # aims for which laws are shaped, all but the rate by least torque
 SHAPED_FOR = ("rate", "torque", "power", "energy")
 PIECES = 8  # of a law that is shaped for its drive, at most
@@ -92,18 +94,17 @@ def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[
     known = {each.name: each for each in from_rest_to_rest(machine)}
     driven = drives(machine)[axis.name]() if axis.motor and aim.name in SHAPED_FOR else None
     for k, phase in enumerate(axis.phases):
-        passes = phase.passes or axis.phases[(k + 1) % len(axis.phases)].passes
-        if not phase.lift or passes or phase.law not in known:
+        if not phase.lift or passes(axis, k) or phase.law not in known:
             continue
         path = ("axes", str(i), "phases", str(k), "law")
         begin = f"{axis.name} phase {k + 1}: {known[phase.law].words}"
         with suppress(ValueError, ArithmeticError):  # too few pieces, or what the engine refuses
             if driven:
-                pieces, least = min(PIECES, machine.sizes.pieces), not aim.is_rate
-                yield shaped(driven, rate, k, begin, free_name(machine, i, k), pieces, least)
+                most, of = min(PIECES, machine.sizes.pieces), "rate" if aim.is_rate else "torque"
+                yield shaped(driven, rate, k, begin, free_name(machine, i, k), most, of)
         for law in known.values():
             new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
-            if law.name != phase.law and not law.name.startswith(SHAPED):  # for the drive of another phase
+            if law.name != phase.law and not getattr(law.entered, "shaped", None):  # for the drive of another phase
                 yield Change(f"{begin} → {law.words}", new | {path: law.name}, "law")
 
 
@@ -125,24 +126,48 @@ def free_name(machine: AnyMachine, i: int, k: int) -> str:
     """Return a name for a law that is shaped for a phase; that of the law that it has, if no other phase takes that."""
     begin, own = f"{SHAPED} {i + 1}-{k + 1}", machine.axes[i].phases[k].law
     users = [reference.name for reference in references(machine)].count(own)
-    if own.startswith(begin) and users == 1:
+    if getattr(machine.laws[own], "shaped", None) and users == 1:
         return own
     return next(name for n in count(1) if (name := f"{begin} {n}") not in machine.laws.names)
 
 
-def shaped(driven: Driven, rate: float, k: int, begin: str, name: str, most: int, least_torque: bool) -> Change:
+def shaped(driven: Driven, rate: float, k: int, begin: str, name: str, most: int, aim: str) -> Change:
     """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into ``most`` pieces."""
-    axis = driven.axis
-    rest = RESTS[driven.axis.given.smoothness]
-    checks = at_speed(driven.limit_checks, rate * math.tau)
+    axis, least_torque = driven.axis, aim == "torque"
+    rest, checks = RESTS[axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau)
     law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=most, least_torque=least_torque).law
     pieces = [
         {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
     ]
     words = f"Shaped for its drive at {shown(1.0 / checks.drive_cycle.time, PER_MINUTE):.1f} cycles/min"
-    entries: dict[Place, Any] = {("laws", name): {"family": "OWN", "name": words, "pieces": pieces}}
+    entries: dict[Place, Any] = {("laws", name): {"family": "OWN", "name": words, "pieces": pieces, "shaped": aim}}
     path = ("axes", str(axis.number - 1), "phases", str(k), "law")
     return Change(f"{begin} → shaped for its drive", entries | {path: name}, "law")
+
+
+def reshaped(machine: AnyMachine, name: str) -> tuple[str, Change]:
+    """Return the axis whose drive a law is shaped for, and the change that shapes it anew, at the rate or the highest.
+
+    Raises InputError unless the law is that of a single phase that moves from rest to rest, with a drive.
+    """
+    phases = [(axis, k) for axis in machine.axes for k, phase in enumerate(axis.phases) if phase.law == name]
+    fitting = [(axis, k) for axis, k in phases if axis.motor and axis.phases[k].lift and not passes(axis, k)]
+    if len(phases) != 1 or not fitting:
+        problem = f"{len(phases)} phases have this law, {len(fitting)} of them between two rests with a drive"
+        raise InputError(
+            [f"laws.{key_of(name)}.shaped: {problem}; expected a single phase, between two rests with a drive"]
+        )
+    ((axis, k),) = fitting
+    driven, aim = drives(machine)[axis.name](), machine.laws[name].shaped
+    high = at_points(driven.limit_checks).range.high if aim == "rate" else 0.0
+    rate = high if 0.0 < high < math.inf else si(machine.per_minute, PER_MINUTE)
+    most = min(PIECES, machine.sizes.pieces)
+    return axis.name, shaped(driven, rate, k, f"{axis.name} phase {k + 1}", name, most, aim)
+
+
+def passes(axis: Axis, k: int) -> bool:
+    """Return whether a phase of an axis begins or ends at speed."""
+    return bool(axis.phases[k].passes or axis.phases[(k + 1) % len(axis.phases)].passes)
 
 
 def edge_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
@@ -248,4 +273,5 @@ IMPROVING = Improving(
     margins=margins,
     process_rate=process_rate,
     sheet_rate=sheet_rate,
+    reshaped=reshaped,
 )
