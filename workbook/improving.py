@@ -1,16 +1,12 @@
-"""The parts by which a kind of machine is improved: changes, the room of edges, aims, functions of the kind."""
+"""The parts by which a machine is improved: changes, the room of edges, aims."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, Generic, Literal, NamedTuple, TypeVar
+from collections.abc import Mapping
+from typing import Any, Literal, NamedTuple
 
-from engine.drive.highest_rate import Moment
-from engine.drive.limits import LimitChecks
-from engine.laws.base import Array
 from workbook.book.sentence import figure
 from workbook.fields.paths import Place
 
-M = TypeVar("M")
 NEAR = 1e-9  # of a step: so near below a multiple counts as that
 AimName = Literal["rate", "torque", "power", "energy", "acceleration", "vibration"]
 ChangeKind = Literal["law", "edge", "product", "other"]
@@ -89,27 +85,3 @@ class Figure(NamedTuple):
 
     value: float
     unit: str
-
-
-class Improving(NamedTuple, Generic[M]):
-    """The functions by which :mod:`workbook.studies.improve` makes a kind of machine faster.
-
-    ``limits`` returns functions that give the limits of its drives, by the names of their axes; ``changes`` yields the
-    single changes of an axis, ``where`` says where a limit of an axis is used most, ``breaks`` names the checks beside
-    limits of drives that do not hold. ``figure`` gives what an axis is to have less of. ``rooms`` are the edges that
-    may move from a base, of a present machine by the axis that limits; ``margins`` the shares by which holds what must
-    meanwhile; ``process_rate`` is the rate (1/s) that times of the process allow, ``sheet_rate`` the highest rate
-    (cycles/min) that the sheets of all drives state. ``reshaped`` gives the axis whose drive a law is shaped for,
-    and the change that shapes it anew.
-    """
-
-    limits: Callable[[M], Mapping[str, Callable[[], LimitChecks]]]
-    changes: Callable[[M, str, float, Aim], Iterator[Change]]  # at the highest rate (1/s)
-    where: Callable[[M, str, Moment], str]
-    breaks: Callable[[M], set[str]]
-    figure: Callable[[M, str, Aim], Figure]
-    rooms: Callable[[M, M, str], list[Room]]
-    margins: Callable[[M], Array]
-    process_rate: Callable[[M], float]
-    sheet_rate: Callable[[M], float]
-    reshaped: Callable[[M, str], tuple[str, Change]]

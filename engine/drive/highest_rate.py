@@ -10,7 +10,7 @@ import numpy as np
 from engine.drive.cycle import TorqueInterval
 from engine.drive.limits import BELOW, CYCLES, NAMES, LimitChecks, at_speed
 from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
-from engine.drive.rate_range import at_points
+from engine.drive.rate_range import at_points, crossing
 from engine.drive.results import DriveResults, Extreme
 from engine.drive.search import integral
 from engine.laws.base import Array
@@ -18,7 +18,6 @@ from engine.laws.base import Array
 EXACT_NAMES = {PEAK_TORQUE: BELOW, CYCLES: REDUCER_TORQUE}  # of limits that the points tell apart
 NEARLY = 0.9  # use of a limit by points from which the exact engine is asked
 STEP, CLOSE = 0.02, 1e-6  # of the rate: by which it is looked for, to which it is known
-WIDENED = 40  # how often it is looked for a step farther
 
 
 class RateLimit(NamedTuple):
@@ -58,41 +57,13 @@ def limits_in_order(checks: LimitChecks) -> Iterator[RateLimit]:
 
 
 def reached(checks: LimitChecks, names: Iterable[str], estimate: float) -> float:
-    """Return the rate at which the first of some limits is reached.
-
-    Parameters
-    ----------
-    checks : LimitChecks
-    names : iterable of str
-        Of the limits.
-    estimate : float, 1/s
-        The rate near which it is looked for.
-
-    Returns
-    -------
-    float, 1/s
-        On the safe side, to 2e-6 of it.
-    """
-    from scipy.optimize import brentq  # slow to import
-
+    """Return the rate (1/s) near an estimate at which the first of some limits is reached, safe, to 2e-6 of it."""
     asked, total = list(names), checks.drive_cycle.unshifted.total
 
-    def excess(rate: float) -> float:
-        uses = (check.use for check in at_speed(checks, rate * total).of(asked))
-        # a reducer may have a limit from a number of cycles on
-        return min(max(uses, default=0.0), 2.0) - 1.0
+    def use(rate: float) -> float:
+        return max((check.use for check in at_speed(checks, rate * total).of(asked)), default=0.0)
 
-    low, high = estimate, estimate * (1.0 + STEP)
-    for _ in range(WIDENED):
-        if excess(low) <= 0.0:
-            break
-        low, high = low / (1.0 + STEP), low
-    for _ in range(WIDENED):
-        if excess(high) > 0.0:
-            break
-        low, high = high, high * (1.0 + STEP)
-    met = brentq(excess, low, high, rtol=CLOSE) if excess(low) <= 0.0 < excess(high) else low
-    return float(met * (1.0 - 2.0 * CLOSE))
+    return crossing(use, estimate, STEP, CLOSE) * (1.0 - 2.0 * CLOSE)
 
 
 class Moment(NamedTuple):

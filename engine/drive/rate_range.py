@@ -1,6 +1,7 @@
 """The exact range of rates at which every check of a cycle holds: located at its points, then searched. SI units."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +16,7 @@ from engine.laws.base import Array
 FAR = 1e3  # factor of the present rate up to which, and down to whose inverse, ranges are located
 STEP = 0.02  # of the rate, by which they are located
 CLOSE = 1e-10  # relative tolerance of the ends
-WIDENED = 8  # how often a bracket of an end is widened by a step
+WIDENED = 40  # how often a bracket of an end is widened by a step
 NEAR = 1e-9  # share of a cycle within which cuts count as the same
 
 
@@ -64,21 +65,29 @@ def at_points(checks: LimitChecks) -> RateSearch:
 
 def _end(checks: LimitChecks, inside: float, step: float) -> tuple[float, str]:
     """Return the speed at which a range ends, near a speed ``inside`` of it, a step up or down, and the limit there."""
+    met = crossing(lambda speed: at_speed(checks, speed).worst.use, inside, step, CLOSE)
+    way = math.copysign(2.0 * CLOSE, step)
+    return met * (1.0 - way), at_speed(checks, met * (1.0 + way)).worst.name
 
-    def excess(speed: float) -> float:
-        return min(at_speed(checks, speed).worst.use, 2.0) - 1.0
 
+def crossing(use: Callable[[float], float], inside: float, step: float, close: float) -> float:
+    """Return the rate near one ``inside`` at which a use reaches 1, by steps up or down; the last tried, if none is.
+
+    Step and tolerance are shares of the rate. A reducer may have a limit from a number of cycles on.
+    """
+    from scipy.optimize import brentq  # slow to import, and most commands need no range of rates
+
+    def excess(rate: float) -> float:
+        return min(use(rate), 2.0) - 1.0
+
+    outside = inside * (1.0 + step)
     for _ in range(WIDENED):
         if excess(inside) <= 0.0:
             break
-        inside /= 1.0 + step
-    outside = inside * (1.0 + step)
+        inside, outside = inside / (1.0 + step), inside
     for _ in range(WIDENED):
         if excess(outside) > 0.0:
             break
         inside, outside = outside, outside * (1.0 + step)
-    from scipy.optimize import brentq  # slow to import, and most commands need no range of rates
-
-    met = brentq(excess, *sorted((inside, outside)), rtol=CLOSE) if excess(outside) > 0.0 >= excess(inside) else inside
-    way = math.copysign(2.0 * CLOSE, step)
-    return met * (1.0 - way), at_speed(checks, met * (1.0 + way)).worst.name
+    bracketed = excess(outside) > 0.0 >= excess(inside)
+    return float(brentq(excess, *sorted((inside, outside)), rtol=close)) if bracketed else inside

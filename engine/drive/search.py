@@ -131,17 +131,9 @@ def integral(function: Function, low: float, high: float, scale: float = 0.0, ha
 
 
 def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
-    """Return every u at which a curve changes its sign beyond rounding, at most once between two zeros of its slope.
+    """Return every u between two others at which a curve changes its sign beyond rounding, rising.
 
-    Parameters
-    ----------
-    curve : Curve
-    low, high : float
-        Ends of the range, in the unit of the curve's abscissa.
-
-    Returns
-    -------
-    list of float, rising, in that unit
+    It does so at most once between two zeros of its slope.
     """
     turns = [u for u in zeros(curve.slope, high) if low < u < high]
     points = [low, *turns, high]

@@ -14,7 +14,6 @@ from engine.drive.quadrature import LoadPoints
 from engine.drive.search import gauss_legendre
 from engine.laws import Piece, PieceLaw
 from engine.laws.base import Array
-from engine.laws.piece import POWERS
 from engine.motion import Motion
 
 PEAKS = 129  # points at which peaks are taken
@@ -35,11 +34,9 @@ class ShapedLaw(NamedTuple):
     @property
     def law(self) -> PieceLaw:
         """The law by its pieces. Raises ValueError where their degree is above 7."""
-        spare = (0.0,) * (POWERS + 2)
         rows = [[k * (k - 1) * c for k, c in enumerate(powers)][2:] for powers in self.powers]
-        most = max(POWERS, *map(len, rows))
         pieces = zip(self.durations, rows, strict=True)
-        return PieceLaw([Piece(duration, (*row, *spare)[:most]) for duration, row in pieces])
+        return PieceLaw([Piece(duration, (*row, 0.0, 0.0)[: max(4, len(row))]) for duration, row in pieces])
 
 
 def shape(torque: Torque, lift: float, time: float, degree: int = 9, rest: int = 2, pieces: int = 1) -> ShapedLaw:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from types import ModuleType
 from typing import Any
 
 from engine.drive.highest_rate import RateLimit, highest_rate
@@ -12,7 +13,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.fields.paths import Place, get, table
 from workbook.fields.units import PER_MINUTE, shown, si
-from workbook.improving import AIMS, Aim, Change, Improving
+from workbook.improving import AIMS, Aim, Change
 from workbook.studies.plan import changed_machine
 from workbook.templates import TEMPLATES
 
@@ -36,7 +37,7 @@ class Design:
     held: Mapping[str, float]
 
     @property
-    def improving(self) -> Improving[Any]:
+    def improving(self) -> ModuleType:
         """The functions by which its kind of machine is improved; raise InputError where there are none."""
         improving = TEMPLATES[self.base.template].improving
         if improving is None:
@@ -51,7 +52,7 @@ class Design:
     @property
     def cost(self) -> float:
         """The cost of the machine: the largest of its axes, and the time of a cycle that the process takes."""
-        process = 1.0 / self.improving.process_rate(self.machine) if self.aim.is_rate else 0.0
+        process = 1.0 / self.improving.timing.process_rate(self.machine) if self.aim.is_rate else 0.0
         return max(self.costs[self.limiting], process)
 
     @property
@@ -65,7 +66,7 @@ class Design:
         if not self.aim.is_rate:
             return self.cost
         rates = [self.exact(axis).rate for axis in self.costs]
-        return 1.0 / min([*rates, self.improving.process_rate(self.machine)])
+        return 1.0 / float(min([*rates, self.improving.timing.process_rate(self.machine)]))
 
     def shown(self, cost: float) -> float:
         """Return a cost as it is shown: as a rate (cycles/min), or in the unit of the aim."""
@@ -73,7 +74,8 @@ class Design:
 
     def limits(self, axis: str) -> LimitChecks:
         """Return the limits of the drive of an axis."""
-        return self.improving.limits(self.machine)[axis]()
+        limits: LimitChecks = self.improving.limit_checks(self.machine)[axis]()
+        return limits
 
     def changed(self, change: Change) -> "Design | str":
         """Return the design with a change, or why there is none such: axes that it leaves alone keep their costs."""
@@ -98,15 +100,15 @@ class Design:
             return 1.0 / rate if rate else math.inf
         if rate < self.held.get(axis, 0.0):
             raise ValueError(f"{axis}: its drive does not hold the rate")
-        return self.improving.figure(self.machine, axis, self.aim).value
+        return float(self.improving.figure_of(self.machine, axis, self.aim).value)
 
     def tries(self, axis: str) -> Iterator[Change]:
         """Yield the single changes of an axis."""
-        return self.improving.changes(self.machine, axis, self.rate, self.aim)
+        yield from self.improving.changes(self.machine, axis, self.rate, self.aim)
 
     def breaks(self) -> set[str]:
         """Return the checks, beside limits of drives, that do not hold."""
-        return self.improving.breaks(self.machine)
+        return set(self.improving.breaks(self.machine))
 
     def exact(self, axis: str) -> RateLimit:
         """Return the exact highest rate of an axis, and its limit."""
@@ -126,7 +128,7 @@ def first_design(machine: Machine, is_roomy: bool, aim: Aim = AIMS["rate"], axis
     improving = design.improving
     for sentence in (name for name in design.breaks() if name.startswith("timing.")):
         raise InputError([sentence])
-    rates = {name: at_points(make()).range.high for name, make in improving.limits(machine).items()}
+    rates = {name: at_points(make()).range.high for name, make in improving.limit_checks(machine).items()}
     if not aim.is_rate:
         return aimed(design, axis, rates)
     if axis:
@@ -146,7 +148,9 @@ def aimed(design: Design, axis: str, rates: Mapping[str, float]) -> Design:
         raise InputError([f"no axis has a drive; expected one, of which the {design.aim.words} is to be less"])
     if axis and axis not in names:
         raise InputError([f"no axis with a {design.aim.words} is named {axis!r}; expected one of {', '.join(names)}"])
-    figures = {name: design.improving.figure(design.machine, name, design.aim) for name in ([axis] if axis else names)}
+    figures = {
+        name: design.improving.figure_of(design.machine, name, design.aim) for name in ([axis] if axis else names)
+    }
     most = max(figures, key=lambda name: figures[name].value)
     held = {name: min(rate, design.rate) for name, rate in rates.items()}
     aim = design.aim._replace(unit=figures[most].unit)

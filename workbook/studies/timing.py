@@ -23,7 +23,7 @@ def best_timing(design: Design, starts: int, done: Done) -> Design | None:
     The largest cost of its axes is made as small as it can be, from the present places and from others in the rooms, by
     SciPy's SLSQP; what breaks a check is taken back towards the best so far, and then edges move one by one.
     """
-    rooms = design.improving.rooms(design.base, design.machine, design.limiting)
+    rooms = design.improving.timing.rooms(design.base, design.machine, design.limiting)
     if not rooms:
         return None
     search, best = TimingSearch(design, rooms), design
@@ -41,7 +41,7 @@ class TimingSearch:
         self.low, self.high = (np.array([getattr(room, end) for room in rooms]) for end in ("low", "high"))
         self.designs: dict[bytes, Design | str] = {}
         self.margins: dict[bytes, Array] = {}
-        self.count = len(design.improving.margins(design.machine))
+        self.count = len(design.improving.timing.margins(design.machine))
 
     def moves(self, design: Design) -> Array:
         """Return by how much the edges of a design are moved."""
@@ -83,7 +83,7 @@ class TimingSearch:
             if isinstance(design, str):
                 return np.full(self.count, -1.0)
             if key not in self.margins:
-                self.margins[key] = design.improving.margins(design.machine)
+                self.margins[key] = design.improving.timing.margins(design.machine)
             return self.margins[key]
 
         shares: Array = least_use(uses, np.clip((start - self.low) / span, 0.0, 1.0), slack, SLOPE)
@@ -93,7 +93,10 @@ class TimingSearch:
         """Return whether a design costs less than another, breaks nothing, and holds all margins."""
         if isinstance(design, str) or not design.cost < than.cost:
             return False
-        return bool(design.improving.margins(design.machine).min(initial=0.0) >= 0.0) and design.breaks() <= self.broken
+        return (
+            bool(design.improving.timing.margins(design.machine).min(initial=0.0) >= 0.0)
+            and design.breaks() <= self.broken
+        )
 
     def settled(self, moves: Array, best: Design) -> Design:
         """Return the design with some moves if it is better than the best so far, or one on the way to it."""

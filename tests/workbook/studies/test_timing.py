@@ -106,7 +106,7 @@ def test_no_whole_degrees_of_three_edges_are_better(tmp_path) -> None:
     )
     design = first_design(machine, True)
     best = best_timing(design, 0, silent)
-    search = TimingSearch(design, design.improving.rooms(machine, machine, design.limiting))
+    search = TimingSearch(design, design.improving.timing.rooms(machine, machine, design.limiting))
     by_hand = design
     for moves in product(*(np.arange(room.low, room.high + 0.5) for room in search.rooms)):
         other = search.moved(np.array(moves))

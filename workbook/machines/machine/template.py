@@ -33,7 +33,7 @@ from workbook.machines.machine.names import names_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.rates_summary import range_of_rates, rate_check, rates_in_words, whole_range
-from workbook.machines.machine.studies.changes import IMPROVING
+from workbook.machines.machine.studies import changes
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timing.cycle import cycle_sheet, exportable
@@ -208,7 +208,7 @@ TEMPLATE = Template(
     require_mechanisms,
     axes=axes,
     scaling=SCALING,
-    improving=IMPROVING,
+    improving=changes,
     live=live,
     judgement=judgement,
     switches=switches,

@@ -22,7 +22,7 @@ from workbook.book.sentence import figure
 from workbook.errors import InputError
 from workbook.fields.paths import Place, key_of
 from workbook.fields.units import DEGREE, KW, PER_MINUTE, shown, si
-from workbook.improving import Aim, Change, Figure, Improving
+from workbook.improving import Aim, Change, Figure
 from workbook.law_sheets.library import NamedLaw, laws, named_laws
 from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.machines.machine.drive.driven import Driven
@@ -30,8 +30,8 @@ from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.exact import drives_of
 from workbook.machines.machine.rates_summary import RATE_CHECK
+from workbook.machines.machine.studies import timing
 from workbook.machines.machine.studies.results import results
-from workbook.machines.machine.studies.timing import EDGE, margins, order_margins, process_rate, rooms
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.template_outputs import LIMITS
 
@@ -73,7 +73,7 @@ def where(machine: AnyMachine, name: str, moment: Moment) -> str:
 
 def changes(machine: AnyMachine, name: str, rate: float, aim: Aim) -> Iterator[Change]:
     """Yield the single changes of an axis: laws shaped for a rate (1/s) among them."""
-    i = number_of(machine, name)
+    i = timing.number_of(machine, name)
     yield from law_changes(machine, i, rate, aim)
     yield from edge_changes(machine, i)
     if machine.axes[i].motor:
@@ -81,11 +81,6 @@ def changes(machine: AnyMachine, name: str, rate: float, aim: Aim) -> Iterator[C
         yield from lighter(machine.axes[i], i)
     if aim.is_rate:
         yield from reserve_changes(machine, i)
-
-
-def number_of(machine: AnyMachine, name: str) -> int:
-    """Return the number of the axis of a name, from 0."""
-    return [axis.name for axis in machine.axes].index(name)
 
 
 def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[Change]:
@@ -172,8 +167,8 @@ def passes(axis: Axis, k: int) -> bool:
 
 def edge_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
     """Yield each edge that may move moved by 10° of a turn, or as far as its room lets it."""
-    step = machine.over.shown(EDGE)
-    for room in rooms(machine, machine, i):
+    step = machine.over.shown(timing.EDGE)
+    for room in timing.rooms(machine, machine, machine.axes[i].name):
         for by in (-step, step):
             if moved := min(max(by, room.low), room.high):
                 yield room.change(moved)
@@ -234,12 +229,12 @@ def breaks(machine: AnyMachine) -> set[str]:
     asked = results(machine, {})
     names = (name for name in asked.checks if not name.endswith(BY_RATE) and name not in (RATE_CHECK, *asked.slow))
     broken = {name for name in names if not np.all(asked.named[name]() == OK)}
-    return broken | {name for margin, name in order_margins(machine) if margin < -ZERO}
+    return broken | {name for margin, name in timing.order_margins(machine) if margin < -ZERO}
 
 
 def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
     """Return the figure of an axis that is to be less, at the rate of the machine."""
-    axis = MachineView(machine, laws(machine.laws)).axes[number_of(machine, name)].sized
+    axis = MachineView(machine, laws(machine.laws)).axes[timing.number_of(machine, name)].sized
     if aim.name == "acceleration":
         return Figure(axis.max_acceleration, axis.over.rates(axis.given.unit)[1])
     if aim.name == "vibration":
@@ -261,17 +256,3 @@ def sheet_rate(machine: AnyMachine) -> float:
     """Return the highest rate (cycles/min) that the sheets of all drives state, infinite where none is bound."""
     common = (view.rates.high for view in drives_of(machine) if view.driven.entered.rate is None)
     return min((rate for rate in common if isinstance(rate, float)), default=math.inf)
-
-
-IMPROVING = Improving(
-    limit_checks,
-    changes,
-    where,
-    breaks,
-    figure_of,
-    rooms=lambda base, machine, name: rooms(base, machine, number_of(machine, name)),
-    margins=margins,
-    process_rate=process_rate,
-    sheet_rate=sheet_rate,
-    reshaped=reshaped,
-)
