@@ -99,7 +99,7 @@ BOOKS = [
         "BSD 3-Clause",
         "7fe88550f4666424d0ea435b96a31570f3f9a861c2c6e35ad8a9bccb3d2dfb6f",
         cryostat,
-        {"empty": 1},
+        {},
     ),
     Foreign(
         "radiator",

@@ -27,6 +27,7 @@ KINDS = {
     "circular": "a cell that needs its own value",
     "link": "a reference to another file",
     "volatile": "a function that changes by itself, or reads what no trace shows",
+    "stale": "a saved value that is not what the formula gives",
     "hidden": "a hidden sheet, row or column that a formula reads",
     "dimension": "units that do not go together",
     "scale": "a conversion of units that is missing, wrong or there twice",

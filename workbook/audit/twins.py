@@ -8,6 +8,7 @@ from workbook.audit.lines import Lines, held
 from workbook.audit.units import Units
 from workbook.audit.view import View
 from workbook.book.address import Address
+from workbook.reading.contents import plain_label
 
 ALIKE = 0.85  # of the labels of two sheets that make them twins
 TYPICAL = frozenset("0 1 2 3 4 5 6 7 8 9 10 12 16 20 24 25 30 32 36 50 60 90 100 180 360 1000 3600".split())
@@ -21,13 +22,8 @@ def labelled(view: View) -> dict[str, dict[Key, Address]]:
     for cell in view.headings:
         left, above = view.labels(cell)
         if len(left) >= 3 and any(map(str.isalpha, left)):
-            sheets[cell.sheet][plain(left), "" if view.beside(cell) == left else plain(above)].append(cell)
+            sheets[cell.sheet][plain_label(left), "" if view.beside(cell) == left else plain_label(above)].append(cell)
     return {s: {key: cells[0] for key, cells in keys.items() if len(cells) == 1} for s, keys in sheets.items()}
-
-
-def plain(text: str) -> str:
-    """Return a label without case, blanks and a colon behind it."""
-    return " ".join(text.split()).rstrip(" :=").casefold()
 
 
 def twins(lines: Lines, units: Units) -> Iterator[Finding]:
@@ -79,12 +75,12 @@ def within_sheet(view: View, units: Units) -> Iterator[Finding]:
     """Yield entered numbers beside the same label twice on a sheet, with other values."""
     places: dict[tuple[str, str], list[Address]] = defaultdict(list)
     for cell in view.headings:
-        if len(plain(left := view.beside(cell)).split()) > 1:
-            places[cell.sheet, plain(left)].append(cell)
+        if len(plain_label(left := view.beside(cell)).split()) > 1:
+            places[cell.sheet, plain_label(left)].append(cell)
     twice = Counter(sheet for (sheet, _), cells in places.items() if len(cells) > 1)
     for (sheet, _), cells in places.items():
         if len(cells) == 2 and twice[sheet] <= 2:  # where more stand twice, they are of two things
-            yield from contradicting(view, units, [(cells[0], cells[1], plain(view.beside(cells[0])))])
+            yield from contradicting(view, units, [(cells[0], cells[1], plain_label(view.beside(cells[0])))])
 
 
 def unread(lines: Lines, units: Units) -> Iterator[Finding]:

@@ -8,12 +8,11 @@ from functools import cached_property, lru_cache
 
 from workbook.audit.finding import Finding
 from workbook.audit.lines import FEW, Lines, held
-from workbook.audit.view import View
+from workbook.audit.view import View, numbers_of
 from workbook.book.address import Address
-from workbook.book.columns import tree
-from workbook.book.formula import Area, FormulaError
-from workbook.dimensions.rules import FormulaChecker, Term, UnitWalk
-from workbook.dimensions.units import NONE, POWERS, dimension_of, dimension_text, is_either
+from workbook.book.formula import Area
+from workbook.dimensions.rules import UNKNOWN, Judged, Term, UnitWalk
+from workbook.dimensions.units import NONE, POWERS, dimension_of
 
 BRACKETS = re.compile(r"(?:(?<=\s)\(|^\(|\[)([^\])(\[]{1,12})[\])]")
 BEHIND = re.compile(r"(?:,|\bin)\s+([^\s,]{1,8})$")
@@ -81,7 +80,8 @@ class Units:
     @cached_property
     def checked(self) -> dict[Address, str]:
         """The contradictions of dimensions, in words, by cell."""
-        return Walk(self.view, {c: "1" if u in NOTHING else u for c, u in self.of.items()}).contradictions()
+        units = {cell: "1" if unit in NOTHING else unit for cell, unit in self.of.items()}
+        return Walk(self.view.contents, units).walk(self.view.order[0]).wrong
 
 
 @lru_cache(maxsize=10_000)
@@ -104,58 +104,28 @@ def bracketed(text: str) -> str:
 
 
 class Walk(UnitWalk):
-    """Units run through all formulas; formulas of the same shape with the same terms are judged once."""
+    """Units run through all formulas, but for those with numbers that may have a unit of their own."""
 
-    def __init__(self, view: View, units: dict[Address, str]) -> None:
-        super().__init__(view.contents, units)
-        self.view = view
-        self.judged: dict[tuple[str, tuple[Term, ...]], tuple[Term, tuple[str, ...]]] = {}
-        self.read_cells = 0
+    read_cells = 0
 
-    def contradictions(self) -> dict[Address, str]:
-        """Return the contradictions in words, by cell."""
-        wrong = {}
-        for cell in self.view.order[0]:
-            formula = self.contents.formulas.get(cell)
-            if formula is None:
-                continue
-            terms = tuple(self.argument(argument) for argument in formula.arguments)
-            key = formula.shape, terms
-            if key not in self.judged:
-                self.judged[key] = judge(formula.shape, terms, self.view.forms[cell].numbers)
-            term, faults = self.judged[key]
-            label = self.terms.setdefault(cell, term).dimension
-            if label is not None and term.dimension is not None and term.dimension != label:
-                faults = (*faults, f"{dimension_text(term.dimension)} where the unit says {dimension_text(label)}")
-            if faults and not is_either(self.units.get(cell, "")):
-                wrong[cell] = "; ".join(dict.fromkeys(faults))
-        return wrong
+    def judge(self, shape: str, terms: tuple[Term, ...]) -> Judged:
+        """Return the term of a formula and its faults; 9.81 has the unit of an acceleration, or none."""
+        numbers = numbers_of(shape)[1]
+        if "LOG" in shape or "10^" in shape or any(may_have_unit(number) for number in numbers):
+            return UNKNOWN, ()  # decibels; a density, 0.05 s
+        if not (gravity := GRAVITY.intersection(numbers)):
+            return super().judge(shape, terms)
+        pattern = r"(?<![\w.])(?:" + "|".join(map(re.escape, gravity)) + r")(?![\w.])"
+        text = re.sub(pattern, f"A{len(terms) + 1}", shape)
+        results = [super(Walk, self).judge(text, (*terms, way)) for way in (ACCELERATION, Term(NONE))]
+        if len({term for term, _ in results}) > 1:
+            return UNKNOWN, () if any(not faults for _, faults in results) else results[0][1]
+        return min(results, key=lambda result: len(result[1]))
 
     def range(self, area: Area) -> Term:
         """Return the term of a range; of more cells than can be walked, unknown."""
         self.read_cells += area.size
         return Term() if self.read_cells > 2_000_000 else super().range(area)
-
-
-def judge(shape: str, terms: tuple[Term, ...], numbers: tuple[str, ...]) -> tuple[Term, tuple[str, ...]]:
-    """Return the term of a formula and its faults; 9.81 has the unit of an acceleration, or none."""
-    if "LOG" in shape or "10^" in shape or any(may_have_unit(number) for number in numbers):
-        return Term(), ()  # decibels; a density, 0.05 s
-    readings = [(shape, terms)]
-    if gravity := GRAVITY.intersection(numbers):
-        pattern = r"(?<![\w.])(?:" + "|".join(map(re.escape, gravity)) + r")(?![\w.])"
-        readings = [(re.sub(pattern, f"A{len(terms) + 1}", shape), (*terms, way)) for way in (ACCELERATION, Term(NONE))]
-    results: list[tuple[Term, tuple[str, ...]]] = []
-    for text, arguments in readings:
-        checker = FormulaChecker(arguments)
-        try:
-            results.append((checker.of(tree(text)), tuple(checker.wrong)))
-        except (FormulaError, RecursionError, IndexError, TypeError):
-            return Term(), ()
-    if len({term for term, _ in results}) > 1:
-        sound = [faults for _, faults in results if not faults]
-        return Term(), () if sound else results[0][1]
-    return min(results, key=lambda result: len(result[1]))
 
 
 @lru_cache(maxsize=10_000)

@@ -8,6 +8,10 @@ from workbook.audit.ranges import calls
 from workbook.book.address import Address
 from workbook.book.columns import Node, tree
 from workbook.book.formula import FormulaError
+from workbook.errors import quoted
+from workbook.reading.files import MOST_READ, cells_read
+from workbook.witnesses.calibration import QUICK, Evaluators, present
+from workbook.witnesses.pycel.model import PycelModel, require_working
 
 VOLATILE = frozenset("OFFSET INDIRECT NOW TODAY RAND RANDBETWEEN RANDARRAY CELL INFO".split())
 BLANKS = frozenset("ISBLANK COUNTA COUNT COUNTIF COUNTBLANK ISNUMBER IFERROR IFNA N ISERROR IF".split())
@@ -128,4 +132,17 @@ def hidden(lines: Lines) -> Iterator[Finding]:
                 yield Finding(cell, "hidden", f"it reads the hidden sheet {area.sheet}", "medium", view.text(cell))
 
 
-RULES = (texts, blanks, hidden_errors, circles, links, volatile, hidden)
+def stale(lines: Lines) -> Iterator[Finding]:
+    """Yield saved values that are not what the formula gives, as two evaluators compute it."""
+    file, view = lines.view.file, lines.view
+    if not file.has_results or cells_read(file.contents.patterns) > MOST_READ:
+        return
+    require_working()
+    evaluators = Evaluators(file, PycelModel(file.contents), present(QUICK), {})
+    for cell, value in evaluators.stale.items():
+        by = " and ".join(evaluators.trusted[cell])
+        why = f"{quoted(file.saved[cell])} was saved, and by {by} the formula gives {quoted(value)}"
+        yield Finding(cell, "stale", why, "high" if file.is_evidence else "medium", view.text(cell))
+
+
+RULES = (texts, blanks, hidden_errors, circles, links, volatile, hidden, stale)

@@ -12,7 +12,6 @@ from workbook.errors import AGREES, DISAGREES, UNREADABLE, InputError
 from workbook.judging.verify import available_witnesses
 from workbook.oracle.cells import draft
 from workbook.oracle.declarations import load_oracle
-from workbook.oracle.evaluators import FIRST, NAMES
 from workbook.oracle.findings import OracleReport, describe
 from workbook.oracle.judge import Judge
 from workbook.reading.files import BookFile, open_book
@@ -20,6 +19,7 @@ from workbook.reports import differences as difference_reports
 from workbook.reports import page
 from workbook.reports.page import figure
 from workbook.reports.terminal import ERR, OUT, print_or_write, say, say_json, show_table, shown
+from workbook.witnesses.calibration import FIRST, NAMES, present
 from workbook.witnesses.registry import WITNESSES as REGISTER
 from workbook.writing.output_files import refuse_existing, refuse_itself, replace
 
@@ -61,7 +61,7 @@ def against(
         refuse_existing(marked, force)
     with ERR.status(shown(f"Comparing {path} with {declarations} …")):
         file = open_book(path)
-        asked = witnesses or [name for name in NAMES if REGISTER[name]().version() is not None]
+        asked = witnesses or present(NAMES)
         names = [name for name in available_witnesses(asked)[0] if not REGISTER[name]().kept]
         report = Judge(file, load_oracle(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
     # a copy in which the formula cells of each class have a colour of their own

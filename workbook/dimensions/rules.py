@@ -47,6 +47,7 @@ class Term:
 
 
 FREE, UNKNOWN = Term(free=True), Term()
+Judged = tuple[Term, tuple[str, ...]]
 
 
 def plain(number: float) -> bool:
@@ -199,6 +200,7 @@ class UnitWalk:
         self.contents, self.units = contents, units
         self.terms: dict[Address, Term] = {}
         self.areas: dict[Area, Term] = {}
+        self.judged: dict[tuple[str, tuple[Term, ...]], Judged] = {}  # a formula that is copied is judged once
         for cell, unit in units.items():
             dimension = dimension_of(unit)
             if is_either(unit):
@@ -210,20 +212,28 @@ class UnitWalk:
         """Return the result of all formulas, each behind those that it needs."""
         result = Dimensions()
         for cell in order:
-            formula = self.contents.formulas[cell]
-            reading = FormulaChecker([self.argument(argument) for argument in formula.arguments])
-            try:
-                term, wrong = reading.of(tree(formula.shape)), reading.wrong
-            except (FormulaError, RecursionError):
-                term, wrong = UNKNOWN, []
+            if (formula := self.contents.formulas.get(cell)) is None:
+                continue
+            key = formula.shape, tuple(self.argument(argument) for argument in formula.arguments)
+            if key not in self.judged:
+                self.judged[key] = self.judge(*key)
+            term, wrong = self.judged[key]
             label = self.terms.setdefault(cell, term).dimension
             if label is not None and term.dimension is not None and term.dimension != label:
-                wrong.append(f"{dimension_text(term.dimension)} where the unit says {dimension_text(label)}")
+                wrong = (*wrong, f"{dimension_text(term.dimension)} where the unit says {dimension_text(label)}")
             if wrong and not is_either(self.units.get(cell, "")):
                 result.wrong[cell] = "; ".join(dict.fromkeys(wrong))
             result.formulas += 1
             result.known += term.dimension is not None or term.free
         return result
+
+    def judge(self, shape: str, terms: tuple[Term, ...]) -> Judged:
+        """Return the term of a formula from those of its arguments, and what cannot be, in words."""
+        checker = FormulaChecker(terms)
+        try:
+            return checker.of(tree(shape)), tuple(checker.wrong)
+        except (FormulaError, RecursionError, IndexError, TypeError, OverflowError):  # other arguments than it takes
+            return UNKNOWN, ()
 
     def argument(self, argument: Area | str) -> Term:
         """Return the term of a text, a cell or a range."""

@@ -5,7 +5,8 @@ from functools import cache
 from tokenize import TokenError
 from typing import Any, TypeAlias
 
-from pint import UndefinedUnitError, UnitRegistry
+from pint import UnitRegistry
+from pint.errors import PintError
 from pint.util import UnitsContainer
 
 Dimension: TypeAlias = UnitsContainer
@@ -13,6 +14,7 @@ NONE = Dimension({})  # of numbers, angles, shares and counts
 POWERS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻−", "0123456789--")
 FACTOR = re.compile(r"(?P<word>1(?!\d)|[^\W\d_]+|°[CF]?|%|‰|Ω)(?:\^|\*\*)?(?P<power>-?\d+)?")
 BETWEEN = re.compile(r"(?! - )[ ·*.×-]*")
+MOST_POWER = 12
 # what pint does not know, or reads as something else
 WORDS = {"1": "1", "%": "0.01", "‰": "0.001", "°": "degree", "cycles": "1", "pieces": "1", "rpm": "1/min", "C": "K",
     "°C": "K", "°F": "K", "Ω": "ohm", "µm": "1e-6 m", "μm": "1e-6 m", "Nm": "N*m", "kNm": "kN*m", "mNm": "mN*m",
@@ -45,7 +47,10 @@ def parse_unit(unit: str) -> Any:
             match = FACTOR.match(text, at)
             if match is None or (factor := parse_word(match["word"])) is None:
                 return None
-            quantity *= factor ** (int(match["power"] or 1) * (-1 if k else 1))
+            power = int(match["power"] or 1)
+            if abs(power) > MOST_POWER:
+                return None
+            quantity *= factor ** (-power if k else power)
             between = BETWEEN.match(text, match.end())
             at = between.end() if between else match.end()
     return quantity if unit.strip(" []()") else None
@@ -59,10 +64,11 @@ def is_either(unit: str) -> bool:
 @cache
 def parse_word(word: str) -> Any:
     """Return a unit as pint's quantity in base units; None where pint knows none of that name."""
-    for name in (word, word.lower()) if len(word) > 2 else (word,):
+    names = (word, word.lower()) if len(word) > 2 else (word,)
+    for name in () if word.startswith("dB") else names:  # pint has a deci-biot
         try:
             return registry().Quantity(WORDS.get(name, f"1 {name}")).to_base_units()
-        except (UndefinedUnitError, ValueError, AttributeError, TokenError):
+        except (PintError, ValueError, AttributeError, TokenError):
             continue
     return None
 

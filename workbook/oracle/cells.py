@@ -11,7 +11,7 @@ from workbook.book.address import Address
 from workbook.book.rows import is_number
 from workbook.dimensions.units import dimension_of
 from workbook.errors import ReadError
-from workbook.reading.contents import Contents
+from workbook.reading.contents import Contents, plain_label
 from workbook.reading.files import BookFile
 from workbook.witnesses.pycel.graph import Graph
 from workbook.witnesses.pycel.model import PycelModel
@@ -43,11 +43,6 @@ def on_sheet(file: BookFile, text: str) -> Address:
     if (address := Address.parse(text, titles[0])).sheet not in titles:
         raise ReadError(f"{file.path.name}: {text!r}: no sheet is called {address.sheet!r}; found {', '.join(titles)}")
     return address
-
-
-def plain_label(text: str) -> str:
-    """Return a label without what people write in different ways: case, blanks, a colon behind it."""
-    return " ".join(text.split()).rstrip(" :=").casefold()
 
 
 def value_right_of(file: BookFile, label: Address) -> Address | None:

@@ -15,6 +15,7 @@ from scipy.stats import qmc
 from workbook.book.rows import is_number
 from workbook.errors import ReadError
 from workbook.oracle.calls import CallError, call
+from workbook.witnesses.calibration import SMALLEST, is_same
 
 
 @dataclass(eq=False)
@@ -150,19 +151,12 @@ def require_inputs(oracle: Oracle, path: Path) -> None:
 
 # Values of the inputs at which a workbook is compared: as entered, at the ends of ranges, and between
 
-SMALLEST = 1e-12  # by which two numbers that are the same may deviate
-
 
 def close(value: Any, expected: Any, allowed: float) -> bool:
-    """Whether a value deviates from the expected by no more than is allowed; a text must be the same."""
+    """Whether a value deviates from the expected by no more than is allowed; a text must be the same, an error any."""
     if is_number(value) and is_number(expected):
         return math.isfinite(value) and abs(value - expected) <= allowed + SMALLEST
-    return type(value) is type(expected) and bool(value == expected)
-
-
-def magnitude(value: Any) -> float:
-    """Return the magnitude of a number, else 0."""
-    return abs(float(value)) if is_number(value) else 0.0
+    return is_same(value, expected)
 
 
 Case = dict[Input, Any]

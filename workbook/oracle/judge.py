@@ -14,11 +14,11 @@ from workbook.dimensions.rules import Dimensions, UnitWalk
 from workbook.errors import ReadError, WitnessError, quoted
 from workbook.oracle.calls import CallError, block_of, call, columns_of, plain_result
 from workbook.oracle.cells import cells_of, find_cell, unit_of
-from workbook.oracle.declarations import Case, Input, Oracle, Output, Table, cases, close, magnitude
-from workbook.oracle.evaluators import FIRST, Evaluators, is_no_value
-from workbook.oracle.findings import Coverage, Fault, OracleReport, empty_cells, other_units, replaced_formulas
+from workbook.oracle.declarations import Case, Input, Oracle, Output, Table, cases, close
+from workbook.oracle.findings import Coverage, Fault, OracleReport, other_units
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
+from workbook.witnesses.calibration import FIRST, Evaluators, is_no_value
 from workbook.witnesses.pycel.model import PycelModel, require_working
 from workbook.witnesses.registry import WITNESSES
 
@@ -98,8 +98,11 @@ class Judge:
         if len(alike) > 1 and cell in self.evaluators.trusted:  # two give what the first does not
             self.evaluators.trusted[cell] = [name for name in self.evaluators.names if name in alike]
             return True
-        at = self.case_text(deviation.row, deviation.case)
-        if alike or (self.evaluators.is_alone(cell) and not others):
+        at, saved = self.case_text(deviation.row, deviation.case), self.evaluators.evidence.get(cell)
+        if saved is not None and deviation.case == self.entered and close(saved, deviation.expected, deviation.allowed):
+            report.states[cell] = "cannot"  # Excel and the function agree: it is the evaluators that do not
+            self.evaluators.stale.pop(cell, None)
+        elif alike or (self.evaluators.is_alone(cell) and not others):
             report.states[cell] = "disputed"
             values = {first: deviation.value, **others}
             text = ", ".join(f"{name} {quoted(value)}" for name, value in values.items())
@@ -164,15 +167,13 @@ class Judge:
         return answered
 
     def other_findings(self) -> Iterator[Fault]:
-        """Yield stale saved values, unread inputs, other units beside cells, numbers in place of formulas, gaps."""
+        """Yield stale saved values, unread inputs, other units beside cells."""
         inputs = list(self.cells.values())
         stale = self.evaluators.stale.items()
-        yield from (Fault(x, "saved", self.file.saved[x], value) for x, value in stale if x in self.counted)
+        yield from (Fault(x, "stale", self.file.saved[x], value) for x, value in stale if x in self.counted)
         read = self.file.contents.read(inputs)
         yield from (Fault(cell, "unread", None, "a formula that reads it") for cell in inputs if cell not in read)
         yield from other_units(self.file, self.units)
-        yield from replaced_formulas(self.file, self.sheets, inputs)
-        yield from empty_cells(self.file, self.counted)
 
     def check_units(self) -> Dimensions:
         """Return the contradictions of units: of those declared, and those beside the cells of the same sheets."""
@@ -221,7 +222,7 @@ class Judge:
         result = self.called(output, case)
         held = block_of(result, len(rows), len(rows[0])) if ":" in output.cell else [[plain_result(result)]]
         for cell, value in zip(chain.from_iterable(rows), chain.from_iterable(held), strict=True):
-            yield cell, value, output.tolerance * magnitude(value), output
+            yield cell, value, output.tolerance * (abs(value) if is_number(value) else 0.0), output
 
     def expected_of_table(
         self, rows: list[list[Address]], table: Table, case: Case, values: Cells

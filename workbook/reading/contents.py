@@ -250,3 +250,8 @@ def plain_value(value: Any, epoch: datetime = WINDOWS_EPOCH) -> Any:
     if hasattr(value, "item"):
         return plain_value(value.item())  # a number of NumPy's
     return float(value) if hasattr(value, "__float__") else str(value)
+
+
+def plain_label(text: str) -> str:
+    """Return a label without what people write in different ways: case, blanks, a colon behind it."""
+    return " ".join(text.split()).rstrip(" :=").casefold()

@@ -1,6 +1,7 @@
 """Workbook files as people leave them: opened, or refused in a line; blocks identified by their defined names."""
 
 import io
+import re
 import warnings
 from collections.abc import Iterator
 from contextlib import redirect_stdout
@@ -31,6 +32,7 @@ from workbook.text_files import require_file
 SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of a name
 BUILT = datetime(2020, 1, 1)
+PROGRAMS = re.compile(r"(?:Microsoft )?(?:Macintosh )?Excel(?! Compatible)|LibreOffice")
 EXPECTED: dict[object, str] = {int: "a whole number", float: "a number", bool: "0 or 1", str: "a text"}
 
 
@@ -82,6 +84,20 @@ class BookFile:
     def as_built(self) -> bool:
         """Whether no program has saved the file since it was built: then its saved values are no evidence."""
         return bool(self.workbook.properties.modified == BUILT)
+
+    @property
+    def has_results(self) -> bool:
+        """Whether saved values are a program's results: it says so of none that asks for computing at opening."""
+        if self.inspected is None or self.as_built or all(value is None for value in self.saved.values()):
+            return False
+        # openpyxl takes an attribute that is not there for true
+        asked = [element.get("fullCalcOnLoad", "0") for element in self.inspected.book if tag(element) == "calcPr"]
+        return not {*asked} & {"1", "true"}
+
+    @property
+    def is_evidence(self) -> bool:
+        """Whether the saved values were computed by Excel, or by LibreOffice, which is an evaluator."""
+        return self.has_results and self.inspected is not None and bool(PROGRAMS.match(self.inspected.program))
 
     def cell(self, address: Address) -> Cell | MergedCell | None:
         """Return a cell, with its looks; None where the file has none."""

@@ -19,6 +19,7 @@ MOST_UNPACKED = 400 * MEGABYTE  # of all parts
 MOST_PARTS = 3_000
 MOST_RATIO = 200  # of a part above one megabyte; Excel's own stay below 50
 OLE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
+PROPERTIES = "docProps/app.xml"
 OTHER_KINDS = {"content.xml": "an OpenDocument file", "xl/workbook.bin": "a binary workbook (.xlsb)"}
 """kinds of file by a part that only they have"""
 # of drawings besides charts (ISO/IEC 29500-1, 20.5.2)
@@ -44,6 +45,7 @@ class Inspected(NamedTuple):
     drawings: dict[str, list[Anchor]]  # of each sheet
     drawn: dict[str, int]  # how much drawings hold besides charts
     book: Element  # the workbook's own part
+    program: str  # that says to have saved the file (ISO/IEC 29500-1, 22.2.2.1)
 
 
 def guard(path: Path, known: "Scans | None" = None) -> Inspected:
@@ -87,6 +89,7 @@ def inspect(file: IO[bytes], size: int, known: "Scans | None" = None) -> Inspect
         {title: drawing_anchors(roots, part) for title, part in titled.items()},
         {what: drawn[name] for name, what in DRAWN.items()},
         roots[main],
+        next((element.text or "" for element in roots.get(PROPERTIES, ()) if tag(element) == "Application"), ""),
     )
 
 

@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from formulon import Value
@@ -23,13 +23,6 @@ Place = tuple[str, int, int]  # sheet, row and column, from 1
 MEMORY = 4_000_000_000  # bytes that an evaluator may take, where the system keeps to that
 WHOLE = (0, 0, 2**20 - 1, 2**14 - 1)  # of a sheet: first row and column, last row and column
 FEW = 2_000  # cells that are asked for one by one
-
-
-class Engine(Protocol):
-    """A file held open by an evaluator."""
-
-    def compute(self, given: Mapping[Place, Any], cells: Sequence[Place]) -> list[Any]:
-        """Return the values of cells, with ``given`` values in others."""
 
 
 class IronCalc:
@@ -141,7 +134,7 @@ def serve() -> None:
     """Answer what is asked on stdin, until that ends."""
     with os.fdopen(os.dup(1), "wb") as answers:
         os.dup2(2, 1)  # what an evaluator prints is no answer
-        engine: Engine | None = None
+        engine: IronCalc | Formulon | None = None
         name, path, cells = pickle.load(sys.stdin.buffer)
         while True:
             try:

@@ -9,6 +9,7 @@ import pytest
 from tests import tiers
 from tests.workbook.audit.books import write_book
 from tests.workbook.audit.seeds import draw
+from tests.workbook.evaluated import save_as_excel
 from workbook.audit import audit
 from workbook.audit.register import KINDS
 from workbook.build import COMMITTED
@@ -82,7 +83,16 @@ def test_sheets_are_compared_and_hidden_ones_named(tmp_path):
     fourth.sheet_state = "hidden"
     rules = {rule for rule, _ in named(audited(book, tmp_path / "book.xlsx"))}
     assert rules >= {"drifted", "other-value", "hidden"}
-    assert {*SMALL, "drifted", "other-value", "hidden"} == KINDS.keys()
+    assert {*SMALL, "drifted", "other-value", "hidden", "stale"} == KINDS.keys()
+
+
+@pytest.mark.parametrize(("program", "sure"), [("Microsoft Excel", "high"), ("A Copier", "medium")])
+def test_a_saved_value_that_two_evaluators_do_not_give_is_named(program, sure, tmp_path):
+    """Of a file that asks to be computed at opening, as XlsxWriter leaves it, no saved value counts."""
+    path = save_as_excel(tmp_path / "b.xlsx", {"A1": 2, "A2": ("=A1*3", 6), "A3": ("=A1*4", 9)}, program)
+    assert [(f.cell.a1, f.sure) for f in audit(open_book(path)).shown() if f.rule == "stale"] == [("A3", sure)]
+    unasked = save_as_excel(tmp_path / "c.xlsx", {"A1": 2, "A3": ("=A1*4", 9)}, program, asks=True)
+    assert audit(open_book(unasked)).shown() == []
 
 
 @pytest.mark.parametrize("number", [40, pytest.param(320, marks=pytest.mark.nightly)])

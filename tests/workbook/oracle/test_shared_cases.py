@@ -6,6 +6,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.formula import ArrayFormula
 from openpyxl.worksheet.table import Table
 
+from tests.workbook.evaluated import save_as_excel
 from workbook.oracle.declarations import Oracle
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
@@ -92,3 +93,34 @@ def test_the_line_says_who_judged_and_why_others_could_not(tmp_path):
     assert "external link ×1" in line
     assert report.states.keys() == set(judge.targets)
     assert {*report.states.values()} == {"agrees"}
+
+
+def declared(path, values):
+    """Return the states of cells declared to have these values, and the judge."""
+    oracle = Oracle("x")
+    for cell, value in values.items():
+        oracle.output(cell, inputs=[])(lambda value=value: value)
+    judge = Judge(open_book(path), oracle)
+    report = judge.judge(1, witnesses=NAMES)
+    return {cell.a1: state for cell, state in report.states.items()}, judge, report
+
+
+def test_what_excel_saved_decides_who_is_trusted(tmp_path):
+    """Excel has FALSE where TRUE is 1; CHOOSE needs no branch that it does not take; an entered #NAME? goes on."""
+    cells = {
+        "A1": ("=TRUE=1", False), "A2": ('=CHOOSE(2,A2,"no circle")', "no circle"), "A4": ("=A3+1", "#NAME?"),
+        "A5": ("=1/0+A3", "#NAME?"), "A6": ("=ROUND(2.5,0)", 4),
+    }  # fmt: skip
+    path = save_as_excel(tmp_path / "b.xlsx", cells | {"A3": "#NAME?"})
+    states, judge, report = declared(path, {cell: value for cell, (_, value) in cells.items()})
+    assert states == {"A1": "agrees", "A2": "agrees", "A4": "agrees", "A5": "agrees", "A6": "cannot"}
+    assert report.wrong == []
+    states, judge, report = declared(path, {"A6": 3.0})  # the saved value is stale
+    assert [(fault.cell.a1, fault.kind) for fault in report.wrong] == [("A6", "stale")]
+    assert "pycel" in judge.evaluators.trusted[report.wrong[0].cell]
+
+
+def test_what_a_copier_saved_is_no_evidence(tmp_path):
+    path = save_as_excel(tmp_path / "b.xlsx", {"A1": 1, "A2": ("=MEDIAN(A1,3)", 2.0)}, "A Copier")
+    judge = declared(path, {"A2": 2.0})[1]
+    assert (judge.evaluators.evidence, judge.evaluators.trusted[judge.targets[0]]) == ({}, ["formulon", "ironcalc"])

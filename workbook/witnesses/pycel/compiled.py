@@ -195,8 +195,15 @@ class Numbering:
 
     def within(self, area: Area) -> list[int]:
         """Return the numbers of the cells within an area that have one."""
-        columns = [rows for (sheet, at), rows in self._columns.items() if sheet == area.sheet and at in area.columns]
-        return [number for rows in columns for row, number in rows.items() if area.top <= row <= area.bottom]
+        numbers, asked, columns = list[int](), range(area.top, area.bottom + 1), list(area.columns)
+        if len(columns) > 1:
+            columns = [column for sheet, column in self._columns if sheet == area.sheet and column in columns]
+        for column in columns:
+            rows = self._columns.get((area.sheet, column), {})
+            numbers += [
+                rows[row] for row in (asked if len(asked) < len(rows) else rows) if row in asked and row in rows
+            ]
+        return numbers
 
     def other(self, key: Hashable, value: Any = None) -> int:
         """Return the number of a range or text; a new number, with ``value``, for what has none."""

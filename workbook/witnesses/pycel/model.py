@@ -146,10 +146,13 @@ class PycelModel:
         return values
 
     def graph(self, also: Mapping[Address, Iterable[Area]] = MappingProxyType({})) -> Graph:
-        """Return the graph of cells and ranges; ``also`` are areas that formulas read which pycel cannot join."""
+        """Return the graph of cells and ranges; ``also`` are areas that formulas read which cannot be taken apart."""
         reads: dict[int, Sequence[int]] = {number: step.sources for number, step in self._steps.items()}
-        for address, areas in also.items():
-            reads[self._numbers.cell(address)] = [held for area in areas for held in self._numbers.within(area)]
+        others = {a: self.formulas[a].arguments for number, a in self._cells.items() if number not in reads}
+        within = cache(self._numbers.within)
+        for address, areas in (others | dict(also)).items():
+            held = (number for area in areas if isinstance(area, Area) for number in within(area))
+            reads[self._numbers.cell(address)] = list(held)
         cells = {self._numbers.cell(address): address for address in (*self.constants, *also)}
         return Graph(reads, cells | self._cells, frozenset(self._areas))
 

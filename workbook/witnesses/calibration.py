@@ -1,13 +1,13 @@
 """The evaluators of a book, held at the entered values against what was saved and against each other.
 
-None is right everywhere. An evaluator is trusted for a cell where it gives what Excel, or another program, saved there,
-else where two give the same; through all cases the first of those trusted computes.
+None is right everywhere. An evaluator is trusted for a cell where it gives what Excel or LibreOffice saved there, else
+where two give the same; through all cases the first of those trusted computes.
 """
 
 import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 from pycel.lib.function_info import all_excel_functions
@@ -15,7 +15,6 @@ from pycel.lib.function_info import all_excel_functions
 from workbook.book.address import Address
 from workbook.book.formula import FormulaError, words
 from workbook.errors import WitnessError, listed, quoted
-from workbook.oracle.declarations import SMALLEST
 from workbook.reading.contents import Cells, Contents
 from workbook.reading.files import BookFile
 from workbook.witnesses.agreement import same_value
@@ -27,6 +26,7 @@ from workbook.witnesses.witness import CYCLE, evaluation_copy, naming_failures
 
 FIRST = "pycel"  # the evaluator that is asked first: it holds the formulas open, and computes them fastest
 NAMES = (FIRST, "formulon", "ironcalc", "libreoffice")  # those asked by default, the slowest last
+QUICK = NAMES[:3]
 ERRORS = frozenset("#DIV/0! #N/A #NAME? #NULL! #NUM! #REF! #VALUE! #SPILL! #CALC!".split())  # those that Excel has
 CLOCK = frozenset(
     "NOW TODAY RAND RANDBETWEEN RANDARRAY INFO CELL".split()
@@ -39,6 +39,7 @@ NEWER = frozenset(
         " WRAPCOLS WRAPROWS"
     ).split()
 )  # functions of Excel that are not on pycel's list of all
+SMALLEST = 1e-12  # by which two numbers that are the same may deviate
 LINK = re.compile(r"\[[^\]]+\][^!']*'?!")
 MANY = 2_000  # formula cells above which copies of a formula are tried at some of its rows
 ROWS = 24  # of these
@@ -59,8 +60,16 @@ class Evaluators:
         self.graph: Graph = model.graph({cell: contents.rough_areas(cell) for cell in contents.failed})
         self.clock = self.graph.reached({cell for cell in self.cells if functions_in(self.text(cell)) & CLOCK})
         self.circles: set[Address] = set()  # cells that compute from themselves, where no book may
-        self.saved = file.saved if are_results(file) else {}
+        self.saved = file.saved if file.has_results else {}
+        self.evidence = {} if not file.is_evidence else {x: v for x, v in self.saved.items() if v is not None}
         self._settle()
+
+    @cached_property
+    def unnamed(self) -> set[Address]:
+        """The cells that have #NAME? in Excel too: of words that it does not know, or of such a value read."""
+        entered = {cell for cell, value in self.file.contents.constants.items() if value == "#NAME?"}
+        own = {cell for cell in self.cells if has_unknown_word(self.text(cell), self.file.contents, cell.sheet)}
+        return self.graph.reached(entered | own)
 
     def text(self, cell: Address) -> str:
         """Return the formula of a cell."""
@@ -77,7 +86,7 @@ class Evaluators:
                     self.drop(name, error)
                     continue
                 left -= {cell for cell in left if self._is_settled(cell)}
-        for cell in left:  # by one alone, if by any
+        for cell in left - self.evidence.keys():  # by one alone, if by any
             self.trusted[cell] = [name for name in self.names if cell in self.answers.get(name, {})][:1]
 
     def drop(self, name: str, error: WitnessError) -> None:
@@ -94,8 +103,11 @@ class Evaluators:
         if name == FIRST:
             values = self.model.evaluate(self.given)
             if not (self.file.workbook.calculation and self.file.workbook.calculation.iterate):
-                self.circles = {cell for cell, value in values.items() if value == CYCLE}
-            self._enter(name, {cell: values.get(cell) for cell in self.cells})
+                # where Excel has a value, it is of a branch that is not on the circle: of one it saves 0
+                self.circles = {
+                    cell for cell, value in values.items() if value == CYCLE and not self.evidence.get(cell)
+                }
+            self._enter(name, values)
         elif (rows := self._sample(left)) and self.agreed_rows(name, rows) >= {*left}:
             self._enter(name, {cell: self.answers[FIRST][cell] for cell in left})
         else:
@@ -114,7 +126,7 @@ class Evaluators:
             evaluation_copy(self.file, own, others | self.given) as copy,
         ):
             values = witness.values(copy)
-        agree = {cell for cell in rows if same_value(values.get(cell), first[cell], SMALLEST)}
+        agree = {cell for cell in rows if is_same(values.get(cell), first[cell])}
         alike = rows_alike(contents, self.cells)
         return {cell for cells in alike if agree >= (rows & {*cells}) for cell in cells}
 
@@ -133,6 +145,7 @@ class Evaluators:
 
     def _enter(self, name: str, values: Cells) -> None:
         """Keep the values of an evaluator without those that are its own gaps, or follow from such."""
+        values = values | self.given
         gaps = {cell for cell in self.cells if self._is_gap(name, cell, values.get(cell))}
         lacking = self.graph.reached(gaps) if gaps else set()
         self.gaps[name] = gaps
@@ -144,7 +157,7 @@ class Evaluators:
         if isinstance(value, str) and value in ERRORS and LINK.search(self.text(cell)):
             return True
         if value == "#NAME?":
-            return not has_unknown_word(self.text(cell), self.file.contents, cell.sheet)
+            return cell not in self.unnamed
         return is_no_value(value) or (name == FIRST and cell in self.model.problems)
 
     def _is_settled(self, cell: Address) -> bool:
@@ -154,21 +167,22 @@ class Evaluators:
             self.trusted[cell] = [FIRST]
             return True
         saved = self.saved.get(cell)
-        if saved is not None and (right := [name for name in by if same_value(by[name], saved, SMALLEST)]):
+        right = [name for name in by if is_same(by[name], saved)]
+        if right and cell in self.evidence:
             self.trusted[cell] = right
             return True
         for value in by.values():
-            alike = [name for name in by if same_value(by[name], value, SMALLEST)]
+            alike = [name for name in by if is_same(by[name], value)]
             if len(alike) > 1 or len(self.names) == 1:
                 self.trusted[cell] = alike
-                if saved is not None:
+                if saved is not None and not {*alike} & {*right}:
                     self.stale[cell] = value
                 return True
         return False
 
     def is_alone(self, cell: Address) -> bool:
         """Whether the evaluator of a cell is confirmed by no other."""
-        confirmed = self.saved.get(cell) is not None or cell in self.circles or len(self.names) == 1
+        confirmed = cell in self.evidence or cell in self.circles or len(self.names) == 1
         return len(self.trusted.get(cell, ())) == 1 and not confirmed
 
     def first(self, cell: Address) -> str | None:
@@ -180,7 +194,7 @@ class Evaluators:
         if cell in self.circles:
             return []
         asked = (other for other in self.names if other != name and cell in self.answers.get(other, {cell: None}))
-        right = self.saved.get(cell) is not None and cell not in self.stale
+        right = cell in self.evidence and cell not in self.stale
         return [other for other in asked if not right or other not in self.answers or other in self.trusted[cell]]
 
     def values(self, name: str, sets: Sequence[Cells], cells: Sequence[Address]) -> list[Cells]:
@@ -228,10 +242,14 @@ class Evaluators:
         return FIRST if FIRST in trusted else " and ".join(trusted)
 
 
-def are_results(file: BookFile) -> bool:
-    """Whether the saved values of a file are what a program computed: it says so of none that asks for computing."""
-    calculation = file.workbook.calculation
-    return not file.as_built and not (calculation is not None and calculation.fullCalcOnLoad)
+def present(names: Iterable[str]) -> list[str]:
+    """Return those of evaluators that are on this machine."""
+    return [name for name in names if WITNESSES[name]().version() is not None]
+
+
+def is_same(value: Any, other: Any) -> bool:
+    """Whether two values are the same but for rounding; of errors any two: evaluators differ in which comes first."""
+    return same_value(value, other, SMALLEST) or {value, other} <= ERRORS
 
 
 def is_no_value(value: Any) -> bool:
@@ -262,10 +280,13 @@ def has_unknown_word(text: str, contents: Contents, sheet: str) -> bool:
     functions = functions_in(text)
     if any(not (name in all_excel_functions or name in NEWER or contents.knows(name, sheet)) for name in functions):
         return True
-    if functions & {"LET", "LAMBDA"} or "[" in text:
+    if "[" in text:
         return False
     names = (word.rpartition("!")[2] for kind, word in words(text) if kind == "name")
-    return any(name.upper() not in ("TRUE", "FALSE") and not contents.knows(name, sheet) for name in names)
+    return any(
+        name.upper() not in ("TRUE", "FALSE") and not name.startswith("_xl") and not contents.knows(name, sheet)
+        for name in names  # those of LET and LAMBDA begin so
+    )
 
 
 def construct_of(text: str, array: bool) -> str:
@@ -277,7 +298,4 @@ def construct_of(text: str, array: bool) -> str:
             check_function(name)
         except FormulaError:
             return name
-    for sign, words_ in (("[", "table"), ("{", "array formula"), ("#", "spilled range")):
-        if sign in text or (array and sign == "{"):
-            return words_
-    return "whole column or row" if any(kind == "lines" for kind, _ in words(text)) else "a name or reference"
+    return "array formula" if array else "a name or reference"
