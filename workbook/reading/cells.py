@@ -8,6 +8,7 @@ from openpyxl.cell.text import Text
 from openpyxl.formula.translate import Translator
 from openpyxl.utils import get_column_letter
 from openpyxl.utils.datetime import WINDOWS_EPOCH, from_ISO8601
+from openpyxl.utils.escape import unescape
 from openpyxl.worksheet.dimensions import RowDimension
 from openpyxl.worksheet.formula import ArrayFormula, DataTableFormula
 from openpyxl.worksheet.worksheet import Worksheet
@@ -94,4 +95,7 @@ def saved_value(held: RawCell, texts: list[str]) -> Any:
     """Return a saved value; None where there is none, and an empty text where the type alone says so."""
     if not held.value or (held.kind == "s" and int(held.value) >= len(texts)):
         return "" if held.kind == "str" else None
-    return float(held.value) if held.kind == "n" else plain_value(cell_content(held, texts), WINDOWS_EPOCH)
+    if held.kind == "n":
+        return float(held.value)
+    value = plain_value(cell_content(held, texts), WINDOWS_EPOCH)
+    return unescape(value) if isinstance(value, str) and "_x" in value else value  # ISO/IEC 29500-1, 22.9.2.19

@@ -89,7 +89,7 @@ def inspect(file: IO[bytes], size: int, known: "Scans | None" = None) -> Inspect
         {title: drawing_anchors(roots, part) for title, part in titled.items()},
         {what: drawn[name] for name, what in DRAWN.items()},
         roots[main],
-        next((element.text or "" for element in roots.get(PROPERTIES, ()) if tag(element) == "Application"), ""),
+        roots.get(PROPERTIES, Element("Properties")).findtext("{*}Application", ""),
     )
 
 

@@ -28,9 +28,7 @@ FIRST = "pycel"  # the evaluator that is asked first: it holds the formulas open
 NAMES = (FIRST, "formulon", "ironcalc", "libreoffice")  # those asked by default, the slowest last
 QUICK = NAMES[:3]
 ERRORS = frozenset("#DIV/0! #N/A #NAME? #NULL! #NUM! #REF! #VALUE! #SPILL! #CALC!".split())  # those that Excel has
-CLOCK = frozenset(
-    "NOW TODAY RAND RANDBETWEEN RANDARRAY INFO CELL".split()
-)  # functions whose value is another each time
+CLOCK = frozenset("NOW TODAY RAND RANDBETWEEN RANDARRAY INFO CELL".split())  # whose value is another each time
 NEWER = frozenset(
     (
         "ANCHORARRAY ARRAYTOTEXT BYCOL BYROW CHOOSECOLS CHOOSEROWS COPILOT DETECTLANGUAGE DROP EXPAND GROUPBY HSTACK"
@@ -238,8 +236,7 @@ class Evaluators:
     def _label(self, cell: Address) -> str:
         if self.disputed(cell):
             return "disputed"
-        trusted = self.trusted[cell]
-        return FIRST if FIRST in trusted else " and ".join(trusted)
+        return FIRST if FIRST in self.trusted[cell] else " and ".join(self.trusted[cell])
 
 
 def present(names: Iterable[str]) -> list[str]:

@@ -110,10 +110,11 @@ def test_what_excel_saved_decides_who_is_trusted(tmp_path):
     cells = {
         "A1": ("=TRUE=1", False), "A2": ('=CHOOSE(2,A2,"no circle")', "no circle"), "A4": ("=A3+1", "#NAME?"),
         "A5": ("=1/0+A3", "#NAME?"), "A6": ("=ROUND(2.5,0)", 4),
+        "A7": ("=CHAR(1)", "_x0001_"),
     }  # fmt: skip
     path = save_as_excel(tmp_path / "b.xlsx", cells | {"A3": "#NAME?"})
-    states, judge, report = declared(path, {cell: value for cell, (_, value) in cells.items()})
-    assert states == {"A1": "agrees", "A2": "agrees", "A4": "agrees", "A5": "agrees", "A6": "cannot"}
+    states, judge, report = declared(path, {cell: value for cell, (_, value) in cells.items()} | {"A7": "\x01"})
+    assert states == dict.fromkeys(cells, "agrees") | {"A6": "cannot"}
     assert report.wrong == []
     states, judge, report = declared(path, {"A6": 3.0})  # the saved value is stale
     assert [(fault.cell.a1, fault.kind) for fault in report.wrong] == [("A6", "stale")]

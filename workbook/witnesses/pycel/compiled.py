@@ -174,6 +174,11 @@ def as_cell_value(result: Any) -> Any:
     return as_cell_value(result[0]) if list_like(result) else as_cell_value(result.item())
 
 
+def error_value(error: Exception) -> str:
+    """Return the error value of a cell whose computation raised an error."""
+    return "#NUM!" if isinstance(error, OverflowError) else "#VALUE!"
+
+
 class Numbering:
     """Gives numbers from 1; ``values`` holds what each begins with, and None, the empty cell of ranges, at 0."""
 

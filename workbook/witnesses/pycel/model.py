@@ -22,6 +22,7 @@ from workbook.witnesses.pycel.compiled import (
     Numbering,
     RangeStep,
     compiled,
+    error_value,
     evaluation_order,
 )
 from workbook.witnesses.pycel.graph import CHANGES, Graph
@@ -296,8 +297,3 @@ class PycelModel:
             elif self.problems:
                 self.problems.pop(address, None)
         return result
-
-
-def error_value(error: Exception) -> str:
-    """Return the error value of a cell whose computation raised an error."""
-    return "#NUM!" if isinstance(error, OverflowError) else "#VALUE!"
