@@ -30,10 +30,11 @@ class Motors:
     end_torque: Array = field(default_factory=NOT_GIVEN)  # peak torque at the largest speed (Nm)
     stall_torque: Array = field(default_factory=NOT_GIVEN)  # T_0 (Nm), continuous at standstill
     rated_speed: Array = field(default_factory=NOT_GIVEN)  # rad/s; NaN: the largest speed
+    shaft: Array = field(default_factory=NOT_GIVEN)  # diameter of its shaft (m)
 
     def __post_init__(self) -> None:
         positive = ("inertia", "rated_torque", "peak_torque", "max_speed")
-        known = ("size", "cost", "full_torque_to", "end_torque", "stall_torque", "rated_speed")
+        known = ("size", "cost", "full_torque_to", "end_torque", "stall_torque", "rated_speed", "shaft")
         _columns(self, positive, (), known)
         both = np.isnan(self.full_torque_to) == np.isnan(self.end_torque)
         _require(self, "end_torque", both, "wherever full_torque_to is one")
@@ -76,9 +77,18 @@ class Reducers:
     no_load: Array = field(default_factory=lambda: np.array(0.0))
     full_rate: Array = field(default_factory=NO_LIMIT)  # cycles per second
     cycle_factor: Array = field(default_factory=lambda: np.array(1.0))  # f_s, 1 or more
+    hub: Array = field(default_factory=NO_LIMIT)  # largest diameter of a motor's shaft that it takes (m)
 
     def __post_init__(self) -> None:
-        positive = ("reduction", "efficiency", "max_input_speed", "max_output_torque", "max_mean_torque", "full_rate")
+        positive = (
+            "reduction",
+            "efficiency",
+            "max_input_speed",
+            "max_output_torque",
+            "max_mean_torque",
+            "full_rate",
+            "hub",
+        )
         _columns(self, positive, ("inertia", "no_load", "cycle_factor"), ("size", "cost"))
         _require(self, "efficiency", self.efficiency <= 1.0, "at most 1")
         _require(self, "cycle_factor", self.cycle_factor >= 1.0, "1 or more")

@@ -24,7 +24,7 @@ PARTS = 10_000  # of a unit, to which scores are rounded before they are compare
 
 
 class Requirements(NamedTuple):
-    """Requirements of a usable pair, dimensionless."""
+    """Requirements of a usable pair, dimensionless where no unit is told."""
 
     inertia_ratio: float  # largest allowed
     least_margin: float  # continuous torque over RMS torque, at least
@@ -32,6 +32,7 @@ class Requirements(NamedTuple):
     torque_factor: float  # factor on the output torque of a reducer
     least_peak: float = 1.0  # peak torque of a motor over the cycle's, at least
     least_speed: float = 1.0  # largest speed of a motor over the cycle's, at least
+    most_mass: float = math.inf  # of motor and reducer together (kg), as far as masses are given
 
 
 class Pair(NamedTuple):
@@ -135,6 +136,7 @@ class PairMatrix:
         m, wanted = self.motors, self.wanted
         fails = {
             "reducer": np.broadcast_to(~self.fits, self.rms.shape),
+            "shaft": m.shaft[:, None] > self.reducers.hub,
             "speed": self.speed * wanted.least_speed > m.max_speed[:, None],
             "peak": self.peak * wanted.least_peak > m.peak_torque[:, None],
         }
@@ -142,13 +144,19 @@ class PairMatrix:
 
     @cached_property
     def wanted_verdicts(self) -> NDArray[np.str_]:
-        """The first of margins and inertia ratio that each pair fails, or "yes"."""
+        """The first of margins, inertia ratio and mass that each pair fails, or "yes"."""
         fails = {
             "RMS": self.uses * self.wanted.least_margin > 1.0,
             "large": self.uses * self.wanted.greatest_margin < 1.0,
             "inertia": self.inertia_ratio > self.wanted.inertia_ratio,
+            "mass": self.masses > self.wanted.most_mass,
         }
         return np.select(list(fails.values()), list(fails), "yes")
+
+    @cached_property
+    def masses(self) -> Array:
+        """The mass of motor and reducer of each pair (kg); one that is not given counts as 0."""
+        return np.nan_to_num(self.motors.size)[:, None] + np.nan_to_num(self.reducers.size)
 
     @cached_property
     def balance(self) -> Array:

@@ -37,6 +37,14 @@ def inertia_check(of: str, cell: str, limit: str, ratio: float, most: float) -> 
     )
 
 
+def pair_checks(
+    of: str, shaft: float, hub: float, mass: float, most: float, limit: str = "@pair_mass"
+) -> list[Quantity]:
+    """Return the checks of a motor's shaft in its reducer's hub (mm), and of their mass (kg); a limit of 0 is none."""
+    cell = CELLS["pair_checks"].sharing(of=of, allowed=limit)
+    return [cell.limit("@ok_shaft", shaft, hub), cell.limit("@ok_mass", mass, most)]
+
+
 def below_curve(of: str, falls: float, spare: float, mends: CheckSentence = NOTHING) -> Quantity:
     """Return the check that the torque stays below a curve that falls (Nm s), of which so much is to spare (Nm)."""
     cell = CELLS["below_curve"]

@@ -34,6 +34,7 @@ class MotorRow(Model):
     full_torque_to: NotNegative | None = None  # rpm
     end_torque: NotNegative | None = None  # Nm
     copper_losses: NotNegative | None = None  # kW, of its winding at the rated torque
+    shaft: NotNegative | None = None  # mm
     mass: NotNegative | None = None  # kg
     cost: NotNegative | None = None
     source: Source | None = None
@@ -69,6 +70,7 @@ class ReducerRow(Model):
     full_cycles: Positive | None = None  # 1/h, up to which the largest output torque holds
     cycle_factor: Factor | None = None  # f_s: divides that torque beyond
     mean_torque: Positive | None = None  # Nm, of the output: T2N
+    hub: Positive | None = None  # mm, the largest shaft of a motor that it takes
     mass: NotNegative | None = None  # kg
     cost: NotNegative | None = None
     source: Source | None = None

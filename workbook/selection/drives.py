@@ -251,12 +251,12 @@ def limit(n: int) -> str:
 
 def wanted(n: int) -> str:
     """Return the formula of the margin or inertia ratio that the motor of a row misses."""
-    return margin_verdict("all_", n, "@behind.at", limit(n))
+    return margin_verdict("all_", n, "@behind.at", "@drives.held_reducer_mass", limit(n))
 
 
 def word(n: int) -> str:
     """Return the formula of what the motor of a row fails first."""
-    return f'IF({of_motor("on")}=0,"–",{first_failure("all_", n, "@behind.fast", limit(n))})'
+    return f'IF({of_motor("on")}=0,"–",{first_failure("all_", n, "@behind.fast", "@drives.held_hub", limit(n))})'
 
 
 def share(n: int) -> str:

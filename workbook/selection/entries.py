@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 from engine.selection.pair_matrix import Rank
 from workbook.entries.machine import Sizes
 from workbook.fields.texts import nearest_names, place_of, require_distinct
-from workbook.fields.types import EntryError, Model, Positive
+from workbook.fields.types import EntryError, Model, NotNegative, Positive
 from workbook.selection.catalogue import Efficiency, MotorRow, Name, ReducerRow
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 
@@ -62,6 +62,7 @@ class Limits(Model):
     speed_reserve: Positive = 1.0
     inertia_ratio: Positive = 10.0
     torque_factor: Positive = 1.0
+    pair_mass: NotNegative = 0.0
 
     def of_axis(self, own: "OwnLimits") -> "Limits":
         """Return the limits of an axis: its own where it has any."""
@@ -76,6 +77,7 @@ class OwnLimits(Model):
     speed_reserve: Positive | None = None
     inertia_ratio: Positive | None = None
     torque_factor: Positive | None = None
+    pair_mass: NotNegative | None = None
 
 
 class Ranked(Products):

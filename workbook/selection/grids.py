@@ -10,7 +10,7 @@ from engine.selection.pair_matrix import PARTS, RANKS
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
-from workbook.fields.units import PER_RPM, RPM, shown
+from workbook.fields.units import MM, PER_RPM, RPM, shown
 from workbook.selection.catalogue import FULL_CYCLES
 from workbook.selection.pair_selection import MIXED, SQUARE, PairSelection, rms_of, torque_of
 
@@ -18,8 +18,8 @@ CELLS = cell_tables(__file__)
 
 LARGE = "large"  # beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing
 NOTE = (
-    "What a pair fails first: reducer (its torque or speed), speed, peak or RMS torque of the motor, large (beyond the "
-    "greatest margin), inertia; yes: it can do it."
+    "What a pair fails first: reducer (its torque or speed), shaft (too thick for its hub), speed, peak or RMS torque "
+    "of the motor, large (beyond the greatest margin), inertia, mass; yes: it can do it."
 )
 TITLES = {
     "word": "Which pairs can do it",
@@ -112,32 +112,35 @@ def peak(c: int) -> str:
     return f"IF({of_motor('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
 
 
-def margin_verdict(table: str, n: int, inertia: str, limit: str) -> str:
-    """Return the formula of the margin or inertia ratio that a motor misses in the n-th column; yes if none.
+def margin_verdict(table: str, n: int, inertia: str, mass: str, limit: str) -> str:
+    """Return the formula of the margin, inertia ratio or mass that a motor misses in the n-th column; yes if none.
 
     ``limit`` is the cell of a limit, with {} for its name.
     """
     used, most = f"[@{table}share{n}.v.same]", f"{limit.format('inertia_ratio')}*{of_motor('jm')}"
-    other = f'IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{most},"inertia","yes"))'
+    mass, least = f"{of_motor('mass')}+[{mass}.{n}]", limit.format("pair_mass")
+    light = f'IF(AND({least}>0,{mass}>{least}),"mass","yes")'
+    other = f'IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{most},"inertia",{light}))'
     return f'IF({used}*{limit.format("rms_reserve")}>1,"RMS",{other})'
 
 
-def first_failure(table: str, n: int, fast: str, limit: str) -> str:
-    """Return the formula of what a motor fails first in the n-th column: speed, peak torque, a margin, inertia."""
+def first_failure(table: str, n: int, fast: str, hub: str, limit: str) -> str:
+    """Return the formula of what a motor fails first in the n-th column: its shaft, speed, torque or another limit."""
     peak = f"[@{table}peak{n}.v.same]*{limit.format('peak_reserve')}"
     other = f'IF({peak}>{of_motor("peak")},"peak",[@{table}wanted{n}.v.same])'
-    return f'IF([{fast}.{n}]>{of_motor("nmax")},"speed",{other})'
+    other = f'IF([{fast}.{n}]>{of_motor("nmax")},"speed",{other})'
+    return f'IF(AND([{hub}.{n}]>0,{of_motor("shaft")}>[{hub}.{n}]),"shaft",{other})'
 
 
 def verdict(c: int) -> str:
     """Return the formula of what a pair fails first: its reducer, or its motor."""
-    motor = first_failure("", c, "@reducers.fast", "@{}")
+    motor = first_failure("", c, "@reducers.fast", "@reducers.hub", "@{}")
     return f'IF({of_motor("on")}*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
 
 
 def wanted(c: int) -> str:
     """Return the formula of the margin or inertia ratio that a pair misses."""
-    return margin_verdict("", c, "@reducers.j", "@{}")
+    return margin_verdict("", c, "@reducers.j", "@reducers.mass", "@{}")
 
 
 def products(sheet: Sheet, view: PairSelection) -> None:
@@ -200,6 +203,8 @@ def motors(sheet: Sheet, view: PairSelection) -> None:
         cell("slope", filled((m.stall - m.rated_torque) / shown(m.falls_to, RPM), n), scale=1.0),
         cell("knee", filled(shown(m.knee, RPM), n)),
         cell("fall", filled(shown(m.fall, PER_RPM), n)),
+        cell("shaft", filled(np.nan_to_num(shown(m.shaft, MM)), n)),
+        cell("mass", filled(np.nan_to_num(m.size), n)),
         cell("smaller", filled(view.grid.smaller, n, 0)),
         *weighed(view, "motors", n, m.size, m.cost),
     )
@@ -209,8 +214,8 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
     """Declare the reducers of the catalogue, 0 in spare rows, and what each makes of the axis."""
     cell = CELLS["reducers"]
     r, g, n = view.reducers, view.grid, view.rooms[1]
-    limits = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
-    speeds, torques, means = (np.where(np.isfinite(limit), limit, 0.0) for limit in limits)
+    limits = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque, shown(r.hub, MM)
+    speeds, torques, means, hubs = (np.where(np.isfinite(limit), limit, 0.0) for limit in limits)
     largest = max(float(g.balance.max()), 1e-9)
     reciprocals = np.divide(1.0, g.balance, out=np.zeros(g.balance.shape), where=g.balance > 0.0)
     mixed, square = view.load.mixed(view.bare), view.load.square(view.bare)
@@ -233,6 +238,8 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
         cell("fs", filled(g.cycle_factors, n, 1.0), full_cycles=f"{FULL_CYCLES:g}"),
         cell("held", filled(torques / g.cycle_factors, n)),
         cell("tmean", filled(means, n)),
+        cell("hub", filled(hubs, n)),
+        cell("mass", filled(np.nan_to_num(r.size), n)),
         cell("fits", filled(g.fits.astype(int), n, 0)),
         cell("balance", filled(g.balance, n), scale=largest),
         cell("unit", filled(reciprocals, n)),

@@ -16,7 +16,7 @@ from engine.selection.point_load import PairArrays, PointLoad, shares_of
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import in_scope
 from workbook.book.rows import filled
-from workbook.fields.units import KG_CM2, PER_HOUR, RPM, shown, si
+from workbook.fields.units import KG_CM2, MM, PER_HOUR, RPM, shown, si
 from workbook.selection.catalogue import FULL_CYCLES, MotorRow, ReducerRow
 from workbook.selection.entries import Ranked, SelectionSizes
 
@@ -131,6 +131,7 @@ def engine_motors(rows: Sequence[MotorRow]) -> Motors:
         of("end_torque"),
         of("stall_torque"),
         si(of("rated_speed"), RPM),
+        si(of("shaft"), MM),
     )
 
 
@@ -150,6 +151,7 @@ def engine_reducers(rows: Sequence[ReducerRow]) -> Reducers:
         of("no_load_torque", 0.0),
         si(of("full_cycles", FULL_CYCLES), PER_HOUR),
         of("cycle_factor", 1.0),
+        si(of("hub", none), MM),
     )
 
 
@@ -187,6 +189,7 @@ class PairSelection:
             own["torque_factor"],
             own["peak_reserve"],
             own["speed_reserve"],
+            own["pair_mass"] or math.inf,
         )
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
@@ -222,7 +225,11 @@ class PairSelection:
     def behind_own(self) -> PairMatrix:
         """All motors behind the reducer that the drive has, whose own limits are checked on the drive's sheet."""
         none, own = np.array([np.inf]), self.own_reducer
-        reducer = Reducers(("own",), own.ratio, own.efficiency, own.inertia, none, none, no_load=own.no_load)
+        hub = np.array([si(self.in_use("hub") or math.inf, MM)])
+        mass = np.array([self.in_use("reducer_mass")])
+        reducer = Reducers(
+            ("own",), own.ratio, own.efficiency, own.inertia, none, none, size=mass, no_load=own.no_load, hub=hub
+        )
         return PairMatrix(self.load, self.motors, reducer, self.in_use("j") - self.in_use("jm"), self.requirements)
 
     @cached_property
@@ -244,6 +251,13 @@ class PairSelection:
             self.motors.names[motor - 1] if motor else AS_ENTERED,
             self.reducers.names[reducer - 1] if reducer else AS_ENTERED,
         )
+
+    def built(self, motor: int, reducer: int) -> dict[str, float]:
+        """Return a motor's shaft, the largest in a reducer's hub (mm), and masses (kg), by cell; 0: not told."""
+        m, r, hub = self.motors, self.reducers, shown(float(self.reducers.hub[reducer]), MM)
+        figures = shown(m.shaft[motor], MM), m.size[motor], hub if math.isfinite(hub) else 0.0, r.size[reducer]
+        names = "@motor_shaft", "@motor_mass", "@reducer_hub", "@reducer_mass"
+        return dict(zip(names, map(float, np.nan_to_num(figures)), strict=True))
 
     @cached_property
     def listed(self) -> list[PairFigures]:

@@ -75,11 +75,16 @@ def test_what_a_pair_fails_first_is_told():
     assert told(inertia_ratio=1e-9) == {"inertia"}
     assert told(torque_factor=1e9) == {"reducer"}
     assert (told(least_peak=1e9), told(least_speed=1e9)) == ({"peak"}, {"speed"})
+    assert told(most_mass=1e-9) == {"mass"}
     weak, slow = (replace(grid(), motors=replace(MOTORS, **{name: np.full(2, 1e-3)}))
                   for name in ("peak_torque", "max_speed"))  # fmt: skip
     assert (set(weak.verdicts.ravel()), set(slow.verdicts.ravel())) == ({"peak"}, {"speed"})
     gentle = replace(grid(), reducers=replace(grid().reducers, max_mean_torque=np.full(2, 1e-3)))
     assert set(gentle.verdicts.ravel()) == {"reducer"}
+    thick = replace(grid(), motors=replace(MOTORS, shaft=np.full(2, 0.024)))
+    narrow = replace(thick, reducers=replace(thick.reducers, hub=np.array([0.024, 0.019])))
+    assert set(narrow.verdicts[:, 1]) == {"shaft"}
+    assert (narrow.verdicts[:, 0] == thick.verdicts[:, 0]).all()
 
 
 def test_a_reducer_carries_less_at_more_cycles_than_its_torque_is_given_for():

@@ -8,8 +8,8 @@ from tests.workbook.cells import computed
 from tests.workbook.machines.test_machine import TEMPLATE
 from tests.workbook.machines.test_machine_selection import MOTORS, REDUCERS, machine
 
-HELD = ("rms", "peak", "speed", "curve", "inertia", "reducer_peak", "reducer_mean", "reducer_speed")
-WORDS = {"RMS": "rms", "peak": "peak", "speed": "speed", "inertia": "inertia"}
+HELD = ("rms", "peak", "speed", "curve", "inertia", "shaft", "mass", "reducer_peak", "reducer_mean", "reducer_speed")
+WORDS = {"RMS": "rms", "peak": "peak", "speed": "speed", "inertia": "inertia", "shaft": "shaft", "mass": "mass"}
 """of what a pair fails first, the check of the drive's sheet"""
 
 
@@ -18,12 +18,14 @@ def limited(drawn):
     limits = {name: drawn.uniform(0.7, 1.8) for name in ("rms_reserve", "peak_reserve", "speed_reserve")}
     limits |= {"torque_factor": drawn.uniform(0.5, 2.0), "inertia_ratio": 10 ** drawn.uniform(-0.5, 1.0)}
     data = machine(drawn.uniform(50.0, 170.0), greatest_margin=1e9, **limits).model_dump()
+    data["selection"]["motors"] = [one | {"shaft": 14.0 - k} for k, one in enumerate(MOTORS)]
     data["selection"]["reducers"] = [
-        one | {"max_torque": 30.0 * k, "max_speed": 4500.0} for k, one in enumerate(REDUCERS)
+        one | {"max_torque": 30.0 * k, "max_speed": 4500.0, "hub": 12.0 + k} for k, one in enumerate(REDUCERS)
     ][1:]
     data["axes"][1]["limits"] = {
         "peak_reserve": drawn.uniform(0.8, 1.5),
         "inertia_ratio": 10 ** drawn.uniform(-0.5, 1.0),
+        "pair_mass": drawn.choice([0.0, 9.5]),
     }
     return data
 
@@ -56,7 +58,7 @@ def test_a_pair_can_do_it_exactly_if_the_drive_with_it_keeps_to_all_limits():
                     )
                 else:
                     assert not found[WORDS[word]], (motor, reducer, word, found)
-    assert {"yes", "RMS", "peak", "reducer"} <= said
+    assert {"yes", "RMS", "peak", "reducer", "shaft", "mass"} <= said
 
 
 def test_a_reserve_lowers_the_limit_and_the_highest_rate_and_leaves_the_reserve_that_is_told():

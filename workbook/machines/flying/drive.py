@@ -14,6 +14,7 @@ from workbook.drive.motor import (
     inertia_check,
     limit_checks,
     limits_table,
+    pair_checks,
     plane,
     rms_point,
     within_reducer,
@@ -89,7 +90,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
 
 def checks(view: ToolDrive) -> list[Quantity]:
     """Return the checks of the motor's and the reducer's limits."""
-    cell = CELLS["checks"]
+    cell, (shaft, motor_mass, hub, reducer_mass) = CELLS["checks"], view.proposal.built(*view.pair).values()
     (fastest, strongest, lasting), demand = view.limits, view.demand
     within = within_reducer("Drive", "sel_tmax", "@reducer_peak")
     return [
@@ -98,6 +99,7 @@ def checks(view: ToolDrive) -> list[Quantity]:
         inertia_check(
             "Drive", "sel_own_inertias", "limits_inertia_ratio", view.inertia_ratio, view.reserves.inertia_ratio
         ),
+        *pair_checks("Drive", shaft, hub, motor_mass + reducer_mass, view.reserves.pair_mass, "limits_pair_mass"),
         below_curve("Drive", view.motor.falling.fall, float(view.left.min())),
         within.limit("@ok_reducer_speed", shown(view.speed, RPM), shown(fastest, RPM)),
         within.limit("@ok_reducer_peak", view.reserves.torque_factor * demand.torque, strongest),
@@ -142,6 +144,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         cell("@reducer_nmax", shown(fastest, RPM)),
         cell("@reducer_peak", strongest),
         cell("@reducer_mean", lasting),
+        *(cell(name, figure) for name, figure in view.proposal.built(m, r).items()),
         cell("@still", view.cycle.still, scale=view.cycle.still),
     )
 

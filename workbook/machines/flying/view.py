@@ -258,6 +258,8 @@ class ToolDrive:
             "held_nmax": shown(motor.max_speed, RPM) * reserves.speed_reserve,
             "held_row": m + 1,
             "held_gear": r + 1,
+            "held_hub": self.proposal.built(m, r)["@reducer_hub"],
+            "held_reducer_mass": self.proposal.built(m, r)["@reducer_mass"],
             "turns": 1.0,
         }
         figures = shaft_figures("drive_", formulas, values)

@@ -37,6 +37,8 @@ IN_USE = {
         "motor_peak": "peak_torque",
         "motor_nmax": "max_speed",
         "motor_row": "row",
+        "motor_shaft": "shaft",
+        "motor_mass": "mass",
     },
     "reducer": {
         "i1": "ratio",
@@ -49,6 +51,8 @@ IN_USE = {
         "reducer_mean": "mean_torque",
         "reducer_nmax": "max_speed",
         "reducer_row": "row",
+        "reducer_hub": "hub",
+        "reducer_mass": "mass",
     },
 }
 """by product, the cells of its figures in use; limits are over their reserves"""
@@ -62,7 +66,7 @@ def named(rows: Sequence[P], name: str) -> tuple[int, P | None]:
 
 
 class MotorInUse(NamedTuple):
-    """The motor that a drive has, in the units of entries but for its inertia, in kg m²; 0 if no speed is given.
+    """The motor that a drive has, in the units of entries but for its inertia, in kg m²; 0 of what is not given.
 
     ``losses`` are those of its winding at the rated torque, in kW; ``copper`` over the square of the torque (W/(Nm)²).
     """
@@ -77,6 +81,8 @@ class MotorInUse(NamedTuple):
     rated_given: float
     losses: float
     copper: float
+    shaft: float = 0.0
+    mass: float = 0.0
 
     @property
     def motor(self) -> Motor:
@@ -98,6 +104,8 @@ class ReducerInUse(NamedTuple):
     cycle_factor: float
     mean_torque: float
     max_speed: float
+    hub: float = 0.0
+    mass: float = 0.0
 
     @property
     def limits(self) -> ReducerLimits:
@@ -120,7 +128,8 @@ def motor_in_use(axis: Axis, products: Products, limits: Limits) -> MotorInUse:
     own = axis.motor.copper_losses
     losses = (given.copper_losses if own is None else own) or 0.0
     used = rated * lasting, peak / limits.peak_reserve, fastest / limits.speed_reserve, stall, speed or fastest, speed
-    return MotorInUse(row, si(inertia, KG_CM2), *used, losses, si(losses, KW) / rated**2)
+    built = (found.shaft or 0.0, found.mass or 0.0) if found else ()
+    return MotorInUse(row, si(inertia, KG_CM2), *used, losses, si(losses, KW) / rated**2, *built)
 
 
 def falling_of(name: str, products: Products, reserve: float) -> TorqueFall:
@@ -155,6 +164,7 @@ def reducer_in_use(axis: Axis, products: Products, limits: Limits) -> ReducerInU
         used.cycle_factor or 1.0,
         used.mean_torque or 0.0,
         used.max_speed or 0.0,
+        *((found.hub or 0.0, found.mass or 0.0) if found else ()),
     )
 
 
@@ -207,6 +217,12 @@ def figures(driven: "Driven") -> list[Quantity]:
             f"@{name}": shown(getattr(used, figure), UNITS.get(figure, 1.0)) for name, figure in IN_USE[kind].items()
         }
     return [*catalogued(driven), *(cell(name, values[name]) for name in cell)]
+
+
+def pair_fit(driven: "Driven") -> tuple[float, float, float, float]:
+    """Return the motor's shaft, the largest in the reducer's hub (mm), their mass and its limit (kg); 0: not told."""
+    motor, reducer = driven.motor_used, driven.reducer
+    return motor.shaft, reducer.hub, motor.mass + reducer.mass, driven.limits.pair_mass
 
 
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'

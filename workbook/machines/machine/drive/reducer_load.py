@@ -97,6 +97,8 @@ def shaft_of(view: DriveView) -> Shaft:
         "held_nmax": motor.max_speed * d.limits.speed_reserve,
         "held_row": motor.row,
         "held_gear": reducer.row,
+        "held_hub": reducer.hub,
+        "held_reducer_mass": reducer.mass,
     }
     figures = shaft_figures(f"drive{d.number}_", formulas, values)
     return Shaft(

@@ -270,6 +270,7 @@ def checks(view: DriveView) -> list[Quantity]:
         within.limit("@ok_reducer_speed", shown(speed.value, RPM), reducer.max_speed, mends),
         creeping.creeping_check(view),
         motor.inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
+        *motor.pair_checks(called, *in_use.pair_fit(driven)),
         turns_check(view),
         *([brake.holds(view)] if view.brakes else []),
         *in_use.checks(driven.number, called),

@@ -184,15 +184,20 @@ def product_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
     rows = sorted(products.motors, key=lambda row: row.rated_torque)
     above = [row for row in rows if row.rated_torque > rated * (1.0 + NEAR)][:1]
     below = [row for row in rows if row.rated_torque < rated * (1.0 - NEAR)][-1:]
-    for row in (*above, *below):
+    for row in filter(lambda row: fits(row.shaft or 0.0, reducer.hub), (*above, *below)):
         way = "up" if row in above else "down"
         yield Change(
             f"{axis.name}: next motor {way}, {row.name}", {("axes", str(i), "motor", "name"): row.name}, "product"
         )
     for other in products.reducers:
-        if abs(other.reduction - reducer.ratio) > NEAR:
+        if abs(other.reduction - reducer.ratio) > NEAR and fits(motor.shaft, other.hub or 0.0):
             words = f"{axis.name}: ratio {figure(reducer.ratio)} → {figure(other.reduction)}, {other.name}"
             yield Change(words, {("axes", str(i), "reducer", "name"): other.name}, "product")
+
+
+def fits(shaft: float, hub: float) -> bool:
+    """Return whether a motor's shaft fits a reducer's hub (mm); 0 of either is not told, and fits."""
+    return not hub or shaft <= hub
 
 
 def lighter(axis: Axis, i: int) -> Iterator[Change]:

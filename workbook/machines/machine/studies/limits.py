@@ -61,6 +61,14 @@ CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {
     "ok_creep": lambda study: creep_use(study) <= 1.0,
     "ok_curve": below_curve,
     "ok_inertia": lambda study: study.inertias <= study.limits.inertia_ratio,
+    "ok_shaft": lambda study: (
+        (study.reducers_used["hub"] == 0.0) | (study.motors_used["shaft"] <= study.reducers_used["hub"])
+    ),
+    "ok_mass": lambda study: (
+        not study.limits.pair_mass
+        or np.nan_to_num(study.motors_used["mass"]) + np.nan_to_num(study.reducers_used["mass"])
+        <= study.limits.pair_mass
+    ),
 }
 
 
