@@ -169,27 +169,6 @@ def test_the_texts_come_in_the_users_language(calc, locale, language):
     assert found == {function.key: set(texts(function, language)) for function in FUNCTIONS}
 
 
-def test_the_installed_types_are_those_declared(calc):
-    path = calc.written(
-        [
-            'reflection = createUnoService("com.sun.star.reflection.CoreReflection")',
-            "row = 0",
-            'methods = reflection.forName("motionbook.XMotionFunctions").getMethods()',
-            "For Each method In methods",
-            '  text = method.ReturnType.Name & " " & method.Name & "("',
-            "  infos = method.ParameterInfos",
-            "  For Each one In infos",
-            '    text = text & "[in] " & one.aType.Name & " " & one.aName & ", "',
-            "  Next",
-            "  sheet.getCellByPosition(0, row).String = text",
-            "  row = row + 1",
-            "Next",
-        ]
-    )
-    found = {str(row[0]).removesuffix(", ") + ");" for row in cells(path, 100)}
-    assert {signature(function) for function in FUNCTIONS} <= found
-
-
 def test_the_types_were_made_from_what_is_declared():
     assert (publish.PACKAGE / "motion.idl").read_text(encoding="utf-8") == idl()
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from workbook.book.formula import words
-from workbook.functions.addin.motion_functions.library import LAWS, OWN, PIECE, LawForm, mirrored
+from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm, mirrored
 from workbook.functions.declarations import FUNCTIONS
 
 SOURCE = Path(__file__).with_name("formulas.txt")
@@ -24,6 +24,7 @@ LATER = "DROP HSTACK ISOMITTED LAMBDA LET MAKEARRAY MAP REDUCE SCAN SEQUENCE TAK
 FUTURE = {name: f"_xlfn.{name}" for name in LATER} | {"FILTER": "_xlfn._xlws.FILTER"}
 PREFIX = re.compile(r"_xl(?:fn|ws|pm|op)\.")
 HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
+NUMBERS = 14  # of a piece: its duration, six powers, two sines, and the velocity with which the first begins
 LARGEST = 1000  # denominator of a number of a law
 
 
@@ -94,7 +95,7 @@ def polynomial_formula(law: LawForm) -> str:
 
     def half(share: str, c: Sequence[Fraction]) -> str:
         powers = [f"{str(value).replace('/', ' / ')} / {share} ^ {i}" if value else "0" for i, value in enumerate(c, 1)]
-        return f"HSTACK({', '.join([share, *powers, *'0' * (len(PIECE) - len(c))])})"
+        return f"HSTACK({', '.join([share, *powers, *'0' * (NUMBERS - 1 - len(c))])})"
 
     return f"LET(share, INDEX(p, 1), rest, 1 - share, VSTACK({half('share', first)}, {half('rest', mirrored(first))}))"
 

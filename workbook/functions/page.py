@@ -37,20 +37,15 @@ else:
     LawCode = Annotated[Literal[CODES], BeforeValidator(as_listed)]  # a law that the functions know
     # or what prescribes a velocity
     RowCode = Annotated[Literal[(*CODES, VIA)], BeforeValidator(as_listed)]
-LAW, XI, S, X = "[fn_law.fn_law]", "[fn_xi.fn_xi]", "[fn_s.fn_s]", "[fn_x.fn_x]"
 RANGES = {
     code: f"[{code}.{names[0]}]:[{code}.{names[-1]}]"
     for code, page in FAMILY.items()  # of laws' parameters
     if code in TAKES and (names := [parameter.column for parameter in page.parameters])
 }
 RANGES["OWN"] = "[OWN.duration.first]:[OWN.phase.last]"
-CHOSEN = "".join(f'IF({LAW}="{code}",{cells},' for code, cells in RANGES.items())
+CHOSEN = "".join(f'IF([fn_law.fn_law]="{code}",{cells},' for code, cells in RANGES.items())
 P = f"{CHOSEN}0{''.join(')' for _ in RANGES)}"
-PHASES = f"[phases.law.first]:[phases.p{WIDTH}.last]"
-ARGUMENTS = {
-    "law": LAW, "xi": XI, "s": S, "x": X, "parameters": P, "phases": PHASES, "inertias": "[shafts.inertia]",
-    "ratios": "[shafts.ratio]", "values": "[profile.value]", "durations": "[profile.span]", "shift": "0", "cycle": "0",
-}  # fmt: skip
+EXAMPLES = {name: row.get("example", P) for name, row in TEXTS["arguments"].items()}
 PIECE = {"duration": "duration", **{f"c{i}": f"c{i}" for i in range(4)}, "amplitude": "P", "omega": "ω", "phase": "φ"}
 DERIVATIVES = {"s": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 QUIET = "ISERROR([fn_probe.fn_probe])"  # where the functions do not compute, examples show nothing in place of errors
@@ -171,7 +166,7 @@ def parameters(sheet: Sheet, shown: PageInputs) -> None:
 def functions(sheet: Sheet, shown: PageInputs) -> None:
     """Declare a row a function: how it is called, its result for the entries, what it gives."""
     calls = [f"{f.name}({', '.join(a.shown for a in f.arguments)})" for f in FUNCTIONS]
-    formulas = [f"={f.name}({','.join(ARGUMENTS[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
+    formulas = [f"={f.name}({','.join(EXAMPLES[a.name.en] for a in f.arguments)})" for f in FUNCTIONS]
     cell = CELLS["functions"]
     sheet.heading("The functions, each computed for these entries")
     gives = cell("gives", results(shown), formula=formulas)
@@ -252,8 +247,8 @@ def samples(sheet: Sheet, shown: PageInputs) -> None:
     xi = np.arange(LAW_STEPS + 1) / LAW_STEPS
     x = np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
     law = [(name, words, name, name.upper()) for name, words in DERIVATIVES.items()]
-    sampled(sheet, "law", "xi", xi, f"{LAW},[xi],{P}", zip(law, shown.chosen_law.evaluate(xi), strict=True))
-    sampled(sheet, "motion", "x", x, f"[x],{PHASES}", zip(RATES, shown.motion.at(x)[:3], strict=True))
+    sampled(sheet, "law", "xi", xi, f"[fn_law.fn_law],[xi],{P}", zip(law, shown.chosen_law.evaluate(xi), strict=True))
+    sampled(sheet, "motion", "x", x, f"[x],{EXAMPLES['phases']}", zip(RATES, shown.motion.at(x)[:3], strict=True))
 
 
 def sampled(

@@ -77,6 +77,13 @@ MIXED = (
 """a polynomial and a sine in one piece, a piece of no duration; it ends neither at 1 nor at rest"""
 WAVE = ((0.0, 0.0), (0.1, 0.4), (0.3, -0.2), (0.32, -0.2), (0.8, 1.3), (0.97, 0.9), (1.0, 1.0))
 
+TRAPEZOID = {
+    "where": {"y": "2/(1 + pi + sqrt((1 + pi)**2 + 8))"},
+    "coefficients": formulas(
+        "cv = 2; ca_max = 8*pi/(2 + pi); ca_min = -ca_max; ca_rms = ca_max*sqrt(3)/2; cj = 4*pi*ca_max; "
+        "va_max = ca_max**2/(4*pi)*(1 + pi + y)*sqrt(1 - y**2); va_min = -va_max"
+    ),
+}
 CLAIMS = (
     Claims(
         ConstantAcceleration,
@@ -145,11 +152,7 @@ CLAIMS = (
         ModifiedTrapezoidal,
         order_ends=2,
         order_inside=3,
-        where={"y": "2/(1 + pi + sqrt((1 + pi)**2 + 8))"},
-        coefficients=formulas(
-            "cv = 2; ca_max = 8*pi/(2 + pi); ca_min = -ca_max; ca_rms = ca_max*sqrt(3)/2; cj = 4*pi*ca_max; "
-            "va_max = ca_max**2/(4*pi)*(1 + pi + y)*sqrt(1 - y**2); va_min = -va_max"
-        ),
+        **TRAPEZOID,
         others=tuple(
             ModifiedTrapezoidal(durations)
             for durations in (
@@ -165,11 +168,7 @@ CLAIMS = (
         TrapezoidByShare,
         order_ends=2,
         order_inside=3,
-        where={"y": "2/(1 + pi + sqrt((1 + pi)**2 + 8))"},
-        coefficients=formulas(
-            "cv = 2; ca_max = 8*pi/(2 + pi); ca_min = -ca_max; ca_rms = ca_max*sqrt(3)/2; cj = 4*pi*ca_max; "
-            "va_max = ca_max**2/(4*pi)*(1 + pi + y)*sqrt(1 - y**2); va_min = -va_max"
-        ),
+        **TRAPEZOID,
         others=(TrapezoidByShare(0.3), TrapezoidByShare(0.5, "end"), TrapezoidByShare(0.3, "start", 0.7)),
         beyond=(TrapezoidByShare(0.4, ends=BoundaryValues(1.0, 0.6, 1.1)),),
     ),

@@ -13,7 +13,7 @@ from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, kind, kinds,
 from engine.laws.modified import HarmonicCombination, ModifiedSine
 from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.ramps import Limits, SCurve, TrapezoidalVelocity
-from engine.laws.simple import Cycloidal, SimpleHarmonic
+from engine.laws.simple import Cycloidal
 from tests.engine.families import EXAMPLES
 
 EVERY = pytest.mark.parametrize("law", [law for _, law in EXAMPLES], ids=[name for name, _ in EXAMPLES])
@@ -123,19 +123,6 @@ def test_an_end_that_a_law_cannot_have_is_refused_with_the_reason(law, ends, rea
 @EVERY
 def test_between_rests_a_law_is_itself(law):
     assert law_with_ends(law, BoundaryValues(3.0)) == (law, 3.0)
-
-
-@pytest.mark.parametrize(
-    ("law", "expected"),
-    [
-        (ModifiedSine(), ("RG", "RG")), (ModifiedSine(0.5, 0.25, 0.0), ("RG", "UB")), (SCurve(), ("RG", "RG")),
-        (SimpleHarmonic(), ("UB", "UB")), (HarmonicCombination(), ("RG", "UB")),
-        (HarmonicCombination(reversal="start"), ("UB", "RG")), (Polynomial345(), ("RGUB", "RGUB")),
-        (Polynomial345(0.4), ("R", "R")), (Cubic(), ("UB", "UB")), (Cubic(0.4), ("U", "U")),
-    ],
-)  # fmt: skip
-def test_kinds_of_end(law, expected):
-    assert kinds(law) == expected
 
 
 @EVERY

@@ -105,19 +105,6 @@ class Told:
         return self.pieces
 
 
-@PULSED
-def test_a_law_backwards_has_its_pulses_exchanged(law):
-    course, ends = law.pulses, law.ends
-    exchanged = Bare(
-        course._replace(rise=course.fall, rise_time=course.fall_time, fall=course.rise, fall_time=course.rise_time),
-        ends=replace(ends, v0=ends.v1, v1=ends.v0),
-    )
-    k, other = law.coefficients, exchanged.coefficients
-    assert (other.cv, other.ca_rms, other.cj) == pytest.approx((k.cv, k.ca_rms, k.cj), rel=1e-12)
-    assert (other.ca_max, other.va_max) == pytest.approx((-k.ca_min, -k.va_min), rel=1e-12, abs=1e-13)
-    assert (other.ca_min, other.va_min) == pytest.approx((-k.ca_max, -k.va_max), rel=1e-12, abs=1e-13)
-
-
 @dataclass(frozen=True)
 class Bare(PulseLaw):
     """Any two pulses."""

@@ -207,24 +207,6 @@ def test_units_that_no_axis_has_are_refused_in_a_line(run, tmp_path) -> None:
     assert "it is in m over rev; expected an axis in mm or ° over s, °, rad, mm" in " ".join(err.split())
 
 
-def test_a_motion_that_ends_on_the_way_is_told_and_not_described(run, tmp_path) -> None:
-    x = np.linspace(0.0, 10.0, 101)
-    (tmp_path / "fast.csv").write_text("".join(f"{a:.6f};{5.0 * a + np.sin(a):.9f}\n" for a in x), "utf-8")
-    code, _, err = run("read", "fast.csv", "--from", "csv")
-    assert code == 2
-    assert "ends on the way" in " ".join(err.split())
-
-
-def test_a_triangle_stays_a_triangle(run, tmp_path) -> None:
-    (tmp_path / "triangle.csv").write_text("0;0\n90;10\n180;20\n270;10\n360;0\n", "utf-8")
-    code, out, err = run("read", "triangle.csv", "--from", "csv")
-    assert code == 0
-    assert "It keeps to all 5 points: off by 0 mm" in " ".join(err.split())
-    (tmp_path / "back.toml").write_text(out, "utf-8")
-    phases = read_machine(tmp_path / "back.toml").axes[0].phases
-    assert [(p.law, p.start, p.stop, p.lift) for p in phases] == [("LIN", 0, 180, 20.0), ("LIN", 180, 360, -20.0)]
-
-
 SHARP = {
     "sawtooth": ([0, 100, 120, 220, 240, 360], [0, 20, 0, 20, 0, 0], range(0, 361, 2)),
     "corners at one side": ([0, 40, 100, 220, 300, 360], [0, 0, 25, 25, 0, 0], range(361)),

@@ -5,12 +5,9 @@ import random
 
 import pytest
 
-from engine.laws.spline import Spline
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.composed import MACHINE, composed
 from workbook.errors import InputError
-from workbook.laws.pages.spline import VARIATIONS
-from workbook.laws.registry import FAMILY
 
 REST = ("DWL", 0.0, 5.0)
 
@@ -130,8 +127,3 @@ def test_an_acceleration_that_is_entered_beside_points_is_told():
     assert value("axis1_meets") == "FAIL"
     assert "row 1: Points cannot end with an acceleration: what it has there" in value("axis1_meets_says")
     assert disagreeing(MACHINE, one)[0] == []
-
-
-def test_the_engines_spline_is_that_of_the_description():
-    law = FAMILY["SPL"].make_law(machine({"Points": VARIATIONS[1]}).laws["Points"])
-    assert law == Spline(((0, 0), (0.4, 0.1), (0.55, 0.8), (1, 1)), (0.25, None), (False, True))

@@ -27,42 +27,26 @@ class Refused(Exception):  # noqa: N818 - an answer, not a fault
 
 
 class Piece(NamedTuple):
-    """Duration and coefficients of a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) + P₂ sin(ω₂u + φ₂)."""
+    """Duration and coefficients of a(u) = c0 + c1 u + … + P sin(ωu + φ) + …."""
 
     duration: float
-    c0: float = 0.0
-    c1: float = 0.0
-    c2: float = 0.0
-    c3: float = 0.0
-    amplitude: float = 0.0
-    omega: float = 0.0
-    phase: float = 0.0
-    c4: float = 0.0
-    c5: float = 0.0
-    amplitude2: float = 0.0
-    omega2: float = 0.0
-    phase2: float = 0.0
-
-    @property
-    def powers(self) -> tuple[float, ...]:
-        """c0 … c5."""
-        return (self.c0, self.c1, self.c2, self.c3, self.c4, self.c5)
-
-    @property
-    def sines(self) -> list[tuple[float, float, float]]:
-        """P, ω, φ of each sine that is there."""
-        both = (self.amplitude, self.omega, self.phase), (self.amplitude2, self.omega2, self.phase2)
-        return [sine for sine in both if sine[0]]
+    c: Sequence[float] = ()
+    sines: Sequence[tuple[float, float, float]] = ()  # P, ω, φ of each
 
     @property
     def turned(self) -> float:
-        """The angle by which the faster sine turns (rad)."""
-        return self.duration * max(abs(self.omega), abs(self.omega2))
+        """The angle by which the fastest sine turns (rad)."""
+        return self.duration * max((abs(omega) for _, omega, _ in self.sines), default=0.0)
+
+    @property
+    def waves(self) -> list[tuple[float, float, float]]:
+        """The sines that are there: of others no frequency is too great."""
+        return [sine for sine in self.sines if sine[0]]
 
     def scaled(self, factor: float) -> Piece:
         """Return the piece with its acceleration times ``factor``."""
-        c = {f"c{i}": factor * value for i, value in enumerate(self.powers)}
-        return self._replace(amplitude=factor * self.amplitude, amplitude2=factor * self.amplitude2, **c)
+        sines = [(factor * amplitude, omega, phase) for amplitude, omega, phase in self.sines]
+        return Piece(self.duration, [factor * value for value in self.c], sines)
 
     def gains(self, u: float) -> tuple[float, float]:
         """Return ∬a and ∫a from the begin to u.
@@ -71,11 +55,11 @@ class Piece(NamedTuple):
         ∬ = P u² (sin φ (1 − cos h)/h² + cos φ (h − sin h)/h²).
         """
         s = v = 0.0
-        for i in range(5, -1, -1):
-            s = s * u + self.powers[i] / ((i + 1) * (i + 2))
-            v = v * u + self.powers[i] / (i + 1)
+        for i in range(len(self.c) - 1, -1, -1):
+            s = s * u + self.c[i] / ((i + 1) * (i + 2))
+            v = v * u + self.c[i] / (i + 1)
         s, v = u * u * s, u * v
-        for amplitude, omega, phase in self.sines:
+        for amplitude, omega, phase in self.waves:
             h = omega * u
             sinc, lift, lag = (math.sin(h) / h, 2 * (math.sin(h / 2) / h) ** 2, _lag(h)) if h else (1.0, 0.5, 0.0)
             sin, cos = math.sin(phase), math.cos(phase)
@@ -86,9 +70,9 @@ class Piece(NamedTuple):
     def derivative(self, order: int, u: float) -> float:
         """Return a(u), or its derivative of an order."""
         value = 0.0
-        for i in range(5, order - 1, -1):
-            value = value * u + self.powers[i] * math.factorial(i) / math.factorial(i - order)
-        for amplitude, omega, phase in self.sines:
+        for i in range(len(self.c) - 1, order - 1, -1):
+            value = value * u + self.c[i] * math.factorial(i) / math.factorial(i - order)
+        for amplitude, omega, phase in self.waves:
             value += amplitude * omega**order * math.sin(omega * u + phase + order * math.pi / 2)
         return value
 

@@ -81,8 +81,6 @@ def mirrored(half: Sequence[Any]) -> Sequence[Any]:
     return [-sum(half[i] * math.comb(i, k) * (-1) ** k for i in range(k, n)) for k in range(n)]
 
 
-PIECE = "duration c0 c1 c2 c3 c4 c5 amplitude omega phase amplitude2 omega2 phase2".split()
-"""the numbers of a piece in a formula; behind them stands the velocity with which it begins"""
 with open(os.path.join(os.path.dirname(__file__), "laws.md"), encoding="utf-8") as table:
     LAWS = laws_in(table.read())
 PARAMETERS = {code: len(family.delivered) for code, family in LAWS.items()}
@@ -108,8 +106,8 @@ def law(code: str, parameters: Rows, lift: float = 1.0, begin: End = REST, end: 
     if declared.half:
         return polynomial(declared.half, p[0], lift, begin, end)
     require(begin == end == REST)  # it begins and ends as it does, whatever is beside it
-    *piece, velocity = declared.computed(declared.formula, p)
-    return Law([Piece(**dict(zip(PIECE, piece))).scaled(lift)], velocity * lift)
+    d, *c, p1, w1, phi1, p2, w2, phi2, velocity = declared.computed(declared.formula, p)
+    return Law([Piece(d, c, [(p1, w1, phi1), (p2, w2, phi2)]).scaled(lift)], velocity * lift)
 
 
 def own_law(rows: Rows, lift: float) -> Law:
@@ -118,7 +116,7 @@ def own_law(rows: Rows, lift: float) -> Law:
         raise Refused(VALUE)
     durations = [row[0] for row in rows]
     require(min(durations) >= 0.0 and abs(sum(durations) - 1.0) <= SUM_TOLERANCE)
-    return Law([Piece(*row).scaled(lift) for row in rows])
+    return Law([Piece(d, c, [(p, w, phi)]).scaled(lift) for d, *c, p, w, phi in rows])
 
 
 def require(possible: bool) -> None:
@@ -150,9 +148,9 @@ def pulse(d: Sequence[float], straight: bool) -> list[Piece]:
     d1, d2, d3 = d
     if straight:
         up, down = (1 / d if d else 0.0 for d in (d1, d3))
-        return [Piece(d1, 0.0, up), Piece(d2, 1.0), Piece(d3, 1.0, -down)]
-    edges = [Piece(d, amplitude=1.0, omega=math.pi / (2 * d)) if d else Piece(0.0) for d in (d1, d3)]
-    return [edges[0], Piece(d2, 1.0), edges[1]._replace(phase=math.pi / 2)]
+        return [Piece(d1, (0.0, up)), Piece(d2, (1.0,)), Piece(d3, (1.0, -down))]
+    up, down = (math.pi / (2 * d) if d else 0.0 for d in (d1, d3))
+    return [Piece(d1, (), [(1.0, up, 0.0)]), Piece(d2, (1.0,)), Piece(d3, (), [(1.0, down, math.pi / 2)])]
 
 
 def reached(pieces: Sequence[Piece]) -> tuple[float, float]:
@@ -167,8 +165,7 @@ def polynomial(half: Sequence[float], share: float, lift: float, begin: End, end
     """Return a symmetric polynomial of a share, or, of the share ½, that between ends."""
     if begin == end == REST:
         halves = (half, share), (mirrored(half), 1.0 - share)
-        c = [{f"c{i}": 2.0 * lift * value / d ** (i + 1) for i, value in enumerate(half)} for half, d in halves]
-        return Law([Piece(share, **c[0]), Piece(1.0 - share, **c[1])])
+        return Law([Piece(d, [2.0 * lift * c / d ** (i + 1) for i, c in enumerate(half)]) for half, d in halves])
     n = len(half) // 2 + 1
     require(share == 0.5 and not any(begin[n - 1 :] + end[n - 1 :]))
     return Law([hermite(n, lift, begin, end)], begin[0])
@@ -189,4 +186,4 @@ def hermite(n: int, lift: float, begin: End, end: End) -> Piece:
         rest = [before - here for before, here in zip([0.0, *rest[:-1]], rest)]
         rest[0] += value
     s = [*first, *rest]
-    return Piece(1.0, **{f"c{i - 2}": i * (i - 1) * s[i] for i in range(2, 2 * n)})
+    return Piece(1.0, [i * (i - 1) * s[i] for i in range(2, 2 * n)])
