@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from importlib import import_module
 from pathlib import Path
+from pkgutil import iter_modules
 from typing import TYPE_CHECKING
 
 from workbook.errors import TargetError
@@ -15,13 +16,12 @@ if TYPE_CHECKING:
 STATED = tomllib.loads(Path(__file__).with_name("targets.toml").read_text(encoding="utf-8"))
 """the facts of each target, and the claims about its format, with their documents"""
 TARGETS = tuple(name for name in STATED if not name.endswith(" switches"))
-MODULES = ("br", "codesys", "columns", "mitsubishi", "rockwell", "siemens", "twincat")
-"""the files in ``targets`` in which these are declared"""
 
 
 def targets() -> list[Target]:
     """Return every target, in the order of the register."""
-    rows = [import_module(f"workbook.controllers.targets.{module}").TARGETS for module in MODULES]
+    folder = import_module("workbook.controllers.targets")
+    rows = [import_module(f"{folder.__name__}.{file.name}").TARGETS for file in iter_modules(folder.__path__)]
     return sorted((row for some in rows for row in some), key=lambda row: TARGETS.index(row.name))
 
 

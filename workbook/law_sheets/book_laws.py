@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from itertools import groupby
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from engine.laws import Piece
 from engine.laws.base import BREAK_TOLERANCE
@@ -95,12 +95,11 @@ def laws_sheet(book: Book, of: BookLaws) -> None:
 RATES = "start v_low wrong low high s0 s1 v0 v1 a0 a1".split()
 LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), *RATES)
 """columns of the table of laws that have names"""
-ENDS = (("s", "position"), ("v", "velocity"), ("a", "acceleration"))
 
 
 def summary(sheet: Sheet, of: BookLaws) -> None:
     """Declare the table of laws: name, coefficients, values at both ends; more where phases hand over at speed."""
-    laws = of.named
+    laws, cell = of.named, CELLS["laws"]
     reaches = [reach(law.law) for law in laws]
 
     def coefficient(name: str, label: str, symbol: str) -> Quantity:
@@ -108,39 +107,30 @@ def summary(sheet: Sheet, of: BookLaws) -> None:
         values = [finite(getattr(law.law.coefficients, name)) for law in laws]
         return result(name, label, symbol, "", formulas, values, format="0.0000")
 
-    def stated(name: str, label: str, symbol: str, field: str, values: Sequence[float], **more: Any) -> Quantity:
-        formulas = [law.own(getattr(law.page, field)) for law in laws]
-        return calc(name, label, symbol, "", formulas, values, **more)
+    def stated(name: str, field: str, values: Sequence[float]) -> Quantity:
+        return cell(name, values, formula=[law.own(getattr(law.page, field)) for law in laws])
 
-    def end(d: str, label: str, at: str) -> Quantity:
-        cell = CELLS["end"]
-        xi = 0 if at == "first" else 1
-        formulas = [law.own(f"=[@samples.{d}.{at}]" if law.page.has_sheet else "=0") for law in laws]
-        values = [getattr(law.law.start if at == "first" else law.law.end, d) for law in laws]
-        return cell("{d}{xi}", values, d=d, xi=xi, label=label, formula=formulas, scale=RISE)
+    def end(d: str, xi: int) -> Quantity:
+        place = ("first", "last")[xi]
+        formulas = [law.own(f"=[@samples.{d}.{place}]" if law.page.has_sheet else "=0") for law in laws]
+        return cell(f"{d}{xi}", [getattr(law.law.end if xi else law.law.start, d) for law in laws], formula=formulas)
 
-    source = "−1 has one, 0 cannot, 1 by two pulses, 2 keeps its own, 3, 5, 7 by a polynomial"
-    modes = [end_mode(law.law) for law in laws]
-    ways = stated("way", "meets its neighbours' velocity", "", "end_mode", modes, source=source, format="0")
-    early = CELLS["summary"]("early", [law.page.early for law in laws])
-    ends = [ways, early] if of.hands_over else []
-    cell, back = CELLS["laws"], [law.page.step_back(law.law, of.sizes) for law in laws]
+    modes, early = [end_mode(law.law) for law in laws], [law.page.early for law in laws]
+    ends = [stated("way", "end_mode", modes), cell("early", early)] if of.hands_over else []
     names = [law.own(law.page.named or f'="{law.words}"') for law in laws]
     codes = [f'="{law.name}"' if law.basic else law.own("=@called") for law in laws]
-    sheet.table(
-        "laws",
-        "The laws by number; a phase takes its law by this name",
-        len(laws),
+    cell.place(
+        sheet,
         cell("name", [law.words for law in laws], formula=names),
         cell("no", [law.number for law in laws]),
         cell("code", [law.name for law in laws], formula=codes),
         *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
-        stated("start", "velocity it begins with", "", "start", [law.law.start.v for law in laws]),
-        stated("v_low", "lowest velocity", "", "lowest", [slowest(law.law) for law in laws], scale=1.0),
-        stated("wrong", "step of v the wrong way", "", "wrong_step", back),
-        *(end(d, label, at) for d, label in ENDS for at in ("first", "last")),
-        stated("low", "lowest position", "s_min", "low", [low for low, _ in reaches], scale=1.0),
-        stated("high", "highest position", "s_max", "high", [high for _, high in reaches], scale=1.0),
+        stated("start", "start", [law.law.start.v for law in laws]),
+        stated("v_low", "lowest", [slowest(law.law) for law in laws]),
+        stated("wrong", "wrong_step", [law.page.step_back(law.law, of.sizes) for law in laws]),
+        *(end(d, xi) for d in "sva" for xi in (0, 1)),
+        stated("low", "low", [low for low, _ in reaches]),
+        stated("high", "high", [high for _, high in reaches]),
         *ends,
     )
     sheet.book.name("laws", **{f"law_{name}": name for name in (*LAW_NAMES, *(q.name for q in ends))})

@@ -134,15 +134,6 @@ class SplinePage(Page):
         return [*super().verdicts(named, sizes)[:-1], end]
 
 
-UNIT = 1.0  # rise and time: what rounding of accelerations is measured by
-
-
-# columns of the elimination that are as large as accelerations
-ACCELERATIONS = {"rhs", "right", "back"}
-# columns of the intervals that are not
-SHARES = frozenset("k xi d y y1 s_low s_high fast".split())
-
-
 def solution(at: SplineTable) -> list[Quantity]:
     """Return the rows that the table of points refers to."""
     cell, (first, last), free = CELLS["solution"], at.slopes, at.law.natural
@@ -163,21 +154,16 @@ def solution(at: SplineTable) -> list[Quantity]:
 def elimination(at: SplineTable) -> list[Quantity]:
     """Return the columns of the tridiagonal system, of its forward elimination, and of its back substitution."""
     table, values = CELLS["elimination"], at.solved | {"narrow": filled([], at.rows, 0)}
-    return [table(name, values[name], scale=UNIT if name in ACCELERATIONS else 0.0) for name in table]
+    return [table(name, values[name]) for name in table]
 
 
 def intervals_table(sheet: Sheet, at: SplineTable) -> None:
     """Declare the table of the intervals: rates at both ends, and extremes."""
-    table, numbers = CELLS["intervals"], list(range(1, at.rows + 1))
-    values = at.intervals | {"k": numbers, "fast": at.fastest_xi, "wrong": at.wrong_way}
-
-    def column(name: str) -> Quantity:
-        parts = {"equal": f"{EQUAL:.0E}"} if name == "fast" else {}
-        return table(name, values[name], scale=0.0 if name in SHARES else UNIT, **parts)
-
+    table = CELLS["intervals"].sharing(equal=f"{EQUAL:.0E}")
+    values = at.intervals | {"k": list(range(1, at.rows + 1)), "fast": at.fastest_xi, "wrong": at.wrong_way}
     sheet.heading("Table of the intervals, each from a point to the next")
     title = "On each a is linear, and W = a² − 2jv the same everywhere"
-    sheet.table("@intervals", title, at.rows, *map(column, table))
+    sheet.table("@intervals", title, at.rows, *(table(name, values[name]) for name in table))
 
 
 NARROW = "MATCH(1,[@solved.narrow],0)"
