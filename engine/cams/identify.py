@@ -62,7 +62,9 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
         return IdentifiedMotion(phases, _allowed(of))
     slopes = [of.rate_at(side)[0] if moves else 0.0 for side, moves in ((0, begins), (-1, ends))]
     through = splined(of, rebuilt, (slopes[0], slopes[1]), max(of.thinned, of.near))
-    missed = [replace(phase, fits=False) for phase in phases or [_line_of(of)]]
+    first, last, y, lift = (float(value) for value in (*of.x[[0, -1]], of.y[0], of.y[-1] - of.y[0]))
+    line = FoundPhase(law("LIN"), first, last, y, lift, known=False)
+    missed = [replace(phase, fits=False) for phase in phases or [line]]
     return IdentifiedMotion(through or missed, _allowed(of))
 
 
@@ -97,12 +99,6 @@ def _keeps_to(of: CamPoints, phases: Sequence[FoundPhase]) -> bool:
 def _allowed(of: CamPoints) -> float:
     """Return by how much a motion may be off a table's points."""
     return max(of.thinned, KEPT * of.near)
-
-
-def _line_of(of: CamPoints) -> FoundPhase:
-    """Return the straight line from the first point of a table to the last."""
-    begin, end = of.x[[0, -1]].tolist()
-    return FoundPhase(law("LIN"), begin, end, float(of.y[0]), float(of.y[-1] - of.y[0]), known=False)
 
 
 def _dwelling(of: CamPoints) -> Flags:
@@ -178,15 +174,13 @@ def _laid(
 
 
 def _by_itself(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
-    """Return the phases of a stroke between others from rest to rest: lines and laws, or splines."""
+    """Return the phases of a stroke between others from rest to rest: lines and laws, or splines through few points.
+
+    There are none if it follows no law and its ends are not at rest, or too many points are needed.
+    """
     phases, known = phases_at_speed(of, rebuilt)
-    return phases if known else _thinned(of, rebuilt)
-
-
-def _thinned(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
-    """Return splines from rest to rest through few points; none if the ends are not at rest, or too many are needed."""
-    if np.abs(rebuilt.at(of.x[[0, -1]]).y1).max() > AT_SPEED * of.fastest:
-        return []
+    if known or np.abs(rebuilt.at(of.x[[0, -1]]).y1).max() > AT_SPEED * of.fastest:
+        return phases if known else []
     return splined(of, rebuilt, (0.0, 0.0), max(of.thinned, of.near))
 
 
