@@ -121,8 +121,8 @@ GET: dict[str, Action] = {
     "/study/NAME": study.show, "/progress/NAME": study.progress, "/controller/NAME": controller, MODULES: static,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
-ACTIONS = (editing.change, editing.figures, editing.verdict, editing.discard, editing.theirs, editing.save)
-OWN = (home.new, home.keep, verify, upload, compare, export, read, study.begin, study.cancel)
+ACTIONS = (editing.change, editing.figures, editing.products, editing.verdict)
+OWN = (editing.discard, editing.theirs, editing.save, home.new, home.keep, verify, upload, compare, export, read, study.begin, study.cancel)
 POST: dict[str, Action] = {
     **{f"/{action.__name__}": action for action in (*ACTIONS, *OWN)},
     "/open": editing.open_design,

@@ -16,6 +16,7 @@ from workbook.fields.paths import Place, get, split
 from workbook.fields.types import DesignError, EntryError
 from workbook.laws.named import with_laws_by_code
 from workbook.reading.descriptions import parse_toml, template_named
+from workbook.selection.entries import COMMITTED
 from workbook.serve.shown import design, failing, pictures
 from workbook.serve.words import sentence, spoken
 from workbook.templates import AnyTemplate
@@ -84,14 +85,37 @@ class Edited:
                 self.faults.setdefault(f"axes.{k}{key.removeprefix('axes.0')}", line)
         return own
 
-    def _alone(self, axis: Any) -> str:
-        """Return the description of a machine of one axis alone."""
+    def _alone(self, *axes: Any, **more: Any) -> str:
+        """Return the description of a machine of some axes alone."""
         data = {key: self.data[key] for key in CONTEXT if key in self.data}
-        if not isinstance(axis, Mapping) or "mechanism" not in axis:
+        if not all(isinstance(axis, Mapping) and "mechanism" in axis for axis in axes):
             data = {key: value for key, value in data.items() if key not in OF_DRIVES}
         choice = self.data.get("selection")
         chosen = {key: choice[key] for key in PRODUCTS if key in choice} if isinstance(choice, Mapping) else {}
-        return as_json(data | {"title": "-", "selection": chosen, "axes": [axis]})
+        return as_json(data | {"title": "-", "selection": chosen, "axes": axes} | more)
+
+    def gaps(self, chosen: int | None = None) -> dict[str, Any]:
+        """Return the gaps of clearances of finished axes by their numbers: all, or those of an axis."""
+        numbers = {str(axis.get("name")): k for k, axis in enumerate(self.axes) if isinstance(axis, Mapping)}
+        every = {}
+        for k, row in enumerate(rows if isinstance(rows := self.data.get("clearances"), list) else ()):
+            ends = [numbers.get(str(get(row, (end,)))) for end in ENDS]
+            if None in ends or chosen not in (None, *ends):
+                continue
+            alone = self._alone(*(motion_of(self.axes[end]) for end in ends if end is not None), clearances=[row])
+            every |= {str(k): gap for gap in gap_figures(self.template.name, alone)}
+        return every
+
+    def products(self, k: int, kind: str) -> dict[str, Any]:
+        """Return what each motor or reducer would come to in an axis, by names; of an unfinished one nothing."""
+        axis, template = self.axes[k], self.template
+        own = get(self.data, ("selection", f"{kind}s"))
+        first = own[0]["name"] if isinstance(own, list) and own else COMMITTED[f"{kind}s"]()[0].name
+        for each in (axis, axis | {kind: {"name": first}}):
+            if machine := judged_axis(template.name, self._alone(each)).machine:
+                has_drive = machine.axes[0].mechanism is not None and machine.axes[0].motor is not None
+                return template.live.products(machine, kind == "motor") if template.live and has_drive else {}
+        return {}
 
     def _judge_rest(self) -> None:
         """Note the faults of all but the axes, and of what does not go together; faulty parts are left out."""
@@ -120,7 +144,7 @@ class Edited:
         if isinstance(axis, Mapping) and not any(
             split(key)[2:3] in [(name,) for name in OF_MOTION] for key in own.faults
         ):
-            alone = self._alone({name: axis[name] for name in OF_MOTION if name in axis})
+            alone = self._alone(motion_of(axis))
             if not judged_axis(self.template.name, alone).faults:
                 return axis_figures(self.template.name, alone) | wrong
         return wrong
@@ -206,6 +230,11 @@ def moved_back(faults: dict[str, str], data: dict[str, Any], rest: dict[str, Any
     return moved
 
 
+def motion_of(axis: Mapping[str, Any]) -> dict[str, Any]:
+    """Return an axis without its drive."""
+    return {name: axis[name] for name in OF_MOTION if name in axis}
+
+
 def as_json(data: Any) -> str:
     """Return data as a text by which it is remembered."""
     return json.dumps(data, default=str)
@@ -221,7 +250,14 @@ def judged_axis(template: str, data: str) -> Judged:
 def axis_figures(template: str, data: str) -> dict[str, Any]:
     """Return the figures of an axis that has no faults."""
     live, machine = template_named(template, "template").live, judged_axis(template, data).machine
-    return live(machine)[0] if live else {}
+    return live.axes(machine)[0] if live else {}
+
+
+@lru_cache(REMEMBERED)
+def gap_figures(template: str, data: str) -> list[dict[str, Any]]:
+    """Return the gaps of the clearances of a machine, from its JSON; none where it has faults."""
+    live, machine = template_named(template, "template").live, judged_axis(template, data).machine
+    return live.gaps(machine) if live and machine else []
 
 
 @lru_cache(4)
@@ -246,9 +282,16 @@ def figures(text: str, chosen: int, machine: bool = True) -> dict[str, Any]:
     except MotionbookError:
         return {"axes": {}}
     if machine:
-        return {"axes": axes_of(design, chosen), "machine": design.machine()}
+        every = {"axes": axes_of(design, chosen), "gaps": design.gaps()}
+        return every | {"machine": design.machine(), "data": design.data}
     chosen_only = {str(chosen): design.figures(chosen)} if 0 <= chosen < len(design.axes) else {}
-    return {"axes": {k: {key: value for key, value in own.items() if key != "power"} for k, own in chosen_only.items()}}
+    axes = {k: {key: value for key, value in own.items() if key != "power"} for k, own in chosen_only.items()}
+    return {"axes": axes, "gaps": design.gaps(chosen)}
+
+
+def products(text: str, k: int, kind: str) -> dict[str, Any]:
+    """Return what each motor or reducer of the catalogue would come to in an axis of a text, by its name."""
+    return edited_design(text).products(k, kind)
 
 
 def verdict(name: str, text: str) -> dict[str, Any]:

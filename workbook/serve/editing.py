@@ -102,6 +102,12 @@ async def figures(page: Page) -> str:
     return await answer(page, design.figures, page.text(), int(page.get_body_argument("axis")))
 
 
+async def products(page: Page) -> str:
+    """Return what each motor or reducer would come to in an axis of a text."""
+    axis, kind = int(page.get_body_argument("axis")), page.get_body_argument("kind")
+    return await answer(page, design.products, page.text(), axis, kind)
+
+
 async def verdict(page: Page) -> str:
     """Return the verdict on a text."""
     return await answer(page, design.verdict, page.file().name, page.text(), slow=True)

@@ -1,5 +1,6 @@
 """The entries of a description by their places, and what is changed in its text; its comments stay."""
 
+import math
 import re
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
@@ -67,11 +68,14 @@ def shown_key(key: Key) -> dict[str, Any]:
 def catalogue() -> dict[str, Any]:
     """Return the laws that come with motionbook with their shapes, motors and reducers with their figures."""
     shares = np.linspace(0.0, 1.0, SHAPE)
-    rising = {code: FAMILY[code].make_law(entry()).s(shares) for code, entry in ENTRIES.items()}
-    laws = [
-        {"code": code, "title": page.title, "shape": rising.get(code, 0.0 * shares).round(4).tolist()}
-        for code, page in FAMILY.items()
-    ]
+    known = {code: FAMILY[code].make_law(entry()) for code, entry in ENTRIES.items()}
+    laws = []
+    for code, page in FAMILY.items():
+        shape, figures = 0.0 * shares, {}
+        if law := known.get(code):
+            shape, own = law.s(shares), law.coefficients
+            figures = {"v": own.cv, "a": own.ca, "j": own.cj if math.isfinite(own.cj) else None}
+        laws.append({"code": code, "title": page.title, "shape": shape.round(4).tolist()} | figures)
     products = {kind: [row.model_dump() for row in COMMITTED[f"{kind}s"]()] for kind in ("motor", "reducer")}
     return {"laws": laws, "products": products}
 

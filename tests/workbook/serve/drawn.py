@@ -15,6 +15,8 @@ PAGE = "/tests/workbook/serve/drawing/"
 POLICY = "default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'self'; img-src 'self'"
 SMOOTH = [{"from": 0, "to": 1, "x": [0, 0, 0, 10, -15, 6]}]  # the 345 polynomial
 ANGLES = range(0, 361, 2)
+GAP = {"name": "Punch over cutter", "unit": "mm", "x": [0, 180, 360], "y": [9, 2, 9], "least": 2, "at": 180, "need": 3,
+       "ok": False}  # fmt: skip
 
 
 def chart(key, title, unit, heights, limits=(), across=None, points=()):
@@ -53,14 +55,18 @@ def fixture(count):
         ]
         named = {"index": index, "name": f"MC{index + 1:02}", "group": axis["group"], "unit": axis.get("unit", "mm")}
         axes.append(named | {"phases": phases, "shift": axis.get("shift", 0), "shown": True})
-    switches = [{"index": k, "name": one["name"], "on": one["on"]} for k, one in enumerate(given["switches"])]
-    design = {"title": given["title"], "period": {"name": "cycle", "unit": "°", "length": 360}, "axes": axes}
+    bars = [
+        {"path": ["switches", k, "on"], "axis": None, "name": one["name"], "on": one["on"]}
+        for k, one in enumerate(given["switches"])
+    ]
+    design = {"title": given["title"], "period": {"name": "cycle", "unit": "°", "length": 360, "ms": 300}, "axes": axes}
     figures, saved = (
         {"axes": {one["index"]: {"error": None, "stale": False, "start": 0, "charts": charts(size),
-                                 "pieces": [SMOOTH] * len(one["phases"])} for one in axes}}
+                                 "pieces": [SMOOTH] * len(one["phases"])} for one in axes}, "gaps": {"0": GAP}}
         for size in (1.0, 0.8)
     )  # fmt: skip
-    return {"design": design | {"switches": switches}, "figures": figures, "saved": saved}
+    force = {"path": ["axes", 0, "load", "windows"], "axis": 0, "name": "MC01 force", "on": [[200, 240]]}
+    return {"design": design | {"bars": [*bars, force]}, "figures": figures, "saved": saved}
 
 
 class Files(SimpleHTTPRequestHandler):

@@ -1,5 +1,6 @@
 """The timing diagram and the charts in the system's Chromium: what a drag and a key propose, what is seen meanwhile."""
 
+import re
 from itertools import pairwise
 
 import pytest
@@ -58,7 +59,7 @@ def drag(page, place, x, y=0.0, end="", modifier=None):
     page.mouse.down()
     page.mouse.move(place[0] + x / 2, place[1] + y / 2)
     page.mouse.move(place[0] + x, place[1] + y)
-    words = page.locator(".bubble text").text_content()
+    words = re.sub(r" · [\d.]+ ms", "", page.locator(".bubble text").text_content())
     if end:
         page.keyboard.press(end)
     page.mouse.up()
@@ -107,7 +108,8 @@ def test_a_drag_stops_at_its_neighbour_snaps_to_edges_and_goes_back_by_escape(op
     assert drag(page, edge, 25 * unit, end="Escape") == "to 160°"
     assert page.evaluate("JSON.stringify(state.design.value)") == before
     assert (commits(page), page.locator(".bubble").count()) == ([], 0)
-    assert drag(page, edge, 250 * unit, end="Escape") == "to 305°"  # where the next phase begins
+    assert drag(page, edge, 250 * unit, end="Escape") == "to 305° · Ctrl pushes phase 2"  # where the next begins
+    page.mouse.move(*edge)
     assert drag(page, edge, -100 * unit, end="Escape") == "to 90.1°"
     assert drag(page, edge, 11.2 * unit, end="Escape") == "to 145°"  # where MC03 begins to move, not 146
     assert drag(page, edge, 11.2 * unit, end="Escape", modifier="Alt") == pytest.approx("to 146.2°")
@@ -115,6 +117,37 @@ def test_a_drag_stops_at_its_neighbour_snaps_to_edges_and_goes_back_by_escape(op
     page.mouse.click(*middle(page, "[id=axis-2-shift-all] + .span rect"))
     assert page.evaluate("state.selected.value") == {"axis": 2, "phase": 0}
     assert commits(page) == []
+
+
+def test_a_drag_with_ctrl_pushes_its_neighbours_as_far_as_there_is_room(opened):
+    page = opened()
+    unit, edge = per_unit(page), middle(page, "#axis-1-to-0 circle")
+    page.keyboard.down("Control")
+    assert drag(page, edge, 175 * unit) == "to 310° · pushes phase 2"
+    assert drag(page, middle(page, "#axis-1-from-1 circle"), -300 * unit) == "from 220° · pushes phase 1"
+    assert drag(page, middle(page, "[id=switches-0-to-0] circle"), 110 * unit) == "to 205° · pushes bar 2"
+    page.locator("#axis-1-from-1").focus()
+    page.keyboard.press("Control+ArrowRight")
+    assert commits(page) == [
+        {"axes/1/phases/0/stop": 310, "axes/1/phases/1/start": 310, "axes/1/phases/1/stop": 355},
+        {"axes/1/phases/1/start": 220, "axes/1/phases/0/start": 0, "axes/1/phases/0/stop": 220},
+        {"switches/0/on/0/stop": 205, "switches/0/on/1/start": 205, "switches/0/on/1/stop": 220},
+        {"axes/1/phases/1/start": 221},
+    ]
+
+
+def test_the_saved_design_forces_gaps_and_times_are_in_the_lanes(opened):
+    page = opened(viewport={"width": 1440, "height": 900})
+    unit = per_unit(page)
+    assert page.locator(".lane .saved").count() == 0
+    drag(page, middle(page, "#axis-1-to-0 circle"), 20 * unit)
+    assert page.locator(".lane .saved").count() == 1
+    assert drag(page, middle(page, "[id=axes-0-load-span-0] rect"), 12 * unit) == "212 to 252°"
+    assert commits(page)[-1] == {"axes/0/load/windows/0/start": 212, "axes/0/load/windows/0/stop": 252}
+    assert page.locator(".gap.bad .least").text_content() == "2 < 3 mm"
+    assert {"360", "300"} <= set(page.locator(".scale text").all_text_contents())
+    svg, lanes = page.locator(".lanes > svg:not(.scale)").bounding_box(), page.locator(".grid path").last.bounding_box()
+    assert svg["x"] + svg["width"] - lanes["x"] < 20  # no room is left right of the end of the turn
 
 
 def test_the_keyboard_does_what_a_drag_does(opened):

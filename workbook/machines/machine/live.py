@@ -10,13 +10,18 @@ import numpy as np
 from engine.drive.motor import LimitCheck
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile, profile_of_motion
+from engine.selection.pair_matrix import PairMatrix
 from workbook.entries.phase import TURN
-from workbook.fields.units import DEGREE, KW, RPM, shown
+from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
+from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.view import DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
+from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.view import MovingAxis
-from workbook.template_outputs import LIMITS, SIZES
+from workbook.selection.catalogue import MotorRow
+from workbook.selection.pair_selection import PairSelection, engine_motors
+from workbook.template_outputs import LIMITS, SIZES, Live
 
 POWERS = 9  # of the polynomial that stands for a piece with sines: to a millionth of the lift
 NODES = 0.5 - 0.5 * np.cos(np.pi * (np.arange(24) + 0.5) / 24)  # at which it is fitted
@@ -27,8 +32,11 @@ USES = {  # of each limit by its name in the engine: its key and label, and the 
     "reducer mean torque": ("reducer_mean", "reducer mean"), "reducer input speed": ("reducer_speed", "reducer speed"),
 }  # fmt: skip
 
+OWN = ("inertia", "stall_torque", "rated_torque", "rated_speed", "peak_torque", "max_speed")  # entries of a motor
+COMES_TO = ("rms", "peak", "speed", "inertia_ratio", "verdict")
 
-def live(machine: AnyMachine) -> list[dict[str, Any]]:
+
+def axis_figures(machine: AnyMachine) -> list[dict[str, Any]]:
     """Return the figures of each axis, in the units of its entries."""
     figures = []
     for tables in axes_of(machine):
@@ -43,6 +51,39 @@ def live(machine: AnyMachine) -> list[dict[str, Any]]:
         view = drive_of(tables)
         figures.append(each if view is None else each | driven(view, x, each["charts"]))
     return figures
+
+
+def gap_figures(machine: AnyMachine) -> list[dict[str, Any]]:
+    """Return of each clearance the gap over the cycle and the least of it, by closed forms, in its unit."""
+    rows, over = axes_of(machine), machine.over
+    figures = []
+    for k, entry in enumerate(machine.clearances, 1):
+        gap = ClearanceView(entry, k, rows)
+        angles = np.unique(np.concatenate([rows[0].machine.angles, gap.angles, [gap.place]]))
+        drawn = chart(f"gap{k}", entry.name, gap.unit, over.shown(angles), gap.gaps(angles), over.unit)
+        least = {"least": gap.exact, "at": over.shown(gap.place), "need": entry.least, "ok": gap.is_left}
+        figures.append({"name": entry.name, "unit": gap.unit, "x": drawn["x"], "y": drawn["y"]} | least)
+    return figures
+
+
+def product_figures(machine: AnyMachine, of_motors: bool) -> dict[str, Any]:
+    """Return what each motor behind the first axis' reducer, or each reducer with its motor, comes to, by its name."""
+    view = next(filter(None, map(drive_of, axes_of(machine))))
+    choice = PairSelection(machine.selection, machine.sizes, [shaft_of(view)])
+    pairs, names = choice.behind_own, choice.motors.names
+    if not of_motors:
+        entered, row = view.driven.entered_motor, view.driven.motor_used.row
+        motors = machine.selection.motors
+        own = motors[row - 1] if row else MotorRow.model_validate(
+            {"name": "own"} | {key: getattr(entered, key) for key in MotorRow.model_fields if key in OWN})  # fmt: skip
+        motor, rate = engine_motors([own]).derated(view.driven.left), si(choice.shaft.values["cycles"], PER_HOUR)
+        beside, names = choice.shaft.values["beside"], choice.reducers.names
+        pairs = PairMatrix(choice.load, motor, choice.reducers, beside, choice.requirements, rate)
+    motors_of = pairs.motors
+    uses = pairs.uses, pairs.peak / motors_of.peak_torque[:, None], pairs.speed / motors_of.max_speed[:, None]
+    columns = [np.broadcast_to(use, pairs.rms.shape).ravel().tolist() for use in (*uses, pairs.inertia_ratio)]
+    figures = zip(*columns, pairs.verdicts.ravel().tolist(), strict=True)
+    return {name: dict(zip(COMES_TO, each, strict=True)) for name, each in zip(names, figures, strict=True)}
 
 
 def phase_pieces(axis: MovingAxis) -> Iterator[list[dict[str, Any]]]:
@@ -150,3 +191,6 @@ def used(name: str, check: LimitCheck) -> dict[str, Any] | None:
     value, limit = (shown(size, SIZES.get(unit, 1.0)) for size in (check.value, check.limit))
     words = f"{value:.4g} of {limit:.4g} {unit}"
     return {"key": key, "label": label, "value": check.use, "may": 1, "is": words, "ok": check.ok}
+
+
+LIVE = Live(axis_figures, gap_figures, product_figures)

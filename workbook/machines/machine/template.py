@@ -27,7 +27,7 @@ from workbook.machines.machine.drive.view import DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.gap import ClearanceView
-from workbook.machines.machine.live import live
+from workbook.machines.machine.live import LIVE
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.names import names_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
@@ -209,7 +209,7 @@ TEMPLATE = Template(
     axes=axes,
     scaling=SCALING,
     improving=changes,
-    live=live,
+    live=LIVE,
     judgement=judgement,
     switches=switches,
 )

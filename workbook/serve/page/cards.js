@@ -1,5 +1,6 @@
 // The left side: axes with the use of their motors, what is between them, switches, the machine.
 import { html } from "./html.js";
+import { short } from "./colors.js";
 import { commit } from "./journal.js";
 import * as s from "./state.js";
 
@@ -57,12 +58,15 @@ export function Cards() {
   const known = new Set(s.schema.value.map((each) => each.path.split(".")[0]));
   const others = [...known].filter((name) => name && !LISTS.includes(name) && !["master", "power", "limits", "laws"].includes(name));
   const family = (name, title, note) => known.has(name) && html`<h2>${title}</h2>
-    ${(tree[name] ?? []).map((row, k) => html`<${Item} key=${k} part=${[name, k]} words=${row.name || `${title} ${k + 1}`} note=${note(row)} />`)}
+    ${(tree[name] ?? []).map((row, k) => html`<${Item} key=${k} part=${[name, k]} words=${row.name || `${title} ${k + 1}`} note=${note(row, k)} />`)}
     <button class="add" onClick=${add(name)}>+ ${name === "switches" ? "switch" : name.slice(0, -1)}</button>`;
   return html`<nav aria-label="Parts of the machine">
     ${s.live.value && known.has("axes") && html`<h2>Axes</h2>${(tree.axes ?? []).map((_, k) => html`<${Card} key=${k} index=${k} />`)}
       <button class="add" onClick=${add("axes")}>+ axis</button>`}
-    ${family("clearances", "Between axes", (row) => `≥ ${row.least ?? 0}`)}
+    ${family("clearances", "Between axes", (row, k) => {
+      const gap = s.figures.value.gaps[k];
+      return `${gap ? `${short(gap.least)} ${gap.unit} ` : ""}≥ ${row.least ?? 0}`;
+    })}
     ${family("switches", "Switches", (row) => (row.on ?? []).map(time).join(", "))}
     <h2>Machine</h2>
     <${Item} part=${[]} words="Cycle, power, limits" note=${tree.power?.efficiency ? `η ${tree.power.efficiency}` : ""} />

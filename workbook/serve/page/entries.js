@@ -3,7 +3,7 @@ import { html, useState } from "./html.js";
 import { Choice, Field, Input, Wrong } from "./fields.js";
 import { commit } from "./journal.js";
 import { LawChoice } from "./laws.js";
-import { Products } from "./products.js";
+import { Products, Unused } from "./products.js";
 import * as s from "./state.js";
 
 const MAIN = {
@@ -11,6 +11,7 @@ const MAIN = {
   motor: ["name", "inertia", "rated_torque", "peak_torque", "max_speed"], reducer: ["name", "ratio", "efficiency"],
   power: ["efficiency", "hours"], clearances: ["offset", "least", "first_factor", "second_factor"],
 };
+const BESIDE = ["name", "holding", "temperature", "limit", "rated_at", "copper_losses"]; // count beside a product's own
 const TURNS = ["inertia", "torque", "friction_torque"];
 const ORDER = ["phases", "mechanism", "load", "reducer", "motor"];
 const TITLES = { "": "Machine", master: "Cycle", arm: "Swinging arm", stops: "Hard stops", axes: "Axis" };
@@ -82,10 +83,8 @@ function Table({ path, pattern, of }) {
     || s.faults.value[s.keyOf([...path, entry.name])]);
   const rest = fields.filter((entry) => !first.includes(entry));
   const kind = keys.find((entry) => entry.name === "kind");
-  const named = ["motor", "reducer"].includes(name) && entries?.name;
-  const field = (entry) => html`<${Field} key=${entry.name} entry=${entry} path=${[...path, entry.name]}
-    unused=${named && entry.name !== "name" && isSet(entries[entry.name]) && !["holding", "temperature", "limit", "rated_at"].includes(entry.name)
-      ? `${named} has its own` : ""} />`;
+  const isNamed = ["motor", "reducer"].includes(name) && entries?.name;
+  const field = (entry) => html`<${isNamed && !BESIDE.includes(entry.name) ? Unused : Field} key=${entry.name} entry=${entry} path=${[...path, entry.name]} kind=${name} />`;
   return html`<section>
     <h3>${title(path)} ${path.length > 2 && isSet(entries) && html`<button class="quiet" aria-label=${`remove ${name}`}
       onClick=${() => commit([{ path, do: "remove" }])}>×</button>`}</h3>
@@ -118,7 +117,7 @@ function Axis({ index }) {
       <span class="do"><button onClick=${() => commit([{ path: ["axes", index], do: "copy" }])}>copy</button>
       ${s.data.value.axes.length > 1 && html`<button onClick=${() => commit([{ path: ["axes", index], do: "remove" }])}>delete</button>`}</span></h2>
     <${Wrong} path=${["axes", index]} />
-    <section><h3>Phases <small>° and ${axis.unit ?? "mm"}</small></h3>
+    <section><h3>Phases <small>${[...new Set([s.design.value.period.unit, axis.unit ?? "mm"])].join(" and ")}</small></h3>
       <${Rows} entry=${own.keys.find((each) => each.name === "phases")} path=${["axes", index, "phases"]} /></section>
     ${!driven && html`<button class="add" onClick=${() => commit([{ path: ["axes", index, "drive"], do: "add" }])}>+ mechanism and motor</button>`}
     ${there.map((name) => html`<${Table} key=${name.join(".")} path=${["axes", index, ...name]} pattern=${`axes.*.${name.join(".")}`} />`)}

@@ -113,12 +113,11 @@ export function Wrong({ path }) {
 const isLong = (entry) => entry.expected.startsWith("a text") || entry.expected.includes("list");
 
 /** A row of the right side: label, input with its unit, and what is wrong. */
-export function Field({ entry, path, unused }) {
+export function Field({ entry, path }) {
   const input = entry.options.length && entry.name !== "law" && !entry.expected.startsWith("a text") ? Choice : Input;
-  return html`<div class=${`f ${unused ? "unused" : ""}`}>
+  return html`<div class="f">
     <label title=${entry.note}>${entry.label}</label>
     <${input} entry=${entry} path=${path} wide=${isLong(entry)} />
-    ${unused && html`<small class="quiet">not used: ${unused}</small>`}
     <${Wrong} path=${path} />
   </div>`;
 }

@@ -129,7 +129,8 @@ function merge(given, of, took) {
   const known = before.names === names || Object.keys(before.axes).length === (s.data.value?.axes?.length ?? 0);
   const axes = known ? { ...before.axes } : {};
   for (const [k, own] of Object.entries(given.axes ?? {})) axes[k] = { ...axes[k], ...own };
-  s.figures.value = { number: of, names, axes, machine: given.machine ?? before.machine, took, at: Date.now() };
+  const gaps = known && !given.machine ? { ...before.gaps, ...given.gaps } : (given.gaps ?? {});
+  s.figures.value = { number: of, names, axes, gaps, machine: given.machine ?? before.machine, took, at: Date.now() };
 }
 
 /** Ask for all figures, and after a while for the verdict; what is overtaken by a change is dropped. */
@@ -170,7 +171,7 @@ async function follow() {
     try {
       const fields = { text: s.text.value, changes: JSON.stringify(shown), axis: s.selected.value.axis, preview: 1 };
       const given = await post("/change", fields);
-      if (preview) batch(() => merge({ axes: given.axes }, number, 0));
+      if (preview) batch(() => merge({ axes: given.axes, gaps: given.gaps }, number, 0));
     } catch (error) {
       tell(error);
     }

@@ -19,7 +19,7 @@ function Middle() {
   if (!s.live.value)
     return html`<main><div class="pictures">${pictures.map((svg) => html`<div class="panel" dangerouslySetInnerHTML=${{ __html: svg }}></div>`)}</div></main>`;
   return html`<main>
-    <${TimingDiagram} design=${s.design} figures=${s.figures} saved=${s.saved} selected=${s.selected} cursor=${s.cursor} propose=${propose} />
+    <${TimingDiagram} design=${s.design} figures=${s.figures} saved=${{ design: s.savedDesign, figures: s.saved }} selected=${s.selected} cursor=${s.cursor} propose=${propose} />
     ${shown && html`<${AxisCharts} axis=${shown} figures=${s.figures} saved=${s.saved} cursor=${s.cursor} chosen=${s.chosen} />`}
   </main>`;
 }

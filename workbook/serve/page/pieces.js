@@ -79,31 +79,27 @@ export function lineOf(axis, figure, length) {
   return shift ? [early, late] : [late];
 }
 
-/** A design with changes entered, in copies of what they touch. @template T @param {T} design @param {Change[]} changes @returns {T} */
+/** A design with changes entered, in copies of what they touch. @param {any} design @param {Change[]} changes */
 export function changed(design, changes) {
-  const copy = /** @type {any} */ ({ ...design });
+  const copy = { ...design };
   for (const { path, value } of changes) {
-    const [list, index, ...inner] = path;
-    copy[list] = copy[list].map((/** @type {any} */ one) => (one.index === index ? entered(one, inner, value) : one));
+    const inAxis = path[0] === "axes" && path[2] !== "load";
+    const list = path.slice(0, -2).join();
+    if (inAxis) copy.axes = copy.axes.map((/** @type {Axis} */ one) => (one.index === path[1] ? entered(one, path.slice(2), value) : one));
+    else copy.bars = copy.bars.map((/** @type {any} */ bar) => (bar.path.join() === list ? barWith(bar, path.slice(-2), value) : bar));
   }
   return copy;
 }
 
-/** An axis, switch or window with a value entered. @param {any} item @param {(string|number)[]} path @param {number} value */
-function entered(item, [key, k, edge], value) {
-  if (key === "shift") return { ...item, shift: value };
-  const side = edge === "start" ? 0 : 1;
-  if (key === "on") {
-    return {
-      ...item,
-      on: item.on.map((/** @type {number[]} */ span, /** @type {number} */ n) =>
-        n === k ? span.with(side, value) : span,
-      ),
-    };
-  }
-  const name = edge === "lift" ? "lift" : ["from", "to"][side];
-  return {
-    ...item,
-    phases: item.phases.map((/** @type {Phase} */ phase) => (phase.index === k ? { ...phase, [name]: value } : phase)),
-  };
+/** A bar with an edge entered. @param {any} bar @param {(string|number)[]} place @param {number} value */
+function barWith(bar, [k, edge], value) {
+  const on = bar.on.map((/** @type {number[]} */ span, /** @type {number} */ n) => (n === k ? span.with(edge === "start" ? 0 : 1, value) : span));
+  return { ...bar, on };
+}
+
+/** An axis with a value entered. @param {Axis} axis @param {(string|number)[]} path @param {number} value */
+function entered(axis, [key, k, edge], value) {
+  if (key === "shift") return { ...axis, shift: value };
+  const name = { start: "from", stop: "to" }[edge] ?? edge;
+  return { ...axis, phases: axis.phases.map((phase) => (phase.index === k ? { ...phase, [name]: value } : phase)) };
 }

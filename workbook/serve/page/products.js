@@ -1,24 +1,77 @@
-// A motor or reducer: as entered, or from the catalogue as a table with figures and a filter.
+// A motor or reducer: as entered, or from the catalogue as a table with figures, a filter, and what each would come to.
 import { html, useEffect, useRef, useState } from "./html.js";
 import { commit } from "./journal.js";
 import { products } from "./catalogue.js";
-import { Wrong } from "./fields.js";
+import { Field, Wrong } from "./fields.js";
+import { post } from "./server.js";
 import * as s from "./state.js";
 
 const COLUMNS = {
   motor: { rated_torque: "rated Nm", peak_torque: "peak Nm", max_speed: "rpm", inertia: "kg cm²" },
-  reducer: { reduction: "ratio", efficiency: "η", peak_torque: "peak Nm", max_speed: "rpm" },
+  reducer: { reduction: "ratio", efficiency: "η", max_torque: "peak Nm", max_speed: "rpm" },
 };
+const USES = { rms: "RMS", peak: "peak", speed: "speed" };
+const FAILS = {
+  yes: "can do it", reducer: "reducer too weak", speed: "too slow", peak: "peak too low", RMS: "RMS too low",
+  large: "larger than needed", inertia: "inertia ratio",
+};
+const NAMES = { ratio: "reduction", peak_torque: "max_torque" }; // of a reducer's entries in the catalogue
 const figure = (value) => (typeof value === "number" ? Number(value.toPrecision(4)) : "");
+const share = (value) => (Number.isFinite(value) ? `${value < 10 ? (100 * value).toFixed(0) : "> 999"} %` : "–");
+const sort = (value) => (value > 1 ? "bad" : value > 0.9 ? "warn" : "");
+
+/** The products that may be chosen: those of the description, or those that come with motionbook. */
+function rowsOf(kind) {
+  const own = s.data.value.selection?.[`${kind}s`];
+  return Array.isArray(own) ? own : products.value[kind];
+}
+
+/** An entry that does not count, as the catalogue's product in use has it. */
+export function Unused({ entry, path, kind }) {
+  const value = s.get(s.data.value, path);
+  const product = rowsOf(kind).find((row) => row.name === s.get(s.data.value, [...path.slice(0, -1), "name"]));
+  const own = product?.[kind === "reducer" ? (NAMES[entry.name] ?? entry.name) : entry.name];
+  const isEntered = value !== undefined && value !== null;
+  if (s.faults.value[s.keyOf(path)]) return html`<${Field} entry=${entry} path=${path} />`;
+  if (!isEntered && (own === undefined || own === null)) return null;
+  return html`<div class="f unused"><span>${entry.label}</span><output>${figure(own) || "–"} <em>${entry.unit}</em></output>
+    ${isEntered && html`<small>entered ${figure(value)} ${entry.unit}, not used</small>`}</div>`;
+}
+
+/** The table of products, those that can do it first. */
+function Table({ kind, value, axis, take }) {
+  const [filter, look] = useState("");
+  const [isAll, showAll] = useState(true);
+  const [uses, came] = useState(/** @type {any} */ (null));
+  const text = s.text.value;
+  useEffect(() => {
+    let isLate = false;
+    post("/products", { text, axis, kind }).then((given) => isLate || came(given), () => isLate || came({}));
+    return () => {
+      isLate = true;
+    };
+  }, [text]);
+  const isFit = (row) => uses?.[row.name]?.verdict === "yes";
+  const shown = rowsOf(kind).filter((row) => row.name.toLowerCase().includes(filter.toLowerCase()) && (isAll || isFit(row)));
+  const has = uses && Object.keys(uses).length > 0;
+  return html`<div class="look"><input class="in words" aria-label="Filter" placeholder="filter by name" value=${filter} onInput=${(event) => look(event.target.value)} />
+      <label><input type="checkbox" checked=${!isAll} disabled=${!has} onChange=${() => showAll(!isAll)} /> only what can do it</label>
+      <small role="status">${!uses ? "being worked out …" : has ? `what each comes to ${kind === "motor" ? "behind the reducer in use" : "with the motor in use"}` : "once the axis is complete, what each comes to stands here"}</small></div>
+    <div class="scroll" tabindex="0" role="group" aria-label="Products"><table><thead><tr><th scope="col">name</th>${Object.values(COLUMNS[kind]).map((head) => html`<th scope="col">${head}</th>`)}
+      ${has && html`${Object.values(USES).map((head) => html`<th scope="col">${head}</th>`)}<th scope="col">inertia ratio</th><th scope="col">verdict</th>`}</tr></thead>
+    <tbody>${shown.map((row) => {
+      const use = uses?.[row.name];
+      return html`<tr key=${row.name} class=${row.name === value ? "on" : ""}><td><button class="link" onClick=${() => take(row.name)}>${row.name}</button></td>
+        ${Object.keys(COLUMNS[kind]).map((key) => html`<td>${figure(row[key])}</td>`)}
+        ${has && html`${Object.keys(USES).map((key) => html`<td class=${sort(use?.[key])}>${share(use?.[key])}</td>`)}<td>${figure(use?.inertia_ratio)}</td>
+          <td class=${use?.verdict === "yes" ? "good" : "bad"}>${FAILS[use?.verdict] ?? ""}</td>`}</tr>`;
+    })}</tbody></table></div>`;
+}
 
 export function Products({ path, kind }) {
   const [isOpen, open] = useState(false);
-  const [filter, look] = useState("");
-  const place = useRef(null);
+  const place = useRef(/** @type {any} */ (null));
   const value = s.get(s.data.value, path);
-  const own = s.data.value.selection?.[`${kind}s`];
-  const rows = Array.isArray(own) ? own : products.value[kind];
-  const shown = rows.filter((row) => row.name.toLowerCase().includes(filter.toLowerCase()));
   useEffect(() => {
     if (isOpen) place.current.showModal();
   }, [isOpen]);
@@ -31,9 +84,5 @@ export function Products({ path, kind }) {
       <button class="quiet" onClick=${() => open(true)}>from the catalogue ▾</button></div><${Wrong} path=${path} />
     ${isOpen && html`<dialog ref=${place} onClose=${() => open(false)} aria-label=${`Choose a ${kind}`}>
       <h3>Choose a ${kind} <button class="quiet" aria-label="close" onClick=${() => open(false)}>×</button></h3>
-      <input class="in words" aria-label="Filter" placeholder="filter by name" value=${filter} onInput=${(event) => look(event.target.value)} />
-      <div class="scroll"><table><thead><tr><th scope="col">name</th>${Object.values(COLUMNS[kind]).map((head) => html`<th scope="col">${head}</th>`)}</tr></thead>
-      <tbody>${shown.map((row) => html`<tr key=${row.name} class=${row.name === value ? "on" : ""}><td><button class="link" onClick=${() => take(row.name)}>${row.name}</button></td>
-        ${Object.keys(COLUMNS[kind]).map((key) => html`<td class="number">${figure(row[key])}</td>`)}</tr>`)}</tbody></table></div>
-    </dialog>`}`;
+      <${Table} kind=${kind} value=${value} axis=${path[1]} take=${take} /></dialog>`}`;
 }

@@ -19,7 +19,7 @@ export async function save() {
   try {
     const given = await post("/save", { text, as: target, state: disk });
     s.file.value = { name: given.name, target: given.name, disk: given.state, saved: text };
-    s.saved.value = { axes: {}, machine: s.figures.value.machine };
+    s.saved.value = { axes: {}, machine: s.figures.value.machine, data: s.data.value };
     compare();
     if (given.name !== name) history.replaceState(null, "", `/edit/${encodeURIComponent(given.name)}`);
     document.title = given.name;
@@ -76,7 +76,7 @@ export async function compare() {
   if (saved !== s.file.value.saved) return;
   const axes = { ...given.axes };
   for (const [k, own] of Object.entries(s.saved.value.axes)) axes[k] = { ...axes[k], charts: axes[k]?.charts ?? own.charts };
-  s.saved.value = { axes, machine: given.machine };
+  s.saved.value = { axes, machine: given.machine, data: given.data };
 }
 
 async function reload() {

@@ -10,8 +10,8 @@ export const waiting = signal({}); // by key: what was typed and is not answered
 export const broken = signal(null); // why the text is no TOML
 export const live = signal(true); // whether its axes have figures without a book
 export const schema = signal([]);
-export const figures = signal({ number: 0, axes: {}, machine: null, took: 0 });
-export const saved = signal({ axes: {}, machine: null });
+export const figures = signal({ number: 0, axes: {}, gaps: {}, machine: null, took: 0 });
+export const saved = signal({ axes: {}, machine: null, data: null });
 export const verdict = signal(null);
 export const selected = signal({ axis: 0, phase: null, part: null }); // part: another table than an axis
 export const cursor = signal(null);
@@ -38,13 +38,14 @@ export function put(tree, path, value) {
 
 const number = (value) => (typeof value === "number" ? value : null);
 
-/** The design as the drawing parts take it. */
-export const design = computed(() => {
-  const tree = data.value ?? {};
-  const master = tree.master ?? {};
-  const length = number(master.cycle) ?? 360;
-  const period = { name: "cycle", unit: number(master.cycle) ? (master.unit ?? "s") : "°", length };
-  const axes = (tree.axes ?? []).map((axis, index) => ({
+/** A description as the drawing parts take it. @param {any} tree */
+export function designOf(tree) {
+  const master = tree?.master ?? {};
+  const [length, rate] = [number(master.cycle) ?? 360, number(master.rate)];
+  const isTurn = number(master.cycle) === null;
+  const ms = isTurn && rate && rate > 0 ? 60000 / rate : null; // of a turn
+  const period = { name: "cycle", unit: isTurn ? "°" : (master.unit ?? "s"), length, ms };
+  const axes = (tree?.axes ?? []).map((axis, index) => ({
     index,
     name: axis.name ?? `axis ${index + 1}`,
     group: axis.group ?? "",
@@ -61,10 +62,16 @@ export const design = computed(() => {
     })),
   }));
   const ends = (on) => (Array.isArray(on) ? on : [on?.start, on?.stop]);
-  const switches = (tree.switches ?? []).map((each, index) => ({
-    index,
+  const bars = (tree?.switches ?? []).map((each, index) => ({
+    path: ["switches", index, "on"],
+    axis: null,
     name: each.name ?? `switch ${index + 1}`,
     on: (each.on ?? []).map(ends),
   }));
-  return { title: tree.title ?? "", period, axes, switches };
-});
+  for (const [index, { name, load }] of (tree?.axes ?? []).entries())
+    if (load?.windows?.length) bars.push({ path: ["axes", index, "load", "windows"], axis: index, name: `${name} force`, on: load.windows.map(ends) });
+  return { title: tree?.title ?? "", period, axes, bars };
+}
+
+export const design = computed(() => designOf(data.value));
+export const savedDesign = computed(() => designOf(saved.value.data));

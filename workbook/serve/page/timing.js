@@ -2,10 +2,11 @@
 import { html, useEffect, useMemo, useRef, useSignal } from "./html.js";
 import { classOf, short } from "./colors.js";
 import { changed, held } from "./pieces.js";
-import { niceStep, rowsOf, space } from "./timing_drag.js";
+import { niceStep, rowsOf, space, timeAt } from "./timing_drag.js";
+import { Gap } from "./timing_gap.js";
 import { useHands } from "./timing_hands.js";
 import { Lane } from "./timing_lane.js";
-import { layOut, positionOf } from "./timing_places.js";
+import { layOut, positionOf, stretchesOf } from "./timing_places.js";
 
 const TICK = 38; // px that a number on the scale takes
 
@@ -16,49 +17,65 @@ export function ticksOf(length) {
   return Array.from({ length: count + 1 }, (_, k) => Number((k * step).toPrecision(6)));
 }
 
-/** The line under the pointer with the position of every axis there. */
+/** The line under the pointer with the position of every axis there, on the side where there is room. */
 function Cursor({ cursor, layout }) {
   if (cursor.value === null) return null;
   const x = layout.x(cursor.value);
+  const isLeft = x > layout.right - 90;
   return html`<g class="cursor"
     ><path d=${`M${x} 0V${layout.height}`} /> ${layout.places
       .filter((/** @type {any} */ { row }) => row.isAxis)
       .map(
         (/** @type {any} */ place) =>
-          html`<text class=${classOf(place.row.index)} x=${layout.right + 8} y=${place.y + place.height / 2 + 4}
+          html`<text class=${classOf(place.row.index)} x=${x + (isLeft ? -6 : 6)} y=${place.y + place.height / 2 + 4} text-anchor=${isLeft ? "end" : "start"}
             >${short(positionOf(place, cursor.value))}${space(place.row.unit)}</text
           >`,
       )}</g
   >`;
 }
 
-/** The scale above the lanes, with the number of the line under the pointer. */
+/** The numbers of a scale: as many as there is room for. */
+function numbersAt(/** @type {number[]} */ ticks, /** @type {(tick: number) => number} */ x) {
+  const every = [1, 2, 3, 4, 6].find((n) => n * (x(ticks[1]) - x(ticks[0])) >= TICK) ?? 12;
+  return ticks.filter((_, n) => n % every === 0);
+}
+
+/** The scale above the lanes, degrees and ms at the rate, with the numbers of the line under the pointer. */
 function Scale({ cursor, layout, period }) {
   const now = cursor.value;
-  const room = now === null ? null : layout.x(now);
-  const ticks = ticksOf(period.length);
-  const apart = layout.x(ticks[1]) - layout.x(ticks[0]);
-  const every = [1, 2, 3, 4, 6].find((n) => n * apart >= TICK) ?? 12;
-  return html`<svg class="scale" width=${layout.right + 86} height="22" aria-hidden="true">
-    ${ticks
-      .filter((_, n) => n % every === 0)
-      .map(
-        (angle) =>
-          html`<text
-            x=${layout.x(angle)}
-            y="15"
-            class=${room !== null && Math.abs(layout.x(angle) - room) < TICK ? "faint" : ""}
-            >${angle}</text
-          >`,
-      )}
-    ${room !== null && html`<text class="now" x=${room} y="15">${short(/** @type {number} */ (now))}${space(period.unit)}</text>`}
+  const { ms, length } = period;
+  const xOfTime = (/** @type {number} */ time) => layout.x((time / ms) * length);
+  const row = (/** @type {number[]} */ ticks, /** @type {(tick: number) => number} */ x, /** @type {number} */ y) =>
+    numbersAt(ticks, x).map((tick) => {
+      const isUnder = now !== null && Math.abs(x(tick) - layout.x(now)) < TICK * 1.2;
+      return html`<text x=${x(tick)} y=${y} class=${isUnder ? "faint" : ""}>${tick}</text>`;
+    });
+  return html`<svg class="scale" width=${layout.width} height=${ms ? 34 : 20} aria-hidden="true">
+    <text class="unit" x="8" y="14">${period.unit}</text> ${row(ticksOf(length), layout.x, 14)}
+    ${ms && html`<text class="unit" x="8" y="29">ms</text>${row(ticksOf(ms), xOfTime, 29)}`}
+    ${now !== null && html`<text class="now" x=${layout.x(now)} y="14">${short(now)}${space(period.unit)}</text>`}
+    ${now !== null && ms && html`<text class="now" x=${layout.x(now)} y="29">${timeAt(period, now).slice(3)}</text>`}
   </svg>`;
+}
+
+/** Over the lanes: the neighbour at which a drag stops, and those that it pushes. */
+function Marks({ drag, rows, layout }) {
+  const row = rows.find((/** @type {any} */ one) => one.id === drag.target.row);
+  const place = layout.places.find((/** @type {any} */ one) => one.row.id === drag.target.row);
+  const marked = [...(drag.pushed ?? []), ...(drag.stop ? [drag.stop] : [])];
+  return marked.flatMap((/** @type {any} */ { index }) => {
+    const span = row.spans.find((/** @type {any} */ one) => one.index === index);
+    return stretchesOf(row, span, layout.length).map(
+      ([a, b]) =>
+        html`<rect class=${drag.stop ? "mark stop" : "mark"} x=${layout.x(a)} y=${place.y + 1} width=${layout.x(b) - layout.x(a)} height=${place.height - 2} rx="3" />`,
+    );
+  });
 }
 
 /** What is dragged, as a number at the pointer. */
 function Bubble({ drag, layout }) {
   const width = drag.words.length * 7 + 16;
-  const x = Math.min(drag.pointer.x + 14, layout.right + 80 - width);
+  const x = Math.min(drag.pointer.x + 14, layout.width - 4 - width);
   const y = Math.max(drag.pointer.y - 34, 2);
   return html`<g class="bubble"
     ><rect x=${x} y=${y} width=${width} height="22" rx="4" /><text x=${x + width / 2} y=${y + 15}
@@ -92,7 +109,7 @@ function useLanes(draw) {
     places.map((place) => {
       const [chosen, element] = draw(place);
       const { row, y, height, figure, low, high } = place;
-      const state = [row.item, y, height, figure, low, high, width, chosen];
+      const state = [row.item, y, height, figure, low, high, width, chosen, place.before];
       const before = drawn.current.get(row.id);
       if (before && state.every((one, n) => one === before.state[n])) return before.element;
       drawn.current.set(row.id, { state, element });
@@ -101,25 +118,21 @@ function useLanes(draw) {
 }
 
 /**
- * @param {{design: any, figures: any, selected: any, cursor: any,
+ * @param {{design: any, figures: any, saved?: {design: any, figures: any}, selected: any, cursor: any,
  *          propose: (changes: import("./pieces.js").Change[], commit: boolean) => void}} props
  */
-export function TimingDiagram({ design, figures, selected, cursor, propose }) {
+export function TimingDiagram({ design, figures, saved, selected, cursor, propose }) {
   const [box, svg] = [useRef(null), useRef(null)];
   const drag = useSignal(/** @type {any} */ (null));
   const width = useWidth(box);
   const given = held(design);
   const now = drag.value;
   const { period } = given;
-  const rows = rowsOf(now ? changed(given, now.changes) : given);
-  const layout = layOut(
-    rows,
-    held(figures),
-    period,
-    width,
-    selected.value,
-    now?.target.kind === "lift" ? now.scale : null,
-  );
+  const shown = held(figures);
+  const rows = rowsOf(now ? changed(given, now.changes) : given, shown.gaps);
+  const scale = now?.target.kind === "lift" ? now.scale : null;
+  const before = saved ? { design: held(saved.design), figures: held(saved.figures) } : null;
+  const layout = layOut(rows, shown, period, width, selected.value, scale, before);
   const hands = useHands({ svg, rows, layout, period, selected, cursor, drag, propose });
   const key = useRef(hands.key);
   key.current = hands.key;
@@ -133,6 +146,7 @@ export function TimingDiagram({ design, figures, selected, cursor, propose }) {
     const chosen = selected.value?.axis === place.row.index && place.row.isAxis ? selected.value : null;
     const onSelect = () =>
       selected.peek()?.axis === place.row.index || (selected.value = { axis: place.row.index, phase: null });
+    if (place.row.isGap) return [null, html`<${Gap} key=${place.row.id} ...${{ place, layout, period }} />`];
     return [
       chosen,
       html`<${Lane} key=${place.row.id} ...${{ place, layout, period, selected: chosen, onSelect, onKey }} />`,
@@ -141,7 +155,7 @@ export function TimingDiagram({ design, figures, selected, cursor, propose }) {
   return html`<section class="panel timing" aria-label="Timing diagram">
     <h2>
       Timing diagram
-      <small>drag an edge, a phase, a lift; Shift the axis, Alt finely, Esc back; or by arrow keys</small>
+      <small>drag an edge, a phase, a lift; Ctrl pushes the next, Shift moves the axis, Alt finely, Esc back; or by arrow keys</small>
     </h2>
     <div class="lanes" ref=${box}>
       <${Scale} cursor=${cursor} layout=${layout} period=${period} />
@@ -151,6 +165,7 @@ export function TimingDiagram({ design, figures, selected, cursor, propose }) {
         </g>
         ${lanesOf(layout.places, width)}
         ${now?.guide != null && html`<path class="guide" d=${`M${layout.x(now.guide)} 0V${layout.height}`} />`}
+        ${now?.hasMoved && html`<${Marks} drag=${now} rows=${rows} layout=${layout} />`}
         <${Cursor} cursor=${cursor} layout=${layout} />
         ${now?.hasMoved && html`<${Bubble} drag=${now} layout=${layout} />`}
       </svg>

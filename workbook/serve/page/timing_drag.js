@@ -1,13 +1,15 @@
 // What a drag or a key comes to: where an edge, a span, a lift or an axis may go, and the changes that say so.
+import { short } from "./colors.js";
 import { wrapped } from "./pieces.js";
 
 /**
  * @typedef {{from: number, to: number, lift?: number|null, index: number, law?: string}} Span
  * @typedef {{id: string, path: (string|number)[], name: string, unit: string, shift: number, isRing: boolean, isAxis: boolean,
- *            index: number, spans: Span[], item: any}} Row  an axis with its phases, or a switch or window with its bars
+ *            isGap?: boolean, index: number, spans: Span[], item: any}} Row  an axis with its phases, or a switch or window with its bars
  * @typedef {{row: string, kind: "from"|"to"|"span"|"lift"|"shift", k: number}} Target
  * @typedef {{time: number, lift: number}} Way  how far, in the period's unit and in the axis' own
- * @typedef {{isFine: boolean, reach: number}} Snap  reach: how near another edge holds, in the period's unit
+ * @typedef {{isFine: boolean, isPush?: boolean, reach: number}} Snap  reach: how near another edge holds, in the period's unit
+ * @typedef {{changes: Change[], words: string, guide: number|null, stop?: Span|null, pushed?: Span[]}} Move  stop: what is in the way
  * @typedef {import("./pieces.js").Change} Change
  */
 
@@ -22,12 +24,29 @@ const round = (/** @type {number} */ value, /** @type {number} */ step) => plain
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
   Math.min(Math.max(value, low), high);
 
-/** The rows of a design: axes with their phases, then switches and windows with their bars. @param {any} design @returns {Row[]} */
-export function rowsOf(design) {
+/** The rows of a design: axes with their phases, each with the bars of its forces, clearances, switches. @param {any} design @param {Record<string, any>} gaps @returns {Row[]} */
+export function rowsOf(design, gaps = {}) {
   const { length } = design.period;
-  const axes = design.axes
-    .filter((/** @type {any} */ axis) => axis.shown !== false)
-    .map((/** @type {any} */ axis) => ({
+  const plain = { isRing: false, isAxis: false, shift: 0, unit: "", spans: [] };
+  const bars = (/** @type {number|null} */ axis) =>
+    design.bars
+      .filter((/** @type {any} */ bar) => bar.axis === axis)
+      .map((/** @type {any} */ bar) => ({
+        ...plain,
+        id: bar.path.slice(0, -1).join("-"),
+        path: bar.path,
+        name: bar.name,
+        item: bar,
+        isRing: true,
+        index: bar.axis ?? -1,
+        spans: bar.on.map(([from, to], /** @type {number} */ index) => ({
+          from,
+          to: to < from ? to + length : to,
+          index,
+        })),
+      }));
+  const axes = design.axes.flatMap((/** @type {any} */ axis) => [
+    {
       id: `axis-${axis.index}`,
       path: ["axes", axis.index, "phases"],
       name: axis.name,
@@ -38,37 +57,56 @@ export function rowsOf(design) {
       index: axis.index,
       spans: axis.phases,
       item: axis,
-    }));
-  const bars = ["switches", "windows"].flatMap((list) =>
-    (design[list] ?? []).map((/** @type {any} */ bar) => ({
-      id: `${list}-${bar.index}`,
-      path: bar.path ?? [list, bar.index, "on"],
-      name: bar.name,
-      unit: "",
-      shift: 0,
-      item: bar,
-      isRing: true,
-      isAxis: false,
-      index: bar.index,
-      spans: bar.on.map(([from, to], /** @type {number} */ index) => ({
-        from,
-        to: to < from ? to + length : to,
-        index,
-      })),
-    })),
-  );
-  return [...axes, ...bars];
+    },
+    ...bars(axis.index),
+  ]);
+  const near = Object.entries(gaps).map(([k, gap]) => ({
+    ...plain,
+    id: `gap-${k}`,
+    path: ["clearances", Number(k)],
+    name: gap.name,
+    unit: gap.unit,
+    item: gap,
+    isGap: true,
+    index: -1,
+  }));
+  return [...axes, ...near, ...bars(null)];
 }
 
-/** Between which places a span may be, from the end before it to the begin after it. @param {Row} row @param {Span} span @param {number} length */
-export function roomOf(row, span, length) {
-  const others = row.spans.filter((one) => one !== span && one.from !== null && one.to !== null && one.to > one.from);
+const isThere = (/** @type {Span} */ one) => one.from !== null && one.to !== null && one.to > one.from;
+
+/** The other spans of a row before or behind a span, the nearest first, told in its turn. @param {Row} row @param {Span} span @param {number} length @param {number} way 1: behind it, -1: before */
+function othersOf(row, span, length, way) {
   const turns = row.isRing ? [-length, 0, length] : [0];
-  const all = others.flatMap((one) => turns.map((turn) => ({ from: one.from + turn, to: one.to + turn })));
-  const edges = row.isRing ? [span.to - length, span.from + length] : [0, Math.max(length, span.to)];
-  const low = Math.max(edges[0], ...all.filter((one) => one.to <= span.from + 1e-9).map((one) => one.to));
-  const high = Math.min(edges[1], ...all.filter((one) => one.from >= span.to - 1e-9).map((one) => one.from));
-  return [low, high];
+  const all = row.spans.filter((one) => one !== span && isThere(one)).flatMap((one) =>
+    turns.map((turn) => ({ one, near: (way > 0 ? one.from : one.to) + turn, width: one.to - one.from })),
+  );
+  const edge = way > 0 ? span.to : span.from;
+  const beyond = all.filter(({ near }) => way * (near - edge) >= -1e-9).sort((a, b) => way * (a.near - b.near));
+  return beyond.filter(({ one }, n) => beyond.findIndex((other) => other.one === one) === n);
+}
+
+/** Between which places a span may be: as far as its neighbours, or as far as it can push them. @param {Row} row @param {Span} span @param {number} length */
+export function roomOf(row, span, length, isPush = false) {
+  const most = Math.max(length, ...row.spans.filter(isThere).map((one) => one.to));
+  const ends = row.isRing ? [span.to - length, span.from + length] : [0, most];
+  return [-1, 1].map((way, n) => {
+    const others = othersOf(row, span, length, way);
+    if (isPush) return ends[n] - way * others.reduce((sum, { width }) => sum + width, 0);
+    return others.length ? Math[way > 0 ? "min" : "max"](ends[n], others[0].near) : ends[n];
+  });
+}
+
+/** By how much each other span of a row goes away before one that comes. @param {Row} row @param {Span} span @param {number[]} ends where it goes @param {number} length */
+function pushedBy(row, span, ends, length) {
+  return [-1, 1].flatMap((way, n) => {
+    let edge = ends[n];
+    return othersOf(row, span, length, way).flatMap(({ one, near, width }) => {
+      const by = edge - near;
+      edge = Math[way > 0 ? "max" : "min"](edge, near) + way * width;
+      return way * by > 1e-9 ? [{ one, by }] : [];
+    });
+  });
 }
 
 /** The edges of all other spans, in the own time of a row. @param {Row[]} rows @param {Row} row @param {Span} span @param {number} length */
@@ -95,7 +133,7 @@ function snapped(value, edges, { isFine, reach }, step) {
 /**
  * The changes that a way from where a target was comes to, with words for the pointer and the edge that held it.
  * @param {Row[]} rows as they were when the drag began @param {Target} target @param {Way} way @param {Snap} snap
- * @param {{length: number, unit: string}} period @returns {{changes: Change[], words: string, guide: number|null}}
+ * @param {{length: number, unit: string, ms?: number|null}} period @returns {Move}
  */
 export function movedBy(rows, target, way, snap, period) {
   const row = /** @type {Row} */ (rows.find((one) => one.id === target.row));
@@ -117,35 +155,46 @@ export function movedBy(rows, target, way, snap, period) {
     const value = round((span.lift ?? 0) + way.lift, fine);
     return { changes: [{ path: [...path, "lift"], value }], words: `lift ${value}${space(row.unit)}`, guide: null };
   }
-  const [low, high] = roomOf(row, span, length);
+  const [low, high] = roomOf(row, span, length, snap.isPush);
   const edges = edgesFor(rows, row, span, length);
   const put = (/** @type {number} */ value) =>
     plain(row.isRing && (value < 0 || value > length) ? wrapped(value, length) : value);
-  if (target.kind === "span") {
-    const first = snapped(span.from + way.time, edges, snap, step);
-    const last = snapped(span.to + way.time, edges, snap, step);
-    const isLast = first.edge === null && last.edge !== null;
-    const by = clamp(isLast ? last.value - span.to : first.value - span.from, low - span.from, high - span.to);
-    const [from, to] = [put(span.from + by), put(span.to + by)];
-    const edge = isLast ? last.edge : first.edge;
-    return {
-      changes: [
-        { path: [...path, "start"], value: from },
-        { path: [...path, "stop"], value: to },
-      ],
-      words: `${from} to ${to}${space(unit)}`,
-      guide: edge === null ? null : wrapped(edge + row.shift, length),
-    };
-  }
-  const near = snapped(span[target.kind] + way.time, edges, snap, step);
-  const ends = target.kind === "from" ? [low, span.to - step / 10] : [span.from + step / 10, high];
-  const value = put(clamp(near.value, ends[0], ends[1]));
+  const isSpan = target.kind === "span";
+  const first = snapped(span.from + way.time, edges, snap, step);
+  const last = snapped(span.to + way.time, edges, snap, step);
+  const near = target.kind === "to" || (isSpan && first.edge === null && last.edge !== null) ? last : first;
+  const by = near === last ? last.value - span.to : first.value - span.from;
+  const moved = [
+    target.kind === "to" ? 0 : clamp(by, low - span.from, isSpan ? high - span.to : span.to - span.from - step / 10),
+    target.kind === "from" ? 0 : clamp(by, isSpan ? low - span.from : span.from - span.to + step / 10, high - span.to),
+  ];
+  const ends = [span.from + moved[0], span.to + moved[1]];
+  const pushes = snap.isPush ? pushedBy(row, span, ends, length) : [];
+  const wanted = target.kind === "from" ? moved[0] : moved[1];
+  const sign = Math.sign(by);
+  const [stop] = !snap.isPush && wanted !== by ? othersOf(row, span, length, sign).filter(({ near: edge }) => Math.abs(edge - ends[sign > 0 ? 1 : 0]) < 1e-6) : [];
+  const edgeChange = (/** @type {Span} */ one, /** @type {number} */ n, /** @type {number} */ value) => ({
+    path: [...row.path, one.index, n ? "stop" : "start"],
+    value: put(value),
+  });
+  const changes = [0, 1].filter((n) => isSpan || (n === 1) === (target.kind === "to")).map((n) => edgeChange(span, n, ends[n]));
+  changes.push(...pushes.flatMap(({ one, by: far }) => [edgeChange(one, 0, one.from + far), edgeChange(one, 1, one.to + far)]));
+  const values = ends.map(put);
+  const at = isSpan ? `${values[0]} to ${values[1]}${space(unit)}` : `${target.kind} ${values[target.kind === "to" ? 1 : 0]}${space(unit)}`;
+  const time = isSpan ? "" : timeAt(period, row.shift + ends[target.kind === "to" ? 1 : 0]);
+  const part = row.isAxis ? "phase" : "bar";
   return {
-    changes: [{ path: [...path, target.kind === "from" ? "start" : "stop"], value }],
-    words: `${target.kind} ${value}${space(unit)}`,
+    changes,
+    words: `${at}${time}${stop ? ` · Ctrl pushes ${part} ${row.spans.indexOf(stop.one) + 1}` : ""}${pushes.length ? ` · pushes ${part} ${pushes.map(({ one }) => row.spans.indexOf(one) + 1).join(", ")}` : ""}`,
     guide: near.edge === null ? null : wrapped(near.edge + row.shift, length),
+    stop: stop?.one ?? null,
+    pushed: pushes.map(({ one }) => one),
   };
 }
+
+/** An angle as the time at the rate, as words. @param {{length: number, ms?: number|null}} period @param {number} angle */
+export const timeAt = ({ length, ms }, angle) =>
+  ms ? ` · ${short((wrapped(angle, length) / length) * ms)} ms` : "";
 
 /** A unit as it stands after a number. @param {string} unit */
 export const space = (unit) => (unit === "°" || !unit ? unit : ` ${unit}`);

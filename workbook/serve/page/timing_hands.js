@@ -6,7 +6,8 @@ import { placeAt, targetAt } from "./timing_places.js";
 /**
  * @typedef {import("./timing_drag.js").Target} Target
  * @typedef {{target: Target, rows: any[], scale: {row: string, low: number, high: number}, x: number, y: number, hasMoved: boolean,
- *            changes: any[], words: string, guide: number|null, pointer: {x: number, y: number}, perLift: number}} Drag
+ *            changes: any[], words: string, guide: number|null, pointer: {x: number, y: number}, perLift: number,
+ *            stop?: any, pushed?: any[]}} Drag
  */
 
 const START = 3; // px that a pointer moves before it drags: less is a click
@@ -61,7 +62,8 @@ export function useHands({ svg, rows, layout, period, selected, cursor, drag, pr
     event.preventDefault();
     let target = targetAt(layout, place, x, y);
     const phase = target && target.kind !== "shift" ? place.row.spans[target.k].index : null;
-    if (place.row.isAxis) selected.value = { axis: place.row.index, phase };
+    if (place.row.index >= 0) selected.value = { axis: place.row.index, phase: place.row.isAxis ? phase : null };
+    else selected.value = { ...selected.value, part: place.row.path.slice(0, 2) };
     if (event.shiftKey && place.row.isAxis) target = { row: place.row.id, kind: "shift", k: -1 };
     if (!target) return;
     svg.current.setPointerCapture(event.pointerId);
@@ -99,7 +101,7 @@ export function useHands({ svg, rows, layout, period, selected, cursor, drag, pr
     }
     if (!now.hasMoved && Math.hypot(x - now.x, y - now.y) < START) return;
     const way = { time: angleAt(x) - angleAt(now.x), lift: (now.y - y) * now.perLift };
-    const snap = { isFine: event.altKey, reach: angleAt(REACH) - angleAt(0) };
+    const snap = { isFine: event.altKey, isPush: event.ctrlKey || event.metaKey, reach: angleAt(REACH) - angleAt(0) };
     const result = movedBy(now.rows, now.target, way, snap, period);
     batch(() => {
       drag.value = { ...now, ...result, hasMoved: true, pointer: { x, y } };
@@ -123,7 +125,7 @@ export function useHands({ svg, rows, layout, period, selected, cursor, drag, pr
     const moved = keyed(event, target, rows, period);
     if (!moved) return;
     event.preventDefault();
-    const { changes } = movedBy(rows, moved.target, moved.way, { isFine: true, reach: 0 }, period);
+    const { changes } = movedBy(rows, moved.target, moved.way, { isFine: true, isPush: event.ctrlKey || event.metaKey, reach: 0 }, period);
     if (isOther(changes, rows)) propose(changes, true);
   };
   return {

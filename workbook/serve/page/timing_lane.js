@@ -9,7 +9,7 @@ const LETTER = 7.4; // px, about, of a letter
 const NAMES = { from: "from", to: "to", lift: "lift", span: "all of it", shift: "shift" };
 
 /** The line's path. @param {any} place @param {(angle: number) => number} x */
-function pathOf({ runs, toY }, x) {
+export function pathOf({ runs, toY }, x) {
   return runs
     .map((/** @type {[number, number][]} */ run) =>
       run.map(([angle, position], n) => `${n ? "L" : "M"}${x(angle).toFixed(1)} ${toY(position).toFixed(1)}`).join(""),
@@ -63,7 +63,7 @@ const Handle = ({ place, handle, period, onKey }) => {
   </g>`;
 };
 
-const clipped = (/** @type {string} */ text, /** @type {number} */ room) =>
+export const clipped = (/** @type {string} */ text, /** @type {number} */ room) =>
   text.length * LETTER > room ? `${text.slice(0, Math.max(Math.floor(room / LETTER) - 1, 1))}…` : text;
 
 /** The law and lift of a phase at its line, as far as there is room for them. @param {any} span @param {string} unit @param {number} room */
@@ -95,6 +95,12 @@ function Span({ place, span, k, layout, period, isTold, isChosen, onKey }) {
   </g>`;
 }
 
+/** The line of an axis, and dashed that of the saved design where it is another. */
+function Lines({ place, x }) {
+  const [now, before] = [pathOf(place, x), pathOf({ runs: place.before, toY: place.toY }, x)];
+  return html`${before && before !== now && html`<path class="saved" d=${before} />`}<path class="line" d=${now} />`;
+}
+
 /** @param {{place: any, layout: any, period: any, selected: any, onSelect: () => void, onKey: any}} given */
 export function Lane({ place, layout, period, selected, onSelect, onKey }) {
   const { row, y, height, figure } = place;
@@ -109,9 +115,9 @@ export function Lane({ place, layout, period, selected, onSelect, onKey }) {
   const middle = y + height / 2 + 4;
   const shift = { row: row.id, kind: "shift", k: -1 };
   const lead = row.isAxis ? { ...slider(place, shift, period, onKey), onFocus: onSelect } : {};
-  const classes = `lane ${row.isAxis ? classOf(row.index) : "bars"}${isSelected ? " selected" : ""}${figure?.stale || missing ? " stale" : ""}`;
+  const classes = `lane ${row.isAxis ? classOf(row.index) : row.index < 0 ? "bars" : `bars ${classOf(row.index)}`}${isSelected ? " selected" : ""}${figure?.stale || missing ? " stale" : ""}`;
   return html`<g class=${classes}>
-    <rect class="ground" x="0" y=${y - 2} width=${layout.right + 86} height=${height + 4} />
+    <rect class="ground" x="0" y=${y - 2} width=${layout.width} height=${height + 4} />
     <g class="name" ...${lead}
       ><rect x="2" y=${y + 2} width="94" height=${height - 4} rx="4" /><title>${row.name}</title>
       <text x="8" y=${middle}>${name}</text></g
@@ -130,7 +136,7 @@ export function Lane({ place, layout, period, selected, onSelect, onKey }) {
           onKey=${onKey}
         />`,
     )}
-    ${row.isAxis && html`<path class="line" d=${pathOf(place, layout.x)} />`}
+    ${row.isAxis && html`<${Lines} place=${place} x=${layout.x} />`}
     ${missing && html`<text class="missing" x=${layout.left + 6} y=${y + height - 6}>${clipped(missing, layout.right - layout.left)}<title>${missing}</title></text>`}
     ${isTold && place.handles.filter((/** @type {any} */ one) => one.kind !== "span").map((/** @type {any} */ handle) => html`<${Handle} key=${`${handle.kind}${handle.k}`} place=${place} handle=${handle} period=${period} onKey=${onKey} />`)}
   </g>`;

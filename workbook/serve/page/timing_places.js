@@ -5,16 +5,18 @@ import { isWhole, lineOf, wrapped } from "./pieces.js";
  * @typedef {import("./timing_drag.js").Row} Row
  * @typedef {import("./timing_drag.js").Target} Target
  * @typedef {{row: Row, y: number, height: number, runs: [number, number][][], low: number, high: number,
- *            toY: (position: number) => number, figure: any, handles: Handle[]}} Place
+ *            toY: (position: number) => number, figure: any, before: [number, number][][], handles: Handle[]}} Place
  * @typedef {{kind: "from"|"to"|"span"|"lift", k: number, x: number, y: number, at: number}} Handle  drawn at x, true at `at`
- * @typedef {{left: number, right: number, length: number, x: (angle: number) => number, places: Place[], height: number}} Layout
+ * @typedef {{left: number, right: number, width: number, length: number, x: (angle: number) => number, places: Place[], height: number}} Layout
  */
 
 export const LEFT = 100;
-export const RIGHT = 86;
+export const RIGHT = 18;
 export const HANDLE = 16; // px: how wide a handle is, with the room between it and the next
 const LANES = { least: 38, most: 84, share: 0.27 }; // px, and of the window's height for all lanes
 const BAR = 26;
+const GAP = 46;
+const FAR = 5; // times the least gap that is asked for: gaps beyond are far, and cut off
 const NEAR = 5; // px at which the line of an edge is taken where no handle is
 
 /** @type {WeakMap<object, {figure: any, length: number, runs: [number, number][][], low: number, high: number}>} */
@@ -33,28 +35,44 @@ function lineFor(axis, figure, length) {
   return line;
 }
 
+/** The line of a gap, and how much of it is near enough to be drawn. @param {any} gap */
+function lineOfGap(gap) {
+  const most = Math.max(...gap.y);
+  const high = Math.max(Math.min(most, Math.max(FAR * gap.need, gap.least + (most - gap.least) / 3)), gap.least + 1e-9);
+  return { runs: [gap.x.map((/** @type {number} */ x, /** @type {number} */ n) => [x, gap.y[n]])], low: Math.min(0, gap.least), high };
+}
+
 /**
  * @param {Row[]} rows @param {any} figures @param {{length: number}} period @param {number} width
  * @param {{axis: number, phase: number|null}|null} selected
- * @param {{row: string, low: number, high: number}|null} scale of the lane that is being dragged @returns {Layout}
+ * @param {{row: string, low: number, high: number}|null} scale of the lane that is being dragged
+ * @param {{design: any, figures: any}|null} saved @returns {Layout}
  */
-export function layOut(rows, figures, { length }, width, selected, scale) {
+export function layOut(rows, figures, { length }, width, selected, scale, saved = null) {
   const [left, right] = [LEFT, Math.max(width - RIGHT, LEFT + 100)];
   const x = (/** @type {number} */ angle) => left + (angle / length) * (right - left);
   const count = rows.filter((row) => row.isAxis).length;
   const lane = Math.round(Math.min(Math.max((innerHeight * LANES.share) / (count || 1), LANES.least), LANES.most));
   let y = 4;
   const places = rows.map((row) => {
-    const height = row.isAxis ? lane : BAR;
+    const height = row.isAxis ? lane : row.isGap ? GAP : BAR;
     const figure = row.isAxis ? figures?.axes?.[row.index] : null;
-    const place = placeOf(row, figure, length, y, height, scale?.row === row.id ? scale : null);
+    const before = row.isAxis && saved?.design.period.length === length ? savedLine(saved, row, length) : NONE;
+    const place = placeOf(row, figure, length, y, height, before, scale?.row === row.id ? scale : null);
     /** @type {Handle[]|undefined} */
     let handles; // of few rows that are drawn or pointed at
     Object.defineProperty(place, "handles", { get: () => (handles ??= handlesOf(place, { x, length }, selected)) });
-    y += height + (row.isAxis ? 4 : 0);
+    y += height + (row.isAxis || row.isGap ? 4 : 0);
     return place;
   });
-  return { left, right, length, x, places, height: y + 4 };
+  return { left, right, width, length, x, places, height: y + 4 };
+}
+
+/** The line of an axis as it was saved: of its name, or its place. @param {{design: any, figures: any}} saved @param {Row} row @param {number} length */
+function savedLine({ design, figures }, row, length) {
+  const axis = design.axes.find((/** @type {any} */ one) => one.name === row.name) ?? design.axes[row.index];
+  const figure = axis && figures?.axes?.[axis.index];
+  return figure?.pieces && axis.unit === row.unit ? lineFor(axis, figure, length) : NONE;
 }
 
 /** @returns {Place} */
@@ -64,14 +82,19 @@ function placeOf(
   /** @type {number} */ length,
   /** @type {number} */ y,
   /** @type {number} */ height,
+  /** @type {{runs: [number, number][][], low: number, high: number}} */ before,
   /** @type {{low: number, high: number}|null} */ scale,
 ) {
-  const line = row.isAxis ? lineFor(row.item, figure, length) : NONE;
-  const [low, high] = [Math.min(line.low, scale?.low ?? Infinity), Math.max(line.high, scale?.high ?? -Infinity)];
+  const line = row.isAxis ? lineFor(row.item, figure, length) : row.isGap ? lineOfGap(row.item) : NONE;
+  const also = before.runs.length ? before : line;
+  const low = Math.min(line.low, also.low, scale?.low ?? Infinity);
+  const high = Math.max(line.high, also.high, scale?.high ?? -Infinity);
   const [top, room] = [y + 16, height - 20];
   const toY = (/** @type {number} */ position) =>
-    row.isAxis ? top + room * (high > low ? (high - position) / (high - low) : 1) : y + height / 2;
-  return { row, y, height, runs: line.runs, low, high, toY, figure, handles: [] };
+    row.isAxis || row.isGap
+      ? top + room * (high > low ? Math.max(0, (high - position) / (high - low)) : 1)
+      : y + height / 2;
+  return { row, y, height, runs: line.runs, low, high, toY, figure, before: before.runs, handles: [] };
 }
 
 /** The angle of the machine at which an edge stands; a span's end on the period's end, not its begin. */

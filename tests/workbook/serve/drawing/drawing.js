@@ -19,7 +19,8 @@ function propose(changes, commit) {
 
 function Page() {
   const axis = design.value.axes.find(({ index }) => index === selected.value.axis);
-  return html`<${TimingDiagram} ...${{ design, figures, selected, cursor, propose }} />
+  const saved = { design: fixture.design, figures: fixture.saved };
+  return html`<${TimingDiagram} ...${{ design, figures, saved, selected, cursor, propose }} />
     <${AxisCharts} ...${{ axis, figures, saved: fixture.saved, cursor, chosen }} />`;
 }
 render(html`<${Page} />`, document.getElementById("page"));
