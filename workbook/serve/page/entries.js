@@ -38,66 +38,77 @@ function suits(entry, path, axis) {
   return turns ? !["mass", "friction", "slope", "force"].includes(entry.name) : true;
 }
 
-/** The rows of a list of an entry, such as the phases of an axis. */
+/** The rows of a list of an entry, such as the phases of an axis; rows of many entries each as fields. */
 function Rows({ entry, path }) {
+  const [isOpen, open] = useState(false);
   const rows = s.get(s.data.value, path) ?? [];
   const isPhases = path.at(-1) === "phases";
-  const isUsed = (row) => row.required || HEADS[row.name] || rows.some((each) => isSet(each?.[row.name]));
-  const columns = entry.rows.filter((row) => isUsed(row) || (!isPhases && entry.rows.length < 5));
-  if (isPhases) columns.sort((a, b) => Object.keys(HEADS).indexOf(a.name) - Object.keys(HEADS).indexOf(b.name));
   if (typeof rows === "string" || (rows.length && typeof rows[0] !== "object"))
     return html`<div class="rows"><${Field} entry=${{ ...entry, options: [], default: "" }} path=${path} /></div>`;
-  const at = (k, row) => [...path, k, Array.isArray(rows[k]) ? entry.rows.findIndex((each) => each.name === row.name) : row.name];
   const one = isPhases ? "phase" : entry.name.replace(/s$/, "");
-  return html`<table class="rows"><thead><tr>${columns.map((row) => html`<th scope="col" title=${row.label}>
-      ${HEADS[row.name] ?? row.name.replaceAll("_", " ")}</th>`)}<td></td></tr></thead>
+  const isTable = isPhases || entry.rows.length < 5;
+  const seldom = (row) => isPhases && !row.required && !HEADS[row.name];
+  const columns = entry.rows.filter((row) => !seldom(row) || isOpen || rows.some((each) => isSet(each?.[row.name])));
+  if (isPhases) columns.sort((a, b) => Object.keys(HEADS).indexOf(a.name) - Object.keys(HEADS).indexOf(b.name));
+  const at = (k, row) => [...path, k, Array.isArray(rows[k]) ? entry.rows.findIndex((each) => each.name === row.name) : row.name];
+  const does = (k) => html`<button title=${`copy ${one} ${k + 1}`} aria-label=${`copy ${one} ${k + 1}`}
+      onClick=${() => commit([{ path: [...path, k], do: "copy" }])}>❐</button>
+    ${(!entry.required || rows.length > 1) && html`<button title=${`remove ${one} ${k + 1}`} aria-label=${`remove ${one} ${k + 1}`}
+      onClick=${() => commit([{ path: [...path, k], do: "remove" }])}>×</button>`}`;
+  const cell = (row) => (row.name === "law" ? LawChoice : row.options.length && !row.expected.startsWith("a text") ? Choice : Input);
+  const list = isTable
+    ? html`<table class="rows"><thead><tr>${columns.map((row) => html`<th scope="col" title=${row.label}>${HEADS[row.name] ?? row.name.replaceAll("_", " ")}</th>`)}<td></td></tr></thead>
     <tbody>${rows.map((_, k) => html`<tr key=${k} class=${isPhases && s.selected.value.phase === k ? "on" : ""}
         onFocusIn=${() => isPhases && choosePhase(k)}>
-      ${columns.map((row) => html`<td key=${row.name}><${row.name === "law" ? LawChoice : row.options.length && !row.expected.startsWith("a text") ? Choice : Input}
-        entry=${row} path=${at(k, row)} label=${`${one} ${k + 1}, ${HEADS[row.name] ?? row.label}`} /></td>`)}
-      <td class="do"><button title=${`copy ${one} ${k + 1}`} aria-label=${`copy ${one} ${k + 1}`}
-          onClick=${() => commit([{ path: [...path, k], do: "copy" }])}>❐</button>
-        ${(!entry.required || rows.length > 1) && html`<button title=${`remove ${one} ${k + 1}`} aria-label=${`remove ${one} ${k + 1}`}
-          onClick=${() => commit([{ path: [...path, k], do: "remove" }])}>×</button>`}</td></tr>
+      ${columns.map((row) => html`<td key=${row.name}><${cell(row)} entry=${row} path=${at(k, row)} label=${`${one} ${k + 1}, ${HEADS[row.name] ?? row.label}`} /></td>`)}
+      <td class="do">${does(k)}</td></tr>
       <tr key=${`wrong ${k}`} class="under"><td colspan=${columns.length + 1}>
-        ${columns.map((row) => html`<${Wrong} path=${at(k, row)} />`)}<${Wrong} path=${[...path, k]} /></td></tr>`)}</tbody></table>
-    <${Wrong} path=${path} />
-    <button class="add" onClick=${() => commit([{ path, do: "add" }])}>+ ${one}</button>`;
+        ${columns.map((row) => html`<${Wrong} path=${at(k, row)} />`)}<${Wrong} path=${[...path, k]} /></td></tr>`)}</tbody></table>`
+    : rows.map((row, k) => html`<div class="block" key=${k}><b>${row?.name ?? `${one} ${k + 1}`}</b><span class="do">${does(k)}</span>
+        <${Fields} keys=${entry.rows} path=${[...path, k]} main=${[]} label=${`${one} ${k + 1}, `} /><${Wrong} path=${[...path, k]} /></div>`);
+  return html`${list}<${Wrong} path=${path} />
+    <button class="add" onClick=${() => commit([{ path, do: "add" }])}>+ ${one}</button>
+    ${isPhases && html`<button class="add more" aria-expanded=${isOpen} onClick=${() => open(!isOpen)}>${isOpen ? "less" : "more"} …</button>`}`;
 }
 
 const choosePhase = (phase) => {
   if (s.selected.value.phase !== phase) s.selected.value = { ...s.selected.value, phase };
 };
 
-/** A table of entries with its heading; what is seldom needed under “more”. */
-function Table({ path, pattern, of }) {
+/** Fields of entries: those that are needed or entered, the others under “more”. */
+function Fields({ keys, path, main, label = "", kind = "" }) {
   const [isOpen, open] = useState(false);
   const entries = s.get(s.data.value, path);
+  const isNamed = ["motor", "reducer"].includes(kind) && entries?.name;
+  const isFirst = (entry) => entry.required || main.includes(entry.name) || isSet(entries?.[entry.name]) || s.faults.value[s.keyOf([...path, entry.name])];
+  const field = (entry) => html`<${isNamed && !BESIDE.includes(entry.name) ? Unused : Field} key=${entry.name} entry=${entry}
+    path=${[...path, entry.name]} kind=${kind} label=${label && `${label}${entry.label}`} />`;
+  const single = keys.filter((entry) => !entry.rows.length);
+  const rest = keys.filter((entry) => !isFirst(entry));
+  const lists = keys.filter((entry) => entry.rows.length && (isOpen || isFirst(entry)));
+  return html`${single.filter(isFirst).map(field)}
+    ${rest.length > 0 && html`<button class="add more" aria-expanded=${isOpen} onClick=${() => open(!isOpen)}>${isOpen ? "less" : "more"} …</button>`}
+    ${isOpen && single.filter((entry) => !isFirst(entry)).map(field)}
+    ${lists.map((entry) => html`<h4 key=${entry.name} title=${entry.label}>${entry.name.replaceAll("_", " ")}</h4>
+      <${Rows} entry=${entry} path=${[...path, entry.name]} />`)}`;
+}
+
+/** A table of entries with its heading. */
+function Table({ path, pattern, of }) {
+  const entries = s.get(s.data.value, path);
   const axis = path[0] === "axes" ? s.data.value.axes?.[path[1]] : null;
-  const sections = sectionsAt(pattern, entries?.kind);
-  const keys = sections.flatMap((each) => each.keys).filter((entry) => suits(entry, path, axis));
+  const keys = sectionsAt(pattern, entries?.kind).flatMap((each) => each.keys).filter((entry) => suits(entry, path, axis));
   const name = of ?? path.filter((part) => typeof part === "string").at(-1) ?? "";
-  const main = MAIN[name] ?? [];
-  const fields = keys.filter((entry) => !entry.rows.length && entry.name !== "template" && entry.name !== "kind");
-  const first = fields.filter((entry) => entry.required || main.includes(entry.name) || isSet(entries?.[entry.name])
-    || s.faults.value[s.keyOf([...path, entry.name])]);
-  const rest = fields.filter((entry) => !first.includes(entry));
+  const isProduct = ["motor", "reducer"].includes(name);
+  const elsewhere = ["template", "kind", ...(isProduct ? ["name"] : []), ...(of === "axes" ? ["phases"] : [])];
   const kind = keys.find((entry) => entry.name === "kind");
-  const isNamed = ["motor", "reducer"].includes(name) && entries?.name;
-  const field = (entry) => html`<${isNamed && !BESIDE.includes(entry.name) ? Unused : Field} key=${entry.name} entry=${entry} path=${[...path, entry.name]} kind=${name} />`;
   return html`<section>
     <h3>${title(path)} ${path.length > 2 && isSet(entries) && html`<button class="quiet" aria-label=${`remove ${name}`}
       onClick=${() => commit([{ path, do: "remove" }])}>×</button>`}</h3>
     ${kind && html`<${Choice} entry=${kind} path=${[...path, "kind"]} />`}
-    ${["motor", "reducer"].includes(name) && html`<${Products} entry=${fields.find((each) => each.name === "name")} path=${[...path, "name"]} kind=${name} />`}
-    ${first.filter((entry) => !(entry.name === "name" && MAIN[name]?.[0] === "name")).map(field)}
+    ${isProduct && html`<${Products} path=${[...path, "name"]} kind=${name} />`}
+    <${Fields} keys=${keys.filter((entry) => !elsewhere.includes(entry.name))} path=${path} main=${MAIN[name] ?? []} kind=${name} />
     <${Wrong} path=${path} />
-    ${rest.length > 0 && html`<button class="add more" aria-expanded=${isOpen} onClick=${() => open(!isOpen)}>${isOpen ? "less" : "more"} …</button>`}
-    ${isOpen && rest.filter((entry) => entry.name !== "name" || !MAIN[name]).map(field)}
-    ${keys.filter((entry) => entry.rows.length && !(path[0] === "axes" && entry.name === "phases"))
-      .filter((entry) => isOpen || isSet(entries?.[entry.name]) || entry.required)
-      .map((entry) => html`<h4 key=${entry.name} title=${entry.label}>${entry.name.replaceAll("_", " ")}</h4>
-        <${Rows} entry=${entry} path=${[...path, entry.name]} />`)}
   </section>`;
 }
 

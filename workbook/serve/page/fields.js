@@ -113,11 +113,11 @@ export function Wrong({ path }) {
 const isLong = (entry) => entry.expected.startsWith("a text") || entry.expected.includes("list");
 
 /** A row of the right side: label, input with its unit, and what is wrong. */
-export function Field({ entry, path }) {
+export function Field({ entry, path, label }) {
   const input = entry.options.length && entry.name !== "law" && !entry.expected.startsWith("a text") ? Choice : Input;
   return html`<div class="f">
     <label title=${entry.note}>${entry.label}</label>
-    <${input} entry=${entry} path=${path} wide=${isLong(entry)} />
+    <${input} entry=${entry} path=${path} wide=${isLong(entry)} label=${label || undefined} />
     <${Wrong} path=${path} />
   </div>`;
 }
