@@ -121,10 +121,11 @@ GET: dict[str, Action] = {
     "/study/NAME": study.show, "/progress/NAME": study.progress, "/controller/NAME": controller, MODULES: static,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
-ACTIONS = (editing.change, editing.figures, editing.products, editing.verdict)
-OWN = (editing.discard, editing.theirs, editing.save, home.new, home.keep, verify, upload, compare, export, read, study.begin, study.cancel)
+EDITING = (editing.change, editing.figures, editing.products, editing.verdict)
+KEEPING = (editing.discard, editing.theirs, editing.save, home.new, home.keep)
+WORKING = (verify, upload, compare, export, read, study.begin, study.cancel)
 POST: dict[str, Action] = {
-    **{f"/{action.__name__}": action for action in (*ACTIONS, *OWN)},
+    **{f"/{action.__name__}": action for action in (*EDITING, *KEEPING, *WORKING)},
     "/open": editing.open_design,
     "/study": study.new,
     "/build": partial(write, "build", ".xlsx"),

@@ -97,25 +97,25 @@ class Edited:
     def gaps(self, chosen: int | None = None) -> dict[str, Any]:
         """Return the gaps of clearances of finished axes by their numbers: all, or those of an axis."""
         numbers = {str(axis.get("name")): k for k, axis in enumerate(self.axes) if isinstance(axis, Mapping)}
-        every = {}
+        every = dict[str, Any]()
         for k, row in enumerate(rows if isinstance(rows := self.data.get("clearances"), list) else ()):
             ends = [numbers.get(str(get(row, (end,)))) for end in ENDS]
-            if None in ends or chosen not in (None, *ends):
-                continue
-            alone = self._alone(*(motion_of(self.axes[end]) for end in ends if end is not None), clearances=[row])
-            every |= {str(k): gap for gap in gap_figures(self.template.name, alone)}
+            if None not in ends and chosen in (None, *ends):
+                alone = self._alone(*(motion_of(self.axes[end]) for end in ends if end is not None), clearances=[row])
+                every |= {str(k): gap for gap in gap_figures(self.template.name, alone)}
         return every
 
     def products(self, k: int, kind: str) -> dict[str, Any]:
-        """Return what each motor or reducer would come to in an axis, by names; of an unfinished one nothing."""
-        axis, template = self.axes[k], self.template
-        own = get(self.data, ("selection", f"{kind}s"))
-        first = own[0]["name"] if isinstance(own, list) and own else COMMITTED[f"{kind}s"]()[0].name
-        for each in (axis, axis | {kind: {"name": first}}):
-            if machine := judged_axis(template.name, self._alone(each)).machine:
-                has_drive = machine.axes[0].mechanism is not None and machine.axes[0].motor is not None
-                return template.live.products(machine, kind == "motor") if template.live and has_drive else {}
-        return {}
+        """Return the use of each motor or reducer in an axis, by names; of an unfinished axis nothing."""
+        axis, live = self.axes[k], self.template.live
+        first = (
+            get(self.data, ("selection", f"{kind}s", "0", "name")) or COMMITTED[f"{kind}s"]()[0].model_dump()["name"]
+        )
+        tried = (judged_axis(self.template.name, self._alone(each)) for each in (axis, axis | {kind: {"name": first}}))
+        machine = next((own.machine for own in tried if own.machine), None)
+        if live is None or machine is None or machine.axes[0].mechanism is None or machine.axes[0].motor is None:
+            return {}
+        return live.products(machine, kind == "motor")
 
     def _judge_rest(self) -> None:
         """Note the faults of all but the axes, and of what does not go together; faulty parts are left out."""
@@ -153,19 +153,11 @@ class Edited:
         """Return the machine's rate, the highest that all its axes hold and why, and its peak power (kW)."""
         drives = [(axis.get("name", ""), own) for axis, own in zip(self.axes, map(self.figures, range(len(self.axes))),
                   strict=True) if "power" in own]  # fmt: skip
-        master = self.data.get("master")
-        rate = master.get("rate") if isinstance(master, Mapping) else None
         limited = [(own["highest"], f"{name}: {own['reason']}") for name, own in drives if own["highest"] is not None]
         highest = min(limited, default=(None, ""))
-        power = self.data.get("power")
-        share = (
-            power.get("efficiency", 1.0)
-            if isinstance(power, Mapping) and "power.efficiency" not in self.faults
-            else 1.0
-        )
+        share = 1.0 if "power.efficiency" in self.faults else get(self.data, ("power", "efficiency"), 1.0)
         return {
-            "rate": rate,
-            "rate_unit": "cycles/min",
+            "rate": get(self.data, ("master", "rate")),
             "highest": {"value": highest[0], "reason": highest[1]} if limited else None,
             "peak_power": peak_power([own for _, own in drives], share) if drives else None,
         }
@@ -266,31 +258,23 @@ def edited_design(text: str) -> Edited:
     return Edited(text)
 
 
-def axes_of(design: Edited, chosen: int) -> dict[str, Any]:
-    """Return the figures of all axes by their numbers, with the charts of the chosen one only."""
-    every = {}
-    for k in range(len(design.axes)):
-        own = {key: value for key, value in design.figures(k).items() if key != "power"}
-        every[str(k)] = own if k == chosen else {key: value for key, value in own.items() if key != "charts"}
-    return every
-
-
 def figures(text: str, chosen: int, machine: bool = True) -> dict[str, Any]:
     """Return the figures of the chosen axis, or of all axes and the machine; none of a text that is no TOML."""
     try:
         design = edited_design(text)
     except MotionbookError:
         return {"axes": {}}
-    if machine:
-        every = {"axes": axes_of(design, chosen), "gaps": design.gaps()}
-        return every | {"machine": design.machine(), "data": design.data}
-    chosen_only = {str(chosen): design.figures(chosen)} if 0 <= chosen < len(design.axes) else {}
-    axes = {k: {key: value for key, value in own.items() if key != "power"} for k, own in chosen_only.items()}
-    return {"axes": axes, "gaps": design.gaps(chosen)}
+    axes = {}
+    for k in range(len(design.axes)):
+        if machine or k == chosen:
+            dropped = ("power",) if k == chosen else ("power", "charts")
+            axes[str(k)] = {key: value for key, value in design.figures(k).items() if key not in dropped}
+    whole = {"machine": design.machine(), "data": design.data} if machine else {}
+    return {"axes": axes, "gaps": design.gaps(None if machine else chosen)} | whole
 
 
 def products(text: str, k: int, kind: str) -> dict[str, Any]:
-    """Return what each motor or reducer of the catalogue would come to in an axis of a text, by its name."""
+    """Return the use of each motor or reducer of the catalogue in an axis of a text, by its name."""
     return edited_design(text).products(k, kind)
 
 

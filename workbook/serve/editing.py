@@ -103,7 +103,7 @@ async def figures(page: Page) -> str:
 
 
 async def products(page: Page) -> str:
-    """Return what each motor or reducer would come to in an axis of a text."""
+    """Return the use of each motor or reducer of the catalogue in an axis of a text."""
     axis, kind = int(page.get_body_argument("axis")), page.get_body_argument("kind")
     return await answer(page, design.products, page.text(), axis, kind)
 

@@ -67,7 +67,7 @@ def gap_figures(machine: AnyMachine) -> list[dict[str, Any]]:
 
 
 def product_figures(machine: AnyMachine, of_motors: bool) -> dict[str, Any]:
-    """Return what each motor behind the first axis' reducer, or each reducer with its motor, comes to, by its name."""
+    """Return the use of each motor behind the first axis' reducer, or of each reducer with its motor, by its name."""
     view = next(filter(None, map(drive_of, axes_of(machine))))
     choice = PairSelection(machine.selection, machine.sizes, [shaft_of(view)])
     pairs, names = choice.behind_own, choice.motors.names
