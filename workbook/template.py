@@ -12,7 +12,7 @@ from workbook.book.summary import close_summary, title_blocks
 from workbook.book_layout import NAME as LAYOUT
 from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine
-from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Live, Scaling
+from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
 from workbook.text_files import FOLDER as FOLDER  # known by this module to many
 from workbook.unfinished_book import with_entries
 
@@ -38,7 +38,7 @@ class Template(Generic[M]):
     switches: Callable[[M], list[CamSwitch]] = lambda machine: []
     scaling: Scaling[M] | None = None  # gives results of many designs at once, without a book
     improving: ModuleType | None = None  # of functions that say what would make it faster
-    live: Live | None = None  # what the design page shows, in a moment, without a book
+    live: ModuleType | None = None  # of functions for the design page, whose figures come in a moment, without a book
     laws: Mapping[str, Any] = field(default_factory=dict)  # of a description that does not say which it has
     # of its book, by the exact engine
     judgement: Callable[[M], ExactJudgement] = lambda machine: NOTHING_JUDGED

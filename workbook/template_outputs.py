@@ -25,15 +25,6 @@ M = TypeVar("M")
 Values = NDArray[Any]  # a result of designs: for all, or for each
 
 
-class Live(NamedTuple):
-    """What the design page shows of a machine in a moment, without a book, in the units of its entries."""
-
-    axes: Callable[[Any], list[dict[str, Any]]]  # the figures of each axis
-    gaps: Callable[[Any], list[dict[str, Any]]]  # of each clearance, over the cycle
-    # what motors, or by False reducers, would come to in the first axis, by their names
-    products: Callable[[Any, bool], dict[str, Any]]
-
-
 @dataclass(frozen=True)
 class CamAxis:
     """An axis over a cycle of its master: its profile and the units of both."""

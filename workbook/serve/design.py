@@ -115,7 +115,8 @@ class Edited:
         machine = next((own.machine for own in tried if own.machine), None)
         if live is None or machine is None or machine.axes[0].mechanism is None or machine.axes[0].motor is None:
             return {}
-        return live.products(machine, kind == "motor")
+        figures: dict[str, Any] = live.product_figures(machine, kind == "motor")
+        return figures
 
     def _judge_rest(self) -> None:
         """Note the faults of all but the axes, and of what does not go together; faulty parts are left out."""
@@ -242,14 +243,14 @@ def judged_axis(template: str, data: str) -> Judged:
 def axis_figures(template: str, data: str) -> dict[str, Any]:
     """Return the figures of an axis that has no faults."""
     live, machine = template_named(template, "template").live, judged_axis(template, data).machine
-    return live.axes(machine)[0] if live else {}
+    return live.axis_figures(machine)[0] if live else {}
 
 
 @lru_cache(REMEMBERED)
 def gap_figures(template: str, data: str) -> list[dict[str, Any]]:
     """Return the gaps of the clearances of a machine, from its JSON; none where it has faults."""
     live, machine = template_named(template, "template").live, judged_axis(template, data).machine
-    return live.gaps(machine) if live and machine else []
+    return live.gap_figures(machine) if live and machine else []
 
 
 @lru_cache(4)

@@ -21,7 +21,7 @@ from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.view import MovingAxis
 from workbook.selection.catalogue import MotorRow
 from workbook.selection.pair_selection import PairSelection, engine_motors
-from workbook.template_outputs import LIMITS, SIZES, Live
+from workbook.template_outputs import LIMITS, SIZES
 
 POWERS = 9  # of the polynomial that stands for a piece with sines: to a millionth of the lift
 NODES = 0.5 - 0.5 * np.cos(np.pi * (np.arange(24) + 0.5) / 24)  # at which it is fitted
@@ -191,6 +191,3 @@ def used(name: str, check: LimitCheck) -> dict[str, Any] | None:
     value, limit = (shown(size, SIZES.get(unit, 1.0)) for size in (check.value, check.limit))
     words = f"{value:.4g} of {limit:.4g} {unit}"
     return {"key": key, "label": label, "value": check.use, "may": 1, "is": words, "ok": check.ok}
-
-
-LIVE = Live(axis_figures, gap_figures, product_figures)

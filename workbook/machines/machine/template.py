@@ -17,6 +17,7 @@ from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import laws
+from workbook.machines.machine import live
 from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
@@ -27,7 +28,6 @@ from workbook.machines.machine.drive.view import DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.gap import ClearanceView
-from workbook.machines.machine.live import LIVE
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.names import names_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
@@ -209,7 +209,7 @@ TEMPLATE = Template(
     axes=axes,
     scaling=SCALING,
     improving=changes,
-    live=LIVE,
+    live=live,
     judgement=judgement,
     switches=switches,
 )
