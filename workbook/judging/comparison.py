@@ -213,7 +213,7 @@ def count_cells(match: Match, report: Report) -> None:
     report.declared = sum(block.size for block in blocks for q in block.quantities if q.formula is not None)
     for ran in (ran for ran in report.witnesses if ran.answered):
         others = {w.name for w in report.witnesses} - {ran.name}
-        own = [f for f in report.findings + report.following if f.witness.partition(",")[0] not in others]
+        own = [f for f in report.findings if f.witness.partition(",")[0] not in others]
         faulty = {(f.sheet, f.cell) for f in own} & cells.keys()
         ran.at_fault = report.declared - len(cells) + len(faulty)
         ran.unfinished = sum(p.cell.expected is None for at, p in cells.items() if at not in faulty)

@@ -1,15 +1,16 @@
-"""Rows put into tables: a finding each, and none for what follows from it."""
+"""Rows put into tables: a finding each, and what follows from it."""
 
 from collections import defaultdict
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import groupby
 
 from workbook.book.address import Address
 from workbook.book.declare import Block
 from workbook.judging.matching import Match
-from workbook.judging.report import LAYOUT, Finding, Report
+from workbook.judging.report import FOLLOWS, LAYOUT, Finding, Report
 
-FOLLOWING = frozenset(("value", "error", "follows", "saved"))
+FOLLOWING = frozenset(("value", "error", "saved"))
 SPARE = "no row between the table's own: delete it, and enter what it should hold in a spare row"
 
 
@@ -34,12 +35,10 @@ def table_titles(blocks: list[Block]) -> str:
     return f"{heading}: the table {names[0]}" if len(names) == 1 else f"{heading}: the tables {', '.join(names)}"
 
 
-def set_consequences_aside(match: Match, report: Report, suspects: set[Address]) -> None:
-    """Set aside the wrong values that follow from rows put into tables: formulas count the rows of their ranges."""
-    formulas = {(p.address.sheet, p.address.a1): p for p in match.pairs} if match.file.inserted else {}
-    causes: list[Finding] = []
-    for f in report.findings:
-        pair = formulas.get((f.sheet, f.cell))
-        follows = pair is not None and f.kind in FOLLOWING and pair.address not in suspects
-        (report.following if follows else causes).append(f)
-    report.findings[:] = causes
+def mark_consequences(match: Match, report: Report, suspects: set[Address]) -> None:
+    """Mark the wrong values that follow from rows put into tables: formulas count the rows of their ranges."""
+    formulas = {(p.address.sheet, p.address.a1): p.address for p in match.pairs} if match.file.inserted else {}
+    for n, finding in enumerate(report.findings):
+        at = formulas.get((finding.sheet, finding.cell))
+        if at is not None and finding.kind in FOLLOWING and at not in suspects:
+            report.findings[n] = replace(finding, kind=FOLLOWS)

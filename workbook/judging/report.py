@@ -96,8 +96,6 @@ class Report:
     compared: int = 0
     declared: int = 0
     findings: list[Finding] = field(default_factory=list)
-    # from rows and columns inserted or gone; none by itself
-    following: list[Finding] = field(default_factory=list)
     notices: list[Finding] = field(default_factory=list)
     checks: list[Check] = field(default_factory=list)
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
@@ -139,12 +137,6 @@ class Report:
     def holds(self) -> bool:
         """Whether the design is finished and passes its own checks."""
         return not self.failing and not self.unfinished
-
-    @property
-    def following_words(self) -> str:
-        """The number of cells that are wrong only by rows or columns inserted or gone; nothing where there are none."""
-        cells = {(f.sheet, f.cell) for f in self.following}
-        return f"{len(cells):,} cells are at fault only by what was inserted or is gone" if cells else ""
 
     @property
     def own_words(self) -> str:

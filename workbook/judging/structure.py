@@ -3,14 +3,13 @@
 import math
 from collections import Counter, defaultdict
 from collections.abc import Iterator
-from itertools import pairwise
 from typing import Any
 
 from openpyxl import Workbook
 from pydantic import BaseModel
 
 from workbook.book.address import Address, Place
-from workbook.book.declare import FIRST, Block
+from workbook.book.declare import Block
 from workbook.book.rows import is_number
 from workbook.book.stamp import TABLE
 from workbook.entries.rules import field_at
@@ -73,8 +72,7 @@ COMPUTED = "how the program computes"
 
 def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     """Yield what is wrong with formulas, names, inputs and settings of a matched workbook."""
-    of_names = (function_findings, sheet_name_findings, column_name_findings)
-    for findings in (*of_names, stray_blocks, mislabelled_cells, displaced_texts, exchanged_tables):
+    for findings in (function_findings, sheet_name_findings, column_name_findings, stray_blocks):
         yield from findings(match)
     inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
     sums = {pair.address for pair in match.pairs if pair.cell.block.name == TABLE}  # of all entries: no use of them
@@ -170,76 +168,6 @@ def stray_blocks(match: Match) -> Iterator[Finding]:
             others = f"the sheet {title}" + (f", and so do {len(more)} more" if more else "")
             expected = f"the sheet {counted[0][0]}, with the others: move it back"
             yield finding(place, first.name, others, expected)
-
-
-def mislabelled_cells(match: Match) -> Iterator[Finding]:
-    """Yield single cells that stand beside another label or heading; words of the engineer's own are none of these."""
-    for sheet in match.declared.sheets:
-        labels = {text.text for text in sheet.texts if text.column == FIRST or text.style == "label"}
-        labels |= {block.quantities[0].beside for block in sheet.blocks if not block.is_table and not block.is_large}
-        for block, place in match.placed(sheet):
-            texts, label = texts_beside(match, place), block.quantities[0].beside
-            beside = next((text for text in texts if text in labels or text == label), None)
-            if beside not in (None, label) and not block.is_table and not is_declared_cell(match, block, place):
-                yield finding(place, block.name, f"the row {beside!r}", f"the row {label!r}")
-
-
-def is_declared_cell(match: Match, block: Block, place: Place) -> bool:
-    """Whether a cell is as declared though its label differs: by its formula, or its symbol and unit."""
-    pair = next((p for p in match.pairs if p.cell.block is block), None)
-    if pair is not None and pair.declared_formula:
-        return is_formula(pair.held) and match.same_shape(pair)
-    q = block.quantities[0]
-    around = {*texts_beside(match, place), str(match.file.value(place.cell(0, 1)))}
-    return bool(q.symbol) and {text for text in (q.symbol, q.unit) if text} <= around
-
-
-def displaced_texts(match: Match) -> Iterator[Finding]:
-    """Yield inputs that hold a text or nothing, as any cell may, in another column than the others or by no label."""
-    for sheet in match.declared.sheets:
-        single = [(block, place) for block, place in match.placed(sheet) if not block.is_table]
-        columns = Counter((block.column, place.column) for block, place in single)
-        for block, place in single:
-            q, held = block.quantities[0], match.file.value(place.cell(0, 0))
-            if q.role != "input" or not (held is None or isinstance(held, str)):
-                continue
-            usual = max((place for place in columns if place[0] == block.column), key=columns.__getitem__)[1]
-            if place.column != usual or not texts_beside(match, place):
-                expected = f"the cell of {q.label!r}, below or above the others"
-                yield finding(place, block.name, range_of(place), expected)
-
-
-def texts_beside(match: Match, place: Place) -> list[str]:
-    """Return the texts to the left of a place, in its row, the nearest first."""
-    cells = (match.file.value(place.cell(0, -j)) for j in range(1, place.column))
-    return [text for text in cells if isinstance(text, str)]
-
-
-def exchanged_tables(match: Match) -> Iterator[Finding]:
-    """Yield tables of the same columns, and cells of the same label, that have changed places with one another."""
-    alike = defaultdict[tuple[str, ...], list[tuple[Block, Place]]](list)
-    for sheet in match.declared.sheets:
-        for block, place in match.placed(sheet):
-            what = [q.name for q in block.quantities] if block.is_table else [block.quantities[0].label]
-            alike[sheet.title, *what].append((block, place))
-    for blocks in alike.values():
-        for (before, first), (after, second) in pairwise(blocks):
-            # another sheet is what strays() tells
-            in_order = first.sheet != second.sheet or first[:3] < second[:3]
-            if not in_order and not (has_own_heading(match, before, first) and has_own_heading(match, after, second)):
-                yield finding(second, after.name, f"above or left of {before.name}", f"below {before.name}")
-
-
-def has_own_heading(match: Match, block: Block, place: Place) -> bool:
-    """Whether the heading that is declared for a block is the nearest above it in the file."""
-    headings = {text.text: text.row for text in block.sheet.texts if text.style == "heading"}
-    above = [(row, text) for text, row in headings.items() if row < block.row]
-    held_texts = (
-        (r, cell.value)
-        for (r, _), cell in match.file.workbook[place.sheet]._cells.items()
-        if r < place.row and isinstance(cell.value, str) and cell.value in headings
-    )
-    return bool(above) and max(held_texts, default=(0, ""))[1] == max(above)[1]
 
 
 def range_of(place: Place | None) -> str:

@@ -17,7 +17,7 @@ from workbook.judging.display.charts import compare_charts
 from workbook.judging.display.differences import Differences
 from workbook.judging.display.sheets import compare_sheets
 from workbook.judging.display.texts import compare_texts
-from workbook.judging.layout import layout_findings, set_consequences_aside
+from workbook.judging.layout import layout_findings, mark_consequences
 from workbook.judging.matching import Match, Pair
 from workbook.judging.repair import repair_book
 from workbook.judging.report import NOTICE, ORDER, Check, Report, WitnessRun
@@ -104,7 +104,7 @@ def judge(
         report.findings += comparison.elsewhere(template, machine, suspects)
         report.checks = check_results(match, comparison.values)
         check_display(match, type(machine), comparison.values, report)
-    set_consequences_aside(match, report, suspects)
+    mark_consequences(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     if report.findings and match.is_unmoved:
         wrong = {(f.sheet, f.cell) for f in report.findings}

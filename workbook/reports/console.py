@@ -66,7 +66,6 @@ def report_data(report: Report) -> dict[str, Any]:
             ]
             for name in ("findings", "notices")
         },
-        "following": len({(f.sheet, f.cell) for f in report.following}),
         "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
         "notes": report.notes,
     }
@@ -90,8 +89,6 @@ def show_report(report: Report, console: Console, everything: bool = False) -> N
         if len(report.notices) > MOST:
             console.print(f"… and {len(report.notices) - MOST} more; --json lists them all")
     lines = [f"Note: {note}" for note in report.notes]
-    if report.following:
-        lines.append(report.following_words)
     if report.own:
         first = ", ".join(report.own[:8]) + (" …" if len(report.own) > 8 else "")
         lines.append(f"{report.own_words} ({first})")

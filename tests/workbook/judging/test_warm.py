@@ -30,7 +30,7 @@ def cell_named(workbook, name):
 
 def told(report):
     """Return what is found of values at the entries, but for what variations of these say."""
-    found = (f for f in (*report.findings, *report.following) if f.kind in VALUES and "variation" not in f.witness)
+    found = (f for f in report.findings if f.kind in VALUES and "variation" not in f.witness)
     return {(f.sheet, f.cell, f.kind, str(f.computed), str(f.expected)) for f in found}
 
 

@@ -33,7 +33,7 @@ class Subject(NamedTuple):
     """The owner of attributes, in words, and what it is; what else is written beside it misleads in its place."""
 
     words: str
-    kind: Literal["", "verdict", "failing", "remark", "unit"] = ""
+    kind: Literal["", "verdict", "failing", "remark", "unit", "entry"] = ""
     others: Container[str] = frozenset()
     group: str = ""  # apart from which its differences are reported, such as those of a chart
 
@@ -83,6 +83,8 @@ def misleads(subject: Subject, attribute: str, expected: str, held: str) -> bool
             return False
         if subject.kind == "unit":
             return is_unit(held) and not is_same_unit(held, expected)
+        if subject.kind == "entry" and not held:  # nobody knows what the cell is
+            return True
         return text_misleads(expected, held, subject.others)
     tables = FINDINGS[: 1 + VERDICTS.get(subject.kind, 0)] if subject.kind != "remark" else ()
     return held != COPY and any(table.fullmatch(f"{attribute}: {held}") for table in tables)

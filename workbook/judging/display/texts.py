@@ -2,7 +2,7 @@
 
 from collections import defaultdict
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from workbook.book.address import Address
 from workbook.book.declare import Block, Sheet, Text
@@ -13,7 +13,8 @@ from workbook.reading.table_fit import MOST_BETWEEN
 
 HEADINGS = ("heading", "subheading", "title")
 ABOVE = (*HEADINGS, "header", "units", "equation", "figure name", "figure unit")
-BESIDE, BEHIND = ("label", "symbol", "unit", "note"), ("unit", "note")
+LABELS = ("label", "aside")
+BESIDE, BEHIND = (*LABELS, "symbol", "unit", "note"), ("unit", "note")
 QUIET = ("equation", "note")  # remarks: reworded, they mislead nobody
 MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
 
@@ -31,6 +32,12 @@ class Label(NamedTuple):
         described = self.block.title if self.block.is_table else self.block.quantities[0].label
         return f"{self.text.style} of {described or self.block.name}"
 
+    @property
+    def kind(self) -> Literal["", "unit", "entry"]:
+        """The kind of text as it is judged: a unit, the label of an entry, or another."""
+        is_entry = self.text.style in LABELS and self.block.quantities[0].role == "input"
+        return "unit" if self.text.style == "unit" else "entry" if is_entry else ""
+
 
 def compare_texts(match: Match, report: Report, differences: Differences) -> list[Label]:
     """Enter texts that say something else than declared; return the declared texts with their places."""
@@ -43,7 +50,7 @@ def compare_texts(match: Match, report: Report, differences: Differences) -> lis
             first = match.file.places[label.block.name].cell(0, 0)
             if (first.sheet, first.a1) not in misled:
                 style, value = label.text.style, match.file.value(label.at)
-                subject = Subject(label.what, "unit" if style == "unit" else "", words[style])
+                subject = Subject(label.what, label.kind, words[style])
                 differences.compare(label.at, subject, {"text": label.text.text}, {"text": str(value or "")})
         compare_unlabelled(match, sheet, differences)
         labels += placed
