@@ -1,6 +1,5 @@
 """From a verified book to a controller's file of axes or switches, certified by what an independent reader finds."""
 
-import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace as replaced
@@ -13,7 +12,7 @@ from workbook.controllers.registry import target as target_named
 from workbook.controllers.tabulation import CertifiedTable, automatic, certify_table, require_count, reread, tabulate
 from workbook.controllers.target import CamExport, Target, header
 from workbook.entries.machine import Machine
-from workbook.errors import AGREES, DISAGREES, TargetError, WriteError, visible
+from workbook.errors import AGREES, DISAGREES, TargetError, visible
 from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_json
 from workbook.template_outputs import CamAxis, CamSwitch
@@ -94,7 +93,8 @@ def export(
     paths = [place]
     if output is None or everything:  # with --all, -o names the folder in which they lie
         paths = [place / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
-    refuse_any_existing(paths, force)
+    for path in paths:
+        refuse_existing(path, force)
     refuse_same_file(*paths, report)
     mark = verified_header(book, before, asked.unverified, fresh)
     with ERR.status("Exporting …"):
@@ -115,19 +115,6 @@ def export(
         write_text(file.path, file.text, force)
         say(ERR if as_json else OUT, f"Wrote {file.path.absolute()}")
     return AGREES
-
-
-def refuse_any_existing(paths: Sequence[Path], force: bool) -> None:
-    """Raise WriteError naming all files that are there already, unless they may be replaced."""
-    there = [path for path in paths if os.path.lexists(path)]
-    if there and not force:
-        verb = "exists" if len(there) == 1 else "exist"
-        raise WriteError(
-            f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
-            "there, -o names another place)"
-        )
-    for path in paths:
-        refuse_existing(path, force)
 
 
 def plan_export(

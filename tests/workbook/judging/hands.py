@@ -5,7 +5,9 @@ import zipfile
 from pathlib import Path
 
 import openpyxl
+import pytest
 
+from workbook.errors import ReadError
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.judging.verify import check_display
@@ -44,6 +46,16 @@ def sub(pattern, new, count=1):
         return changed
 
     return change
+
+
+def refused(path):
+    """The line by which a file is refused, behind its name."""
+    with pytest.raises(ReadError) as caught:
+        open_book(path)
+    line = str(caught.value)
+    assert line.startswith(f"{path}: ")
+    assert "\n" not in line
+    return line.removeprefix(f"{path}: ")
 
 
 class Known:

@@ -6,11 +6,12 @@ import pytest
 from openpyxl.chart import ScatterChart
 from openpyxl.drawing.spreadsheet_drawing import AnchorMarker, TwoCellAnchor
 from openpyxl.formatting.rule import CellIsRule, DataBarRule, FormulaRule, IconSetRule, Rule
-from openpyxl.styles import Alignment, Font, GradientFill, PatternFill
+from openpyxl.styles import Alignment, Border, Font, GradientFill, PatternFill, Side
 from openpyxl.styles.colors import Color
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
 from openpyxl.utils import get_column_letter
+from openpyxl.worksheet.table import Table, TableStyleInfo
 
 from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
 from tests.workbook.judging.synthetic import Small, spots
@@ -60,7 +61,7 @@ def formatted(book, code, block="peak", row=0, column=0):
         '0.0"%"', "0.0%%", "0.0%", '"-"0.0', '[>0]"12.5";0.0', "0\\.0", '0" 000"', "[White]0.0", "*90.0", "#,##0.0,",
         'General"0"', '0.0"E3"', "0.0\\k", "[Color2]0.0", "[h]", "d", "[mm]:ss", "s.00", "yyyy", "ge", "0*.0", "*-0.0",
         ';;;"kNm"', "hh:mm", "0.0;0.0", "0.0;;0.0", '0.0;"low"', '0.0;-0.0;"7"', '0.0"٣"', '0.0" million"', "[DBNum1]0",
-        "[$€-407]0.0", "[$-F800]0", '"T_min = "0.0', "[<0]0.0;-0.0",
+        "[$€-407]0.0", "[$-F800]0", '"T_min = "0.0', "[<0]0.0;-0.0", "[$-2000401]0.00",
     ],
 )  # fmt: skip
 def test_a_format_that_tells_another_number_is_found(code, book):
@@ -199,12 +200,16 @@ UNREADABLE = {
     "in its ground's colour": {"font": Font(color="C00000"), "fill": PatternFill("solid", fgColor="C00000")},
     "in Greek": {"font": Font(name="Calibri", charset=2)},
     "struck": {"font": Font(name="Calibri", strike=True)},
+    "crossed out": {"border": Border(diagonal=Side("thick"), diagonalUp=True, diagonalDown=True)},
 }
 ODD = {
     "nearly white": {"font": Font(color="FFFEFE"), "fill": PatternFill("solid", fgColor="FEFEFE")},
     "tiny": {"font": Font(sz=1)},
+    "huge": {"font": Font(name="Calibri", sz=400)},
+    "in the theme's font": {"font": Font(name="Calibri", scheme="minor")},
     "in signs": {"font": Font(name="Wingdings", sz=10)},
     "pushed out": {"alignment": Alignment(indent=200)},
+    "pushed aside": {"alignment": Alignment(horizontal="right", relativeIndent=200)},
     "repeated": {"alignment": Alignment(horizontal="fill")},
 }
 
@@ -435,6 +440,17 @@ def test_rules_of_the_book_that_are_gone_are_a_notice_and_a_rule_for_rows_spread
     assert book.edited(spread).findings
 
 
+@pytest.mark.parametrize("other", ["TRUE", "$B24<300", "$B25>300", "$K24>300"])
+def test_another_condition_for_rows_that_show_nothing_is_found(other, book):
+    def change(workbook):
+        rules = (rule for area in workbook["Drive"].conditional_formatting for rule in area.rules)
+        (blank,) = (rule for rule in rules if rule.type == "expression")
+        assert blank.formula == ["$B24>300"]
+        blank.formula = [other]
+
+    assert spots(book.edited(change).findings) == {"Drive!C24", "Drive!D24"}
+
+
 def test_validations_removed_or_changed_are_a_notice(book):
     def removed(workbook):
         workbook["Drive"].data_validations.dataValidation = []
@@ -546,9 +562,9 @@ ALTERNATIVE = (
 )
 
 
-def over_the_verdict(book, size=b'cx="2000000" cy="300000"', fill=b"<noFill/>", text=b"", within=b"%s"):
-    """A shape on the cell of a check, by its size in EMU."""
-    row, column = book.at("within")
+def shape_over(book, size, fill=b"<noFill/>", text=b"", within=b"%s", block="within", beside=0):
+    """A shape on the cell of a block, or beside it, by its size in EMU."""
+    row, column = book.at(block, 0, beside)
     shape = (
         b"<xdr:oneCellAnchor><xdr:from><xdr:col>%d</xdr:col><xdr:colOff>0</xdr:colOff><xdr:row>%d</xdr:row>"
         b"<xdr:rowOff>0</xdr:rowOff></xdr:from><xdr:ext %s/><xdr:sp><xdr:spPr>%s</xdr:spPr>"
@@ -566,7 +582,7 @@ def over_the_verdict(book, size=b'cx="2000000" cy="300000"', fill=b"<noFill/>", 
     ],
 )  # fmt: skip
 def test_a_shape_over_a_verdict_is_found_if_it_hides_it(size, look, hides, failing):
-    report = failing.with_parts(over_the_verdict(failing, b'cx="%d" cy="%d"' % (size, size), **look))
+    report = failing.with_parts(shape_over(failing, b'cx="%d" cy="%d"' % (size, size), **look))
     assert ("Drive!D18" in spots(report.findings)) is hides
 
 
@@ -596,6 +612,90 @@ def test_charts_that_are_gone_hidden_or_moved(book):
         assert (report.findings, [one.expected for one in report.notices]) == ([], ["Both"])
     moved = {PICTURE: sub(rb"<xdr:row>\d+</xdr:row>", b"<xdr:row>90</xdr:row>", count=2)}
     silent(book.with_parts(moved))
+
+
+# parts of the file format that no list had named
+
+
+def told(report):
+    return report.findings + report.notices
+
+
+@pytest.mark.parametrize("text", ["Largest" + 30 * " " + "torque", 12 * "\n" + "Largest torque"])
+def test_a_label_pushed_out_of_its_cell_by_blanks_is_told(text, book):
+    def change(workbook):
+        book.cell(workbook, "peak", 0, -2).value = text
+
+    assert spots(told(book.edited(change))) == {"Drive!B14"}
+
+
+def test_a_figure_merged_into_its_label_is_told(book):
+    assert told(book.edited(lambda workbook: workbook["Drive"].merge_cells("B14:D14")))
+
+
+@pytest.mark.parametrize("column", [1, -1, -2])
+def test_a_shape_over_a_unit_a_symbol_or_a_label_is_told(column, book):
+    shape = shape_over(book, b'cx="4000000" cy="300000"', text=b"kNm", block="peak", beside=column)
+    assert any("drawing" in str(one.computed) for one in told(book.with_parts(shape)))
+
+
+def test_a_table_over_figures_whose_style_may_colour_them_is_told(book):
+    def change(workbook):
+        table = Table(displayName="T", ref="B23:D36")
+        table.tableStyleInfo = TableStyleInfo(name="Own")
+        workbook["Drive"].add_table(table)
+
+    assert told(book.edited(change))
+
+
+def first_of_all(look, stop):
+    rule = FormulaRule(formula=["TRUE"], stopIfTrue=stop)
+    rule.dxf, rule.priority = look, 1
+    return rule
+
+
+def test_a_rule_that_stops_the_red_of_a_fail_on_green_is_found(failing):
+    def change(workbook):
+        cell = failing.cell(workbook, "within")
+        cell.fill = PatternFill("solid", fgColor="92D050")
+        workbook["Drive"].conditional_formatting.add(cell.coordinate, first_of_all(DifferentialStyle(), stop=True))
+
+    assert spots(failing.edited(change).findings) == {"Drive!D18"}
+
+
+LABELS = b"<dLbls><numFmt formatCode='%s' sourceLinked='0'/><showVal val='1'/></dLbls><xVal>"
+POINT = b"<dPt><idx val='3'/><spPr><a:ln><a:noFill/></a:ln></spPr></dPt><xVal>"
+GROUND = b'<spPr><solidFill><srgbClr val="0072B2"/></solidFill></spPr></plotArea>'
+LARGE = b'<legendPos val="b"/><layout><manualLayout><w val="0.9"/><h val="0.9"/></manualLayout></layout>'
+STROKES = b"<errBars><errDir val='y'/><errBarType val='both'/><errValType val='stdErr'/></errBars><xVal>"
+
+
+@pytest.mark.parametrize(
+    ("part", "old", "new"),
+    [
+        (CHART, rb"<xVal>", LABELS % b'0.0"0"'), (CHART, rb"<xVal>", POINT), (CHART, rb"<xVal>", STROKES),
+        (CHART, rb"<w val=\"[0-9.]*\"", b'<w val="0.01"'),
+        (CHART, rb'<dispBlanksAs val="gap"', b'<dispBlanksAs val="zero"'),
+        (CHART, rb'sz="1000"', b'sz="100"'), (CHART, rb'sz="1000"', b'sz="1000" strike="sngStrike"'),
+        (CHART, rb"<a:defRPr ([^>]*)/>", rb'<a:defRPr \1><a:latin typeface="Wingdings"/></a:defRPr>'),
+        (CHART, rb"</plotArea>", GROUND),
+        (CHART, rb"</plotArea>", b"</plotArea><legend>" + LARGE + b"</legend>"),
+        (CHART, rb"</chartSpace>", b'<userShapes id="x"/></chartSpace>'),
+        (DRIVE, rb"<sheetView ", b'<sheetView view="pageLayout" zoomScalePageLayoutView="10" '),
+        (DRIVE, rb"<oddFooter>.*?</oddFooter>", b"<oddFooter>&amp;CAll checks: OK</oddFooter>"),
+        (DRIVE, rb"<drawing ", b'<legacyDrawingHF xmlns:r="r" r:id="rId9"/><drawing '),
+        (DRIVE, rb"</worksheet>", b"<extLst><ext uri='x'><slicerList/></ext></extLst></worksheet>"),
+        ("xl/workbook.xml", rb'minimized="0"', b'minimized="1"'),
+    ],
+)  # fmt: skip
+def test_parts_of_charts_and_sheets_that_are_read_otherwise_are_told(part, old, new, book):
+    assert told(book.with_parts({part: sub(old, new)}))
+
+
+@pytest.mark.parametrize("code", ["0.0", "General"])
+def test_values_beside_the_points_of_a_chart_are_a_notice(code, book):
+    report = book.with_parts({CHART: sub(rb"<xVal>", LABELS % code.encode())})
+    assert (report.findings, spots(report.notices)) == ([], {"Drive!B38"})
 
 
 # names of sheets

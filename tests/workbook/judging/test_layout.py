@@ -9,35 +9,17 @@ import pytest
 from openpyxl.utils import column_index_from_string
 
 from tests import cutting
-from tests.mutation.bench import SMALL
-from tests.workbook import excel, office
+from tests.workbook import excel
 from tests.workbook.judging.test_real_edits import numbers
 from workbook.build import build, read_inputs
 from workbook.errors import InputError, ReadError
 from workbook.judging.batch import Outcome
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import read_machine
 from workbook.reports.console import report_data
 from workbook.reports.page import junit, page
-from workbook.template import FOLDER
-from workbook.witnesses.engines import libreoffice_path
 
-needs_office = pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
-NIGHT = pytest.mark.nightly
-TABLES = [
-    ("press", "axis1"),
-    *(pytest.param(*case, marks=NIGHT) for case in (
-        ("cutting-machine", "OWN_pieces"), ("cutting-machine", "axis2"),
-        ("cutting-machine", "axis1"), ("cutting-machine", "axis3"), ("cutting-machine", "drive1_parts"),
-        ("cutting-machine", "motors"), ("cutting-machine", "reducers"), ("cutting-machine", "cycle1"),
-        ("motion-composer", "axis1"), ("motion-composer", "OWN_pieces"), ("indexing-overlap", "own_pieces"),
-        ("indexing-overlap-stations", "OWN_pieces"), ("flying-cutter", "motors"), ("flying-cutter", "reducers"),
-        ("flying-cutter-saw", "OWN_pieces"), ("actuator-sizing", "axis1"), ("actuator-sizing", "drive1_parts"),
-        ("actuator-sizing", "motors"), ("actuator-sizing-conveyor", "drive1_windows"),
-        *(("machine", table) for table in ("axes", "axis1", "switches", "drive1_parts", "drive1_windows")),
-        ("motion-composer-example-1", "axis1"), ("motion-composer-example-2", "axis1"),
-    )),
-]  # fmt: skip
+CUTTING = ("OWN_pieces", "axis1", "axis2", "drive1_parts", "motors", "reducers", "cycle1")
+TABLES = [("press", "axis1"), *(pytest.param("cutting", table, marks=pytest.mark.nightly) for table in CUTTING)]
 
 
 @pytest.fixture(scope="module")
@@ -46,11 +28,8 @@ def books(press, tmp_path_factory):
 
     def of(name):
         if name not in made:
-            machine = read_machine(FOLDER / f"{name}.toml")
-            some = machine.model_copy(update={"sizes": machine.sizes.model_copy(update=SMALL)})
-            path = tmp_path_factory.mktemp(name) / "book.xlsx"
-            build(cutting.small(phases=8) if name == "cutting-machine" else some, path)
-            made[name] = path
+            made[name] = tmp_path_factory.mktemp(name) / "book.xlsx"
+            build(cutting.small(phases=8), made[name])
         return made[name]
 
     return of
@@ -232,18 +211,3 @@ def test_a_table_cut_and_pasted_to_another_sheet_is_one_finding(books, tmp_path)
     report = verify(edited(path, tmp_path, excel.Cut(sheet, f"A{top - 5}:{right}{bottom + 8}", 900, 0, "Drive MC01")))
     (found,) = sums(report).findings
     assert (found.kind, found.sheet, found.cell) == ("name", "Drive MC01", f"D{top + 895}")  # the name above the table
-
-
-@needs_office
-def test_rows_inserted_deleted_and_cells_moved_in_libreoffice(books, tmp_path):
-    path = books("motion-composer")
-    sheet, first, last, *_ = place(path, "axis1")
-    tab = f'sheet = book.Sheets.getByName("{sheet}")'
-    made = office.edit(path, tmp_path / "inserted.xlsx", [tab, f"sheet.Rows.insertByIndex({first + 1}, 1)"])
-    one(verify(made), sheet, f"{first + 2}:{first + 2}", "inserted")
-    made = office.edit(path, tmp_path / "deleted.xlsx", [tab, f"sheet.Rows.removeByIndex({last - 2}, 1)"])
-    assert f"{sheet}: a row is gone above row {last - 1}, of axis1" in refused(made)
-    cell, cells = (f'sheet.getCellRangeByName("{at}")' for at in (f"AQ{first}", f"C{first}:F{last}"))
-    move = f"sheet.moveRange({cell}.CellAddress, {cells}.RangeAddress)"
-    made = office.edit(path, tmp_path / "moved.xlsx", [tab, move])
-    assert f"was cut: formulas read what stood in C{first} at Timing!AQ{first}" in refused(made)

@@ -147,6 +147,15 @@ def test_a_new_book_says_that_its_saved_values_are_no_evidence(press, tmp_path):
     assert any("no saved values" in w.why for w in report.witnesses)
 
 
+def test_saved_values_alone_are_held_against_the_engine(press, monkeypatch):
+    """No witness has computed anything that they could be stale against; some are empty, some another number."""
+    file, others = open_book(press.path), (None, 7.25)
+    file.saved |= {at: others[k % 2] for k, at in enumerate(file.saved)}
+    monkeypatch.setattr("workbook.judging.verify.open_book", lambda path: file)
+    stale = [finding for finding in verify(press.path, ["saved"]).findings if finding.kind == "saved"]
+    assert {finding.computed for finding in stale} == {*others}
+
+
 def test_saved_numbers_that_are_shown_as_dates_are_numbers(press, tmp_path):
     opened = press.opened()
     for pair in press.pairs(lambda p: isinstance(p.held, int | float) or p.declared_formula):

@@ -5,9 +5,8 @@ import re
 import pytest
 
 from tests.workbook.composed import EXERCISE, composed
-from tests.workbook.judging.hands import LINKS, STRINGS, STYLES, TYPES, WORKBOOK, Known, repacked, sub
+from tests.workbook.judging.hands import LINKS, STRINGS, STYLES, TYPES, WORKBOOK, Known, refused, repacked, sub
 from workbook.build import build
-from workbook.errors import ReadError
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
 
@@ -21,15 +20,6 @@ def book(tmp_path_factory):
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
     build(composed((*EXERCISE, ("DWL", 0.0, 0.5))), path)  # so that no first number is whole
     return Known(path)
-
-
-def refused(path):
-    with pytest.raises(ReadError) as caught:
-        open_book(path)
-    line = str(caught.value)
-    assert line.startswith(f"{path}: ")
-    assert "\n" not in line
-    return line.removeprefix(f"{path}: ")
 
 
 def override(part, kind):

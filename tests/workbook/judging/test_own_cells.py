@@ -6,18 +6,15 @@ from datetime import UTC, datetime
 import openpyxl
 import pytest
 
-from tests.mutation.bench import smaller
-from tests.tiers import by_day
 from tests.workbook import own
 from tests.workbook.judging.hands import Known, repacked, sub
 from tests.workbook.judging.test_real_edits import numbers
-from workbook.build import build, committed_descriptions, read_inputs
+from workbook.build import read_inputs
 from workbook.errors import InputError, ReadError
 from workbook.judging.batch import Outcome
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.reading import files
-from workbook.reading.descriptions import read_machine
 from workbook.reports.console import report_data
 from workbook.reports.page import junit, page
 from workbook.witnesses.engines import convert, libreoffice_path
@@ -25,16 +22,10 @@ from workbook.witnesses.registry import WITNESSES
 
 QUICK_WITNESSES = ("pycel", "formulon", "ironcalc")
 needs_office = pytest.mark.skipif(libreoffice_path() is None, reason="LibreOffice is not on this machine")
-COMMITTED = [path.stem for path in committed_descriptions()]
-BOOKS = by_day(["press", *COMMITTED], "press")
 
 
 def present(*names):
     return [name for name in names if WITNESSES[name]().version() is not None]
-
-
-def described(name):
-    return next(path for path in committed_descriptions() if path.stem == name)
 
 
 class Filled:
@@ -54,17 +45,7 @@ class Filled:
 
 @pytest.fixture(scope="module")
 def filled(press, tmp_path_factory):
-    made = {"press": Filled(press.path, tmp_path_factory.mktemp("press"))}
-
-    def of(name):
-        if name not in made:
-            folder = tmp_path_factory.mktemp(name)
-            path = folder / f"{name}.xlsx"
-            build(smaller(read_machine(described(name))), path)
-            made[name] = Filled(path, folder)
-        return made[name]
-
-    return of
+    return Filled(press.path, tmp_path_factory.mktemp("press"))
 
 
 def silent(path, count, witnesses):
@@ -80,12 +61,10 @@ def silent(path, count, witnesses):
     return report
 
 
-@pytest.mark.parametrize("name", by_day(["press", *COMMITTED], "press"))
-def test_own_cells_are_no_finding(name, filled):
-    book = filled(name)
-    report = silent(book.path, book.count, present(*QUICK_WITNESSES))
+def test_own_cells_are_no_finding(filled):
+    report = silent(filled.path, filled.count, present(*QUICK_WITNESSES))
     assert report.declared > 200
-    assert numbers(read_inputs(book.path)[0]) == numbers(read_inputs(book.built)[0])
+    assert numbers(read_inputs(filled.path)[0]) == numbers(read_inputs(filled.built)[0])
 
 
 def test_running_sums_of_ones_own_are_not_counted_as_work(press, tmp_path, monkeypatch):
@@ -106,16 +85,13 @@ def test_running_sums_of_ones_own_are_not_counted_as_work(press, tmp_path, monke
         verify(tmp_path / "c.xlsx")
 
 
-@pytest.mark.parametrize("name", BOOKS)
-def test_own_cells_are_no_finding_by_any_witness(name, filled):
-    book = filled(name)
-    silent(book.path, book.count, present("libreoffice", "formulon"))
+def test_own_cells_are_no_finding_by_any_witness(filled):
+    silent(filled.path, filled.count, present("libreoffice", "formulon"))
 
 
 @needs_office
-@pytest.mark.parametrize("name", BOOKS)
-def test_own_cells_are_no_finding_after_libreoffice(name, filled, tmp_path):
-    saved = convert(filled(name).path, "xlsx", tmp_path)
+def test_own_cells_are_no_finding_after_libreoffice(filled, tmp_path):
+    saved = convert(filled.path, "xlsx", tmp_path)
     report = verify(saved, present(*QUICK_WITNESSES))
     own = "conditionalFormattings"  # as it writes the bars in own cells: a notice says so
     told = report.findings + [f for f in report.notices if not f.what.startswith(own)]
@@ -130,18 +106,17 @@ def test_one_line_says_how_many_are_not_checked(filled, capsys):
 
     from workbook.reports.console import show_report
 
-    book = filled("press")
-    report = verify(book.path)
+    report = verify(filled.path)
     data = report_data(report)
-    assert (data["own_cells"]["formulas"], data["own_cells"]["not_evaluated"]) == (book.count, book.count)
+    assert (data["own_cells"]["formulas"], data["own_cells"]["not_evaluated"]) == (filled.count, filled.count)
     show_report(report, Console(width=500))
     (line,) = [text for text in capsys.readouterr().out.splitlines() if "not checked" in text]
-    assert line.startswith(f"{book.count:,} formulas of your own, not checked")
-    outcome = Outcome(book.path, "agrees", report)
+    assert line.startswith(f"{filled.count:,} formulas of your own, not checked")
+    outcome = Outcome(filled.path, "agrees", report)
     when = datetime(2026, 1, 1, tzinfo=UTC)
     assert report.own_words in page([outcome], when)
     assert report.own_words in junit([outcome], when)
-    assert Report(book.path, "x").own_words == ""
+    assert Report(filled.path, "x").own_words == ""
 
 
 # what feeds an input
@@ -193,7 +168,7 @@ def test_what_no_input_needs_keeps_no_evaluator_from_one_that_is_needed(press, t
 
 @pytest.mark.parametrize("name", ["my_list", "Figures"])
 def test_an_input_that_needs_a_name_or_a_table_is_agreed_or_refused_in_one_line(name, filled, press, tmp_path):
-    workbook, place = openpyxl.load_workbook(filled("press").path), press.place("timing_rate")
+    workbook, place = openpyxl.load_workbook(filled.path), press.place("timing_rate")
     workbook[place.sheet][place.a1] = "=SUM(Figures[size])" if name == "Figures" else "=SUM(my_list)"
     path = tmp_path / "book.xlsx"
     workbook.save(path)

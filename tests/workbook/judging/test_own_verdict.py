@@ -7,13 +7,10 @@ from xml.etree import ElementTree
 import openpyxl
 import pytest
 
-from tests.mutation.bench import sized
-from tests.tiers import by_day
 from tests.workbook.press import too_weak
 from workbook.build import build
 from workbook.judging.batch import Outcome, exit_code
 from workbook.judging.verify import verify
-from workbook.templates import TEMPLATES
 
 
 @pytest.fixture(scope="module")
@@ -24,12 +21,9 @@ def failing(press, tmp_path_factory):
     return path
 
 
-@pytest.mark.parametrize("name", by_day(["press", *TEMPLATES], "press"))
-def test_the_checks_of_a_book_are_all_told(name, press, tmp_path):
-    machine = press.machine if name == "press" else sized(TEMPLATES[name])
-    build(machine, tmp_path / "b.xlsx")
-    report = verify(tmp_path / "b.xlsx")
-    assert len(report.checks) == len(TEMPLATES[name].declare(machine).checks) > 5
+def test_the_checks_of_a_book_are_all_told(press):
+    report = verify(press.path)
+    assert len(report.checks) == len(press.declared.checks) > 5
     assert report.failing == []
     assert report.holds
 

@@ -1,6 +1,5 @@
 """The cells that the guard met are those that openpyxl reads of its own, in our books and in all that Excel writes."""
 
-import zipfile
 from datetime import datetime
 from pathlib import Path
 
@@ -11,6 +10,7 @@ from openpyxl.comments import Comment
 from openpyxl.styles import Font
 from openpyxl.worksheet.formula import ArrayFormula
 
+from tests.workbook.judging.hands import repacked, sub
 from workbook.build import COMMITTED
 from workbook.reading.files import open_book
 from workbook.template import FOLDER
@@ -68,19 +68,6 @@ def odd(tmp_path: Path) -> Path:
     return tmp_path / "odd.xlsx"
 
 
-def rewritten(path: Path, old: str, new: str) -> Path:
-    """The book with a part of its first sheet written in another way."""
-    made = path.with_name("rewritten.xlsx")
-    with zipfile.ZipFile(path) as source, zipfile.ZipFile(made, "w") as target:
-        for info in source.infolist():
-            data = source.read(info)
-            if info.filename == "xl/worksheets/sheet1.xml":
-                assert old in data.decode()
-                data = data.decode().replace(old, new).encode()
-            target.writestr(info, data)
-    return made
-
-
 def test_each_kind_of_cell_is_read_as_openpyxl_reads_it(odd: Path) -> None:
     ours, theirs = open_book(odd).workbook, load_workbook(odd)
     mine, other = cells_of(ours), cells_of(theirs)
@@ -108,13 +95,8 @@ def test_each_kind_of_cell_is_read_as_openpyxl_reads_it(odd: Path) -> None:
     '<c r="A6"><v/></c>',
 ], ids=str)  # fmt: skip
 def test_each_way_of_writing_a_cell_is_read_as_openpyxl_reads_it(odd: Path, new: str) -> None:
-    with zipfile.ZipFile(odd) as archive:
-        text = archive.read("xl/worksheets/sheet1.xml").decode()
-    begin = text.index('<c r="A6"')
-    end = text.index("</row>", begin)
-    rest = text[text.index("</row>", end) :]
-    hidden = rest[: rest.index("</sheetData>")]
-    made = rewritten(odd, text[begin:end] + hidden, new + "</row>")
+    last = sub(rb'<c r="A6".*(?=</sheetData>)', f"{new}</row>".encode())
+    made = repacked(odd, odd.with_name("rewritten.xlsx"), {"xl/worksheets/sheet1.xml": last})
     mine, other = cells_of(open_book(made).workbook), cells_of(load_workbook(made))
     array = ("Sheet", 3, 2)
     del mine[array], other[array]

@@ -12,6 +12,7 @@ import pytest
 
 from tests.tiers import nights, seed
 from tests.workbook.composed import small
+from tests.workbook.judging.hands import refused, sub
 from tests.workbook.reading.fuzz import damaged, pack, unpack, without_charts
 from workbook.build import build
 from workbook.errors import InputError, MotionbookError, ReadError
@@ -53,27 +54,6 @@ def book(tmp_path, slim):
         return path
 
     return made
-
-
-def refused(path):
-    """The line by which a file is refused."""
-    with pytest.raises(ReadError) as caught:
-        open_book(path)
-    line = str(caught.value)
-    assert line.startswith(f"{path}: ")
-    assert "\n" not in line
-    return line.removeprefix(f"{path}: ")
-
-
-def sub(pattern, new):
-    """A change that must find what it changes."""
-
-    def change(data):
-        changed, count = re.subn(pattern, lambda _: new, data, count=1, flags=re.DOTALL)
-        assert count == 1
-        return changed
-
-    return change
 
 
 SHEET = "xl/worksheets/sheet1.xml"

@@ -11,7 +11,6 @@ import numpy as np
 import openpyxl
 import pytest
 
-from tests import cutting
 from workbook.build import build, committed_descriptions
 from workbook.functions import publish
 from workbook.functions.page import EXAMPLE, declare
@@ -148,14 +147,6 @@ def test_cells_come_in_their_order_whatever_the_order_in_which_they_are_put():
         '<sheetData><row r="2"><c r="E2" s="0"/></row><row r="3" ht="44" customHeight="1"><c r="B3" s="1">'
         '<f>IF(A1&lt;2,"&amp;",1)</f></c><c r="AB3" s="2" t="s"><v>0</v></c></row></sheetData>'
     )
-
-
-def test_more_than_a_hundred_thousand_formulas(tmp_path):
-    machine = cutting.described()
-    sizes = machine.sizes.model_copy(update={"cycle": 2400})
-    build(machine.model_copy(update={"sizes": sizes}), tmp_path / "book.xlsx")
-    formulas = b"".join(parts(tmp_path / "book.xlsx", r"xl/worksheets/.*").values()).count(b"<f>")
-    assert formulas > 100_000
 
 
 @pytest.mark.parametrize("around", [b"<f>A1</f><v>%s</v>", b'<pt idx="3"><v>%s</v></pt>'])
