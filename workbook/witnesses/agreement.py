@@ -18,21 +18,9 @@ DEVIATION, ZERO = 1e-9, 1e-15  # relative, and of what is zero but for rounding
 MOST = 160  # characters of why a witness failed
 UNKNOWN = (None, "#NAME?")  # what a witness has for a function that it does not know
 UNABLE = {"pycel": (*UNKNOWN, "#VALUE!", "#REF!")}  # and what it has for more that it cannot take
+# functions that read other cells than those they name, or more of these than their values
 ELSEWHERE = frozenset(
-    [  # functions that read other cells than those they name, or more of these than their values
-        "INDIRECT",
-        "OFFSET",
-        "CELL",
-        "INFO",
-        "SHEET",
-        "SHEETS",
-        "FORMULATEXT",
-        "ISFORMULA",
-        "SUBTOTAL",
-        "AGGREGATE",
-        "GETPIVOTDATA",
-        "EVALUATE",
-    ]
+    ("INDIRECT OFFSET CELL INFO SHEET SHEETS FORMULATEXT ISFORMULA SUBTOTAL AGGREGATE GETPIVOTDATA EVALUATE").split()
 )
 SIGNS = frozenset("+-*/^&=<>%")
 OVER_ARRAYS = frozenset(("SUMPRODUCT(", "MMULT(", "LOOKUP("))  # functions that take all cells computed in them
