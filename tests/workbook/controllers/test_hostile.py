@@ -6,7 +6,7 @@ import pytest
 
 from tests.tiers import by_day
 from tests.workbook.controllers.examples import handed
-from tests.workbook.reading.forks import run
+from tests.workbook.reading.program import run
 from workbook.controllers.registry import target
 
 CODESYS = target("codesys").write(handed(target("codesys")))
