@@ -83,18 +83,18 @@ def misleads(subject: Subject, attribute: str, expected: str, held: str) -> bool
             return False
         if subject.kind == "unit":
             return is_unit(held) and not is_same_unit(held, expected)
-        if subject.kind == "entry" and not held:  # nobody knows what the cell is
-            return True
-        return text_misleads(expected, held, subject.others)
+        return text_misleads(expected, held, subject)
     tables = FINDINGS[: 1 + VERDICTS.get(subject.kind, 0)] if subject.kind != "remark" else ()
     return held != COPY and any(table.fullmatch(f"{attribute}: {held}") for table in tables)
 
 
-def text_misleads(expected: str, held: str, others: Container[str]) -> bool:
+def text_misleads(expected: str, held: str, subject: Subject) -> bool:
     """Whether a text says what belongs elsewhere: another's words, other figures, or another unit in brackets."""
+    if not held:  # without its label nobody knows what an entry is
+        return subject.kind == "entry"
     more = set(TELLING.findall(held)) - set(TELLING.findall(expected))
     units = [text.partition("[")[2].rstrip("] ") for text in (expected, held)]
-    return bool(more) or (held in others and bool(held)) or (all(units) and not is_same_unit(*units))
+    return bool(more) or held in subject.others or (all(units) and not is_same_unit(*units))
 
 
 def is_same_unit(unit: str, other: str) -> bool:
