@@ -93,8 +93,7 @@ def export(
     paths = [place]
     if output is None or everything:  # with --all, -o names the folder in which they lie
         paths = [place / f"{book.stem}-{name}{asked.target.suffix}" for name in names]
-    for path in paths:
-        refuse_existing(path, force)
+    refuse_any_existing(paths, force)
     refuse_same_file(*paths, report)
     mark = verified_header(book, before, asked.unverified, fresh)
     with ERR.status("Exporting …"):
@@ -115,6 +114,12 @@ def export(
         write_text(file.path, file.text, force)
         say(ERR if as_json else OUT, f"Wrote {file.path.absolute()}")
     return AGREES
+
+
+def refuse_any_existing(paths: Sequence[Path], force: bool) -> None:
+    """Raise WriteError for the first of these files that is there already, unless it may be replaced."""
+    for path in paths:
+        refuse_existing(path, force)
 
 
 def plan_export(
