@@ -11,12 +11,14 @@ from workbook.laws.registry import CODES, FAMILY, code_named
 NAMING = ("law", "law_in", "law_out")  # entries that name a law
 
 
-def with_laws_by_code(data: dict[str, Any]) -> dict[str, Any]:
+def with_laws_by_code(data: dict[str, Any], usual: Mapping[str, Any]) -> dict[str, Any]:
     """Return a description whose entries name laws by what its book lists: those of the catalogue by their codes.
 
-    A law that the description has itself goes before the catalogue's, which come with their defaults.
+    A law that the description has itself goes before the catalogue's, which come with their defaults. One that says
+    nothing of laws has the ``usual``, and names these in any of their ways.
     """
-    own = data.get("laws", {})
+    own = data.get("laws", usual)
+    listed_as = {} if "laws" in data else {entry["family"]: name for name, entry in usual.items()}
     if not isinstance(own, Mapping):
         return data
     require_names_of_family(own)
@@ -25,8 +27,8 @@ def with_laws_by_code(data: dict[str, Any]) -> dict[str, Any]:
         if isinstance(name, str) and path[-1] in NAMING and not listed(name, [*CODES, *own]):
             code = code_named(name)
             if code is not None:
-                changed = replaced(changed, path, code)
-                added |= {} if listed(code, [*CODES, *own]) else {code: {}}
+                changed = replaced(changed, path, listed_as.get(code, code))
+                added |= {} if code in listed_as or listed(code, [*CODES, *own]) else {code: {}}
     return {**changed, "laws": {**own, **added}} if own or added else changed
 
 

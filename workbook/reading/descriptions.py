@@ -79,7 +79,7 @@ def write_machine(machine: Machine) -> str:
 def described(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate a description, which may name laws as the catalogue does; raise InputError as :func:`validated` does."""
     try:
-        named = with_laws_by_code({"laws": template.laws} | data)
+        named = with_laws_by_code(data, template.laws)
     except EntryError as error:
         raise InputError([f"{where(error.field)}: {error}"]) from None
     return validated(template, named, where)

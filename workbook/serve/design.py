@@ -44,7 +44,7 @@ def judged(template: AnyTemplate, data: dict[str, Any]) -> Judged:
     """Return the machine of a description, or all its faults."""
     model, faults = template.model, dict[str, str]()
     try:
-        machine = model.model_validate(with_laws_by_code(data))
+        machine = model.model_validate(with_laws_by_code(data, template.laws))
         template.check(machine)
         return Judged(machine, {})
     except ValidationError as error:

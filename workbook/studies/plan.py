@@ -78,7 +78,7 @@ class Plan:
                 changes[path] = now + way * (value - begun)
             if own[-1] == "law":  # perhaps of a new family
                 known: dict[str, Any] = {name: {} for name in self.base.laws.names}
-                named = with_laws_by_code({"law": value, "laws": known})
+                named = with_laws_by_code({"law": value, "laws": known}, {})
                 value = named["law"]
                 changes |= {("laws", law): {} for law in named["laws"] if law not in known}
             changes |= dict.fromkeys(dimension.paths, value)

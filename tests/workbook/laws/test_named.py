@@ -119,7 +119,7 @@ def test_a_description_names_a_law_as_the_catalogue_does_and_its_book_has_it():
         data, names = described({}), (law.code, law.name, *law.aliases)
         for name in names:
             data["axes"][0]["phases"][0]["law"] = name
-            named = with_laws_by_code(data)
+            named = with_laws_by_code(data, {})
             assert named["axes"][0]["phases"][0]["law"].upper() == law.code
         made = validated(MACHINE, named, counted_from_1)
         assert made.laws[law.code] == ENTRIES[law.code](family=law.code)
@@ -127,7 +127,7 @@ def test_a_description_names_a_law_as_the_catalogue_does_and_its_book_has_it():
 
 def test_a_law_of_the_description_goes_before_the_catalogues_of_like_name():
     own = {"PO5": {"share": 0.4}, "Modified sine": {"rise_edge": 0.2}}
-    data = with_laws_by_code(described(own, "3-4-5", "modified sine"))
+    data = with_laws_by_code(described(own, "3-4-5", "modified sine"), {})
     made = validated(MACHINE, data, counted_from_1)
     assert [axis.phases[k].law for axis, k in zip(made.axes, (0, 1), strict=False)] == ["PO5", "Modified sine"]
     assert (made.laws["PO5"].share, made.laws["Modified sine"].family) == (0.4, "MSN")

@@ -6,6 +6,7 @@ from engine.laws import CATALOGUE
 from engine.laws.family import Vendors
 from tests.workbook.cells import computed, disagreeing
 from workbook.laws.registry import CODES
+from workbook.reading import descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -74,6 +75,13 @@ def test_the_least_are_those_of_the_modified_sine(value):
     k = row_of(value, "Modified sine")
     assert value("least_loss") == value("costs", "loss")[k]
     assert value("least_va") == value("costs", "va")[k]
+
+
+def test_a_curve_may_take_a_law_by_any_name_and_the_book_has_it_once():
+    data = {"template": "motion-laws", "title": "all", "comparison": {"curves": [{"law": "quintic"}, {"law": "MS"}]}}
+    machine = descriptions.described(TEMPLATE, data, str)
+    assert [curve.law for curve in machine.comparison.curves] == ["Polynomial 3-4-5", "Modified sine"]
+    assert len(machine.laws.names) == len(CATALOGUE)
 
 
 def test_every_family_is_compared_by_its_name(value):
