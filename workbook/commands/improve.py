@@ -13,7 +13,17 @@ from workbook.reading.descriptions import parse_toml
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.reports.terminal import shown as escaped
 from workbook.studies.design import Design, first_design
-from workbook.studies.improve import STAGES, better, edited, gain_in_words, obstacles, reshaped_laws, single_gains
+from workbook.studies.improve import (
+    RATE,
+    STAGES,
+    better,
+    edited,
+    gain_in_words,
+    obstacles,
+    rate_to_write,
+    reshaped_laws,
+    single_gains,
+)
 from workbook.studies.timing import Done
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
@@ -92,7 +102,7 @@ def show_gains(design: Design, stage: str, workers: Pool, done: Done) -> Design:
     best, before = {"": design}, design.exact_cost
     try:
         for gain in single_gains(design, workers, done):
-            say(OUT, f"  {gain.words}, {gain_in_words(design, gain.before, gain.after)}")
+            say(OUT, f"  {gain.sentence(design)}")
         for name, (words, kinds, begin) in STAGES.items():
             best[name] = best[begin]
             for other in better(best[begin], kinds, workers, done):
@@ -113,7 +123,9 @@ def write_best(path: Path, best: Design, output: Path, force: bool) -> int:
         say(ERR, f"{output} is not written: no better design is known", "yellow")
         return AGREES
     with ERR.status(escaped(f"Writing and judging {output} …")):
-        write_text(output, edited(path, best), force)
+        rate = rate_to_write(best)
+        changes = {**best.changes} | ({RATE: rate} if rate else {})
+        write_text(output, edited(read_text(path, DESCRIPTION), changes), force)
         machine = read_description(output)
         template = TEMPLATES[machine.template]
         failing = failing_checks(template.declare(machine), template.judge(machine))

@@ -121,7 +121,7 @@ GET: dict[str, Action] = {
     "/study/NAME": study.show, "/progress/NAME": study.progress, "/controller/NAME": controller, MODULES: static,
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
-EDITING = (editing.change, editing.figures, editing.products, editing.verdict)
+EDITING = (editing.change, editing.figures, editing.products, editing.verdict, editing.gains)
 KEEPING = (editing.discard, editing.theirs, editing.save, home.new, home.keep)
 WORKING = (verify, upload, compare, export, read, study.begin, study.cancel)
 POST: dict[str, Action] = {

@@ -7,6 +7,7 @@ from typing import Any
 
 from workbook.errors import InputError, ReadError, WriteError
 from workbook.serve import design, pages, parts, study, tables
+from workbook.serve.gains import gains_of
 from workbook.serve.handler import Page, state
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
@@ -111,6 +112,11 @@ async def products(page: Page) -> str:
 async def verdict(page: Page) -> str:
     """Return the verdict on a text."""
     return await answer(page, design.verdict, page.file().name, page.text(), slow=True)
+
+
+async def gains(page: Page) -> str:
+    """Return what each single change of a text would gain, and the texts with them."""
+    return await answer(page, gains_of, page.file().name, page.text(), slow=True)
 
 
 async def file_state(page: Page, name: str) -> str:

@@ -1,10 +1,9 @@
 """Make a machine better: its limits in their order, single changes by what they gain, the best together."""
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from engine.drive.highest_rate import RateLimit, limits_in_order, moment_of
 from engine.drive.limits import at_speed
@@ -15,7 +14,6 @@ from workbook.pool import Pool, WorkerDied
 from workbook.studies.design import GAIN, Design
 from workbook.studies.plan import changed_machine
 from workbook.studies.timing import Done, best_timing
-from workbook.text_files import read_text
 
 ORDER = 5  # limits that are listed in their order
 DIGITS = 4  # of figures in words
@@ -59,11 +57,16 @@ def gain_in_words(design: Design, before: float, after: float) -> str:
 
 
 class Gain(NamedTuple):
-    """A single change and the cost of the machine before and after it, exact."""
+    """A single change and the cost of the machine before and after it, exact; all entries that are changed then."""
 
     words: str
     before: float
     after: float
+    changes: Mapping[Place, Any]
+
+    def sentence(self, design: Design) -> str:
+        """Return it in words."""
+        return f"{self.words}, {gain_in_words(design, self.before, self.after)}"
 
 
 def tried(change: Change, design: Design) -> Design | str:
@@ -88,7 +91,7 @@ def single_gains(design: Design, pool: Pool, done: Done) -> Iterator[Gain]:
     axis, broken, before = design.limiting, design.breaks(), design.exact_cost
     for change, other in improved(design, [*design.tries(axis)], pool, done):
         if other.breaks() <= broken and (after := other.exact_cost) < before * (1.0 - GAIN):
-            yield Gain(change.words, before, after)
+            yield Gain(change.words, before, after, other.changes)
 
 
 def better(design: Design, kinds: Collection[str], pool: Pool, done: Done) -> Iterator[Design]:
@@ -157,12 +160,11 @@ def cut_off(rate: float) -> float:
     return rate if math.isinf(rate) else math.floor(rate * 100.0) / 100.0
 
 
-def edited(path: Path, design: Design) -> str:
-    """Return the description in a file with the changes of a design, and the rate that it reaches; comments stay."""
+def edited(text: str, changes: Mapping[Place, Any]) -> str:
+    """Return the text of a description with changes; comments stay."""
     import tomlkit
 
-    document = tomlkit.parse(read_text(path, "a machine description, a .toml file"))
-    rate = rate_to_write(design)
-    for place, value in ({**design.changes} | ({RATE: rate} if rate else {})).items():
+    document = tomlkit.parse(text)
+    for place, value in changes.items():
         put(document, place, value)
     return tomlkit.dumps(document)

@@ -60,6 +60,20 @@ def value_at(data, path):
     return data
 
 
+def test_what_would_help_most_is_tried_and_undone(page, server, wrapping):
+    opened(page, server)
+    page.get_by_role("button", name="Faster …").click()
+    rows = page.locator(".verdict .list button")
+    expect(rows.first).to_contain_text("cycles/min (+", timeout=LONG)
+    rows.first.click()
+    expect(rows).to_have_count(0)
+    settled(page)
+    assert value_at(saved(page, wrapping), "axes.0.phases.0.stop") == 90.0
+    page.get_by_role("button", name="Undo").click()
+    settled(page)
+    assert value_at(saved(page, wrapping), "axes.0.phases.0.stop") == 80.0
+
+
 @pytest.mark.parametrize("is_finished", [True, False])
 @pytest.mark.parametrize("pause", [40, 90, 160, 300])
 def test_no_digit_is_lost_at_any_pace_while_figures_come_back(page, server, wrapping, pause, is_finished):

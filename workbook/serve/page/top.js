@@ -3,6 +3,7 @@ import { html, useState } from "./html.js";
 import { Input } from "./fields.js";
 import { redo, undo } from "./journal.js";
 import { choosePart } from "./cards.js";
+import { Gains } from "./gains.js";
 import { build, save } from "./save.js";
 import * as s from "./state.js";
 
@@ -40,7 +41,7 @@ export function Top() {
     <a class="brand" href="/">motionbook</a>
     <h1 class="file" title=${s.data.value.title}>${s.data.value.title}<small>${target} · ${s.isChanged.value ? "not saved" : "saved"}</small></h1>
     ${entry && html`<div class="kpi"><small>${entry.name === "rate" ? "Production rate" : "Length of a cycle"}</small><${Input} entry=${{ ...entry, default: "" }} path=${["master", entry.name]} /></div>`}
-    ${machine?.highest && html`<${Figure} title="Highest rate" value=${machine.highest.value} note=${machine.highest.reason} before=${before?.highest?.value} />`}
+    ${machine?.highest && html`<${Figure} title="Highest rate" value=${machine.highest.value} note=${machine.highest.reason} before=${before?.highest?.value} /><${Gains} />`}
     ${typeof machine?.peak_power === "number" && html`<${Figure} title="Peak power" value=${machine.peak_power} unit="kW" before=${before?.peak_power} />`}
     <${Verdict} />
     <span class="sp"></span>
