@@ -1,4 +1,4 @@
-"""Make the pictures of README and docs: of the committed workbooks by LibreOffice and pdftoppm, of pages by Chromium.
+"""Make the pictures of README and docs: workbooks by LibreOffice and pdftoppm, pages by Chromium, Calc's menu by Xvfb.
 
 .venv/bin/python -m docs.pictures
 .venv/bin/python -m docs.pictures --all    (a contact sheet of every page of every workbook, not committed)
@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from docs import browsing
+from docs import browsing, menu
 from docs.contact import book_of, contact
 from tests.functions.calc import Calc
 from workbook.functions import publish
@@ -62,6 +62,8 @@ def main(wanted: list[str]) -> None:
             subprocess.run([*map(str, command), str(pdf), str(HERE / Path(name).stem)], check=True)
             print(f"Made {HERE / name}")
     browsing.main(wanted)
+    if not wanted or menu.PICTURE.name in wanted:
+        menu.main()
 
 
 if __name__ == "__main__":

@@ -216,7 +216,7 @@ def committed_descriptions() -> list[Path]:
 
 
 def write_templates() -> list[Path]:
-    """Generate the workbook of every committed description, the digests of all, and the files of the functions."""
+    """Generate the workbook of every committed description, the digests of all, and that of the functions."""
     from workbook.functions import publish  # slow to import, and no other command needs it
 
     books = [description.with_suffix(".xlsx") for description in committed_descriptions()]
@@ -224,7 +224,8 @@ def write_templates() -> list[Path]:
         write_book(read_machine(book.with_suffix(".toml")), book, overwrite=True)
     lines = [f"{book_digest(book)}  {book.name}\n" for book in books]
     (FOLDER / DIGESTS).write_text("".join(lines), encoding="utf-8", newline="\n")
-    return [*books, FOLDER / DIGESTS, *publish.write_files()]
+    publish.write_book()
+    return [*books, FOLDER / DIGESTS, publish.BOOK]
 
 
 def stale_templates() -> list[Path]:
@@ -241,4 +242,4 @@ def stale_templates() -> list[Path]:
             is_same = same_book(fresh, book) if book.exists() else book.stem not in COMMITTED
             if not is_same or digests.get(book.name) != book_digest(fresh):
                 stale.append(book)
-    return [*stale, *publish.stale_files()]
+    return [*stale, publish.BOOK] if publish.is_stale() else stale

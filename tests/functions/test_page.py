@@ -137,25 +137,15 @@ def test_office_open_xml_is_valid(book):
     assert [f"{e.part_uri}: {e.description}" for e in found.errors] == []
 
 
-def test_the_text_holds_every_definition_ready_to_paste(tmp_path):
-    publish.write_text(tmp_path / "text.txt")
-    entries = (tmp_path / "text.txt").read_text(encoding="utf-8").split("\n\n")
-    pasted = {lines[0]: lines[2] for lines in (e.strip().splitlines() for e in entries) if lines[-1].startswith("=")}
-    assert pasted == {d.name: "=" + re.sub(r"\s+", " ", d.formula) for d in definitions()}
+def test_the_committed_workbook_is_that_of_todays_code():
+    assert not publish.is_stale(), "run motionbook templates"
 
 
-def test_the_committed_files_are_those_of_todays_code():
-    assert publish.stale_files() == [], "run motionbook templates"
-
-
-def test_a_changed_file_is_noticed(tmp_path, monkeypatch):
-    monkeypatch.setattr(publish, "FOLDER", tmp_path)
-    first = {path: path.read_bytes() for path in publish.write_files()}
-    assert {path: path.read_bytes() for path in publish.write_files()} == first
-    assert publish.stale_files() == []
-    (tmp_path / "motion-functions.txt").write_text("other", encoding="utf-8")
-    (tmp_path / "motion-functions.xlsx").unlink()
-    assert publish.stale_files() == list(first)
+def test_a_changed_workbook_is_noticed(tmp_path, monkeypatch):
+    monkeypatch.setattr(publish, "BOOK", tmp_path / "motion-functions.xlsx")
+    assert publish.is_stale()
+    publish.write_book(publish.BOOK)
+    assert not publish.is_stale()
 
 
 @pytest.mark.parametrize("command", [("verify",), ("inputs",), ("regenerate", "-o", "new.xlsx")], ids=lambda c: c[0])

@@ -202,6 +202,7 @@ def watch(
     books: Annotated[list[Path], Argument(metavar="BOOK|FOLDER...", parser=named_place, help=PLACES)],
     once: bool = flag("--once", "End with the verdict on the first save, by the exit code of verify; no page."),
     as_json: bool = flag("--json", "Print a line of JSON for each verdict; no page."),
+    until_eof: bool = flag("--until-eof", "End with the standard input, as that of a program that began this."),
     port: int = Option(0, min=0, max=65535, help="The port of the page; 0 takes a free one."),
     browse: bool = Option(True, help="Open the browser."),
 ) -> None:
@@ -213,7 +214,7 @@ def watch(
     from workbook.serve.watch import watch as watching
 
     try:
-        raise typer.Exit(asyncio.run(watching(books, once, as_json, port, browse)))
+        raise typer.Exit(asyncio.run(watching(books, once, as_json, until_eof, port, browse)))
     except KeyboardInterrupt:
         say(ERR, "Ended")
 

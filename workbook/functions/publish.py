@@ -1,4 +1,4 @@
-"""The files by which spreadsheets get the functions: a workbook with the names, their text, the add-in ``motion.oxt``.
+"""The files by which spreadsheets get the functions: a workbook with the names, and the add-in ``motion.oxt``.
 
 LibreOffice's SDK made ``motion.rdb``: unoidl-write program/types.rdb program/types/offapi.rdb motion.idl motion.rdb
 """
@@ -6,7 +6,6 @@ LibreOffice's SDK made ``motion.rdb``: unoidl-write program/types.rdb program/ty
 import re
 import sys
 import tempfile
-from filecmp import cmp
 from importlib import resources
 from operator import attrgetter
 from pathlib import Path
@@ -15,6 +14,7 @@ from openpyxl.workbook.defined_name import DefinedName
 from tornado.template import Template
 
 from workbook import __version__
+from workbook.controllers.registry import targets
 from workbook.errors import WriteError
 from workbook.functions.declarations import FUNCTIONS, NAMESPACE, TEXTS, Text
 from workbook.functions.names import definitions
@@ -25,21 +25,14 @@ from workbook.writing.archive import same_book
 from workbook.writing.output_files import refuse_existing, replace
 from workbook.writing.write import pack, parts
 
+BOOK = FOLDER / "motion-functions.xlsx"
 SHEET = "xl/worksheets/sheet1.xml"
 WHETHER = re.compile(rb'(<c r="\w+" s="\d+") t="str"(><f>IF\(ISERROR\([^<]*</f>)<v>[^<]*</v>')
 NOTE = 255  # characters of the comment that Excel shows beside a name
-HEAD = """\
-The motion functions as names of Excel 365, Excel 2024 and Excel for the web (English; comma between arguments).
-
-Quicker, and right in every language of Excel: open motion-functions.xlsx beside your workbook and copy its sheet
-there (right-click its tab > Move or Copy); the names come with it.
-By hand: Formulas > Name Manager > New for each entry below: its name, and its formula under Refers to.
-The names that begin with _ are called by the others: take them all.
-"""
 PACKAGE = resources.files("workbook.functions") / "addin"
 
 
-def write_book(path: Path, shown: PageInputs = EXAMPLE) -> None:
+def write_book(path: Path = BOOK, shown: PageInputs = EXAMPLE) -> None:
     """Write the workbook of the names; the cell that says whether they compute has no saved value."""
     names = [DefinedName(term.name, comment=term.note[:NOTE], attr_text=term.stored) for term in definitions()]
     # a copied sheet brings along these names alone
@@ -47,30 +40,12 @@ def write_book(path: Path, shown: PageInputs = EXAMPLE) -> None:
     pack(archive.with_dynamic_arrays(pieces | {SHEET: WHETHER.sub(rb"\1\2", pieces[SHEET])}), path, overwrite=True)
 
 
-def write_text(path: Path) -> None:
-    """Write the definitions to paste elsewhere: a name, what it is for, and its formula in a line."""
-    entries = (f"{term.name}\n{term.note}\n={' '.join(term.formula.split())}\n" for term in definitions())
-    path.write_bytes("\n".join([HEAD, *entries]).encode())  # the same line ends on every system
-
-
-def write_files(folder: Path | None = None) -> list[Path]:
-    """Generate the committed files, where they lie or in another folder."""
-    book, text = ((folder or FOLDER) / f"motion-functions.{kind}" for kind in ("xlsx", "txt"))
-    write_book(book)
-    write_text(text)
-    return [book, text]
-
-
-def stale_files() -> list[Path]:
-    """Return the old files that today's code would generate differently, and those that are not there."""
-    stale = []
+def is_stale() -> bool:
+    """Whether today's code would generate the committed workbook differently, or it is not there."""
     with tempfile.TemporaryDirectory() as folder:
-        for fresh in write_files(Path(folder)):
-            old = FOLDER / fresh.name
-            same = old.exists() and (same_book(fresh, old) if old.suffix == ".xlsx" else cmp(fresh, old, False))
-            if not same:
-                stale.append(old)
-    return stale
+        fresh = Path(folder, BOOK.name)
+        write_book(fresh)
+        return not (BOOK.exists() and same_book(fresh, BOOK))
 
 
 def write_add_in(path: Path, overwrite: bool = False, python: str = sys.executable) -> None:
@@ -102,7 +77,8 @@ def add_in(python: str) -> dict[str, bytes]:
     registry = wizard.generate(namespace=NAMESPACE, functions=FUNCTIONS, category=category)
     files = {name: (PACKAGE / name).read_text(encoding="utf-8").encode() for name in texts}
     files["description.xml"] = files["description.xml"].replace(b"VERSION", __version__.encode())
-    files["pythonpath/motionbook_python.py"] = f"PYTHON = {python!r}\n".encode()
+    kinds = {f"{target.title} ({target.name})": (target.name, target.suffix) for target in targets()}
+    files["pythonpath/motionbook_python.py"] = f"PYTHON = {python!r}\nTARGETS = {kinds!r}\n".encode()
     files |= {"CalcAddIns.xcu": registry, "motion.rdb": (PACKAGE / "motion.rdb").read_bytes()}
     for module in sorted((PACKAGE / "motion_functions").iterdir(), key=attrgetter("name")):
         if module.name.endswith((".py", ".md")):

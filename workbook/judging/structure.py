@@ -13,9 +13,6 @@ from workbook.book.declare import Block
 from workbook.book.rows import is_number
 from workbook.book.stamp import TABLE
 from workbook.entries.rules import field_at
-from workbook.errors import listed
-from workbook.functions.declarations import NAMESPACE
-from workbook.functions.names import definitions, meaning
 from workbook.judging.matching import Match
 from workbook.judging.report import Finding, Report
 from workbook.reading.files import LiteralText, is_formula
@@ -66,7 +63,6 @@ ALLOWED = frozenset(
     ).split()
 )
 VOLATILE = frozenset(["NOW", "TODAY", "RAND", "RANDBETWEEN", "OFFSET", "INDIRECT", "CELL", "INFO", "RANDARRAY"])
-MOST = 5  # names that a note lists
 COMPUTED = "how the program computes"
 
 
@@ -121,16 +117,6 @@ def setting_findings(workbook: Workbook) -> Iterator[Finding]:
         if sheet.sheet_properties.transitionEvaluation or sheet.sheet_properties.transitionEntry:
             rules = "by the rules of Lotus 1-2-3", "by those of Excel"
             yield Finding(sheet.title, "calculation", "setting", *rules, COMPUTED)
-
-
-def stale_functions(workbook: Workbook) -> Iterator[str]:
-    """Yield a note where names that define the functions MOTION.*, copied beside a machine, are not today's."""
-    held = {name: held.attr_text or "" for name, held in workbook.defined_names.items() if NAMESPACE in name}
-    if not held:  # as in most books: the definitions need not be read
-        return
-    other = sorted(d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.stored))
-    if other:
-        yield f"names that are not today's definitions: {listed(other, MOST)}; take them from motion-functions.xlsx"
 
 
 def finding(place: Place, name: str, fault: str, expected: str) -> Finding:

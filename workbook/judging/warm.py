@@ -5,7 +5,9 @@ What is shown, and formulas at other entries, :func:`workbook.judging.verify.ver
 """
 
 import io
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import tostring
@@ -70,7 +72,8 @@ class WarmBook:
             file, entered, self._model = book_of(path, inspected), Cells(), None
         else:
             file, entered = enter_cells(file, inspected, cells)
-        entries = Entries(file, agreed_values, refuse_repairs if self._model is None else refuse_other_names)
+        repairs = repair_book if self._model is None else repair_names  # of unchanged formulas no cell was cut
+        entries = Entries(file, agreed_values, partial(refuse, repairs))
         if file.torn or file.inserted:
             raise OtherBookError(f"{path}: rows were put into its tables")
         machine = entries.machine()
@@ -100,16 +103,9 @@ class WarmBook:
         count_cells(match, report)
 
 
-def refuse_repairs(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Any]:
+def refuse(repairs: Callable[..., Any], file: BookFile, layout: Book, model: type[BaseModel]) -> list[Any]:
     """Raise OtherBookError where entries have to be put in order before they can be judged."""
-    if repair_book(file, layout, model):
-        raise OtherBookError(f"{file.path}: names are to be put in order")
-    return []
-
-
-def refuse_other_names(file: BookFile, layout: Book, model: type[BaseModel]) -> list[Any]:
-    """Raise OtherBookError where names have to be put in order; of unchanged formulas no cell was cut."""
-    if any(repair_names(file, layout, model)):
+    if [*repairs(file, layout, model)]:
         raise OtherBookError(f"{file.path}: names are to be put in order")
     return []
 

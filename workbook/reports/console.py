@@ -17,7 +17,7 @@ from engine.laws import CATALOGUE
 from engine.laws.inverse import DERIVATIVES, continuity, law_joints
 from workbook.errors import visible
 from workbook.judging.batch import Outcome
-from workbook.judging.report import FOLLOWS, Report
+from workbook.judging.report import FOLLOWS, Finding, Report
 from workbook.reports.page import VERDICTS, figure, line, own_verdict, where
 from workbook.reports.terminal import say, say_json, show_table, shown
 
@@ -45,6 +45,12 @@ def plain(value: Any) -> Any:
     return str(value)
 
 
+def findings_data(report: Report, findings: Sequence[Finding]) -> list[dict[str, Any]]:
+    """Return findings of a report as JSON's objects, each with the formula that should stand in its cell."""
+    fields = ({field: plain(getattr(finding, field)) for field in FINDING} for finding in findings)
+    return [data | {"formula": report.formulas.get((data["sheet"], data["cell"]), "")} for data in fields]
+
+
 def report_data(report: Report) -> dict[str, Any]:
     """Return a report as JSON's objects and lists."""
     return {
@@ -58,14 +64,7 @@ def report_data(report: Report) -> dict[str, Any]:
         },
         "witnesses": [{name: getattr(ran, name) for name in WITNESS} for ran in report.witnesses],
         "deviations": report.deviations,
-        **{
-            name: [
-                {field: plain(getattr(finding, field)) for field in FINDING}
-                | {"formula": report.formulas.get((finding.sheet, finding.cell), "")}
-                for finding in getattr(report, name)
-            ]
-            for name in ("findings", "notices")
-        },
+        **{name: findings_data(report, getattr(report, name)) for name in ("findings", "notices")},
         "own_cells": {"formulas": len(report.own), "not_evaluated": report.not_evaluated, "cells": report.own},
         "notes": report.notes,
     }

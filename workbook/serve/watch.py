@@ -2,8 +2,12 @@
 
 import asyncio
 import json
+import os
+import sys
 import tempfile
-from collections.abc import Sequence
+import threading
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +17,7 @@ from workbook.errors import ReadError
 from workbook.judging.batch import exit_code, find_workbooks
 from workbook.reading.files import SUFFIXES
 from workbook.reports import differences
-from workbook.reports.console import plain
+from workbook.reports.console import findings_data, plain
 from workbook.reports.html import rendered
 from workbook.reports.page import line
 from workbook.reports.terminal import OUT, say, say_data
@@ -31,8 +35,9 @@ LONGEST = 600.0  # seconds of a verdict
 class Watch:
     """Books, or folders of them, that are watched; ends with the first verdict on a save where it is for ``once``."""
 
-    def __init__(self, paths: Sequence[Path], once: bool, as_json: bool) -> None:
+    def __init__(self, paths: Sequence[Path], once: bool, as_json: bool, until_eof: bool) -> None:
         self.paths, self.once, self.as_json = [path.resolve() for path in paths], once, as_json
+        self.until_eof = until_eof
         self.code: int | None = None
         self._ended = asyncio.Event()
         self._temporary = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # no work leaves a file behind
@@ -51,6 +56,9 @@ class Watch:
                     running.append(tasks.create_task(self._serve(port, browse)))
                 for target in () if self.once else targets:
                     self.saves.note(target.path)
+                if self.until_eof:
+                    end = partial(asyncio.get_running_loop().call_soon_threadsafe, self._ended.set)
+                    threading.Thread(target=read_to_end, args=(end,), daemon=True).start()
                 await self._ended.wait()
                 for task in running:
                     task.cancel()
@@ -125,9 +133,16 @@ class Watch:
             say(OUT, f"    {text}", "red")
 
 
-async def watch(paths: Sequence[Path], once: bool, as_json: bool, port: int, browse: bool) -> int:
+def read_to_end(end: Callable[[], object]) -> None:
+    """Read standard input to its end, and call ``end`` then."""
+    while os.read(sys.stdin.fileno(), 4096):
+        pass
+    end()
+
+
+async def watch(paths: Sequence[Path], once: bool, as_json: bool, until_eof: bool, port: int, browse: bool) -> int:
     """Watch books until the first verdict, or until it is interrupted; return the exit code of ``verify``."""
-    return await Watch(paths, once, as_json).run(port, browse)
+    return await Watch(paths, once, as_json, until_eof).run(port, browse)
 
 
 def as_data(path: Path, verdict: Verdict) -> dict[str, Any]:
@@ -144,6 +159,6 @@ def as_data(path: Path, verdict: Verdict) -> dict[str, Any]:
         "sentence": verdict.sentence,
         "entries": [{name: plain(value) for name, value in change._asdict().items()} for change in changed.entries],
         "results": [{name: plain(value) for name, value in change._asdict().items()} for change in changed.results],
-        "findings": [line(finding) for finding in report.findings] if report else [],
+        "findings": findings_data(report, report.findings) if report else [],
         "failing": [check.line for check in report.failing] if report else [],
     }

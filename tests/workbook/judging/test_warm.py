@@ -10,7 +10,8 @@ from workbook.build import build
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.verify import verify
 from workbook.judging.warm import WarmBook
-from workbook.witnesses.pycel.model import PycelModel
+from workbook.reading.files import open_book
+from workbook.witnesses.pycel.model import Pycel, PycelModel
 
 VALUES = {"value", "error", "follows", "saved", "formula", "replaced", "missing", "changed"}
 
@@ -78,6 +79,7 @@ def test_each_of_many_saves_has_the_verdict_on_values_that_verify_has(book, tmp_
         whole = verify(path)
         judged += 1
         assert told(report) == told(whole), edit.__name__
+        assert warm._model.evaluate() == Pycel().model(open_book(path), warm._cells).evaluate(), edit.__name__
         assert [check.line for check in report.checks] == [check.line for check in whole.checks]
     assert judged >= 6
 

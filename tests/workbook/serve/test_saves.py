@@ -56,14 +56,15 @@ async def beside(path, data, draw):
     yield
 
 
-def test_each_save_at_a_random_moment_has_its_verdict(book):
+@pytest.mark.parametrize("count", [10, pytest.param(200, marks=pytest.mark.nightly)])
+def test_each_save_at_a_random_moment_has_its_verdict(book, count):
     draw, told = random.Random(3), []
 
     async def save_often():
         watched = Saves(Here(), lambda path, verdict: told.append(verdict))
         judging = asyncio.create_task(watched.judge_each())
         workbook = load_workbook(book)
-        for number in range(10):
+        for number in range(count):
             friction, is_wrong = round(draw.uniform(0.1, 4.0), 3), draw.random() < 0.3
             cell_named(workbook, "drive1_friction").value = friction
             cell_named(workbook, "timing_period").value = "=61/timing_rate" if is_wrong else "=60/timing_rate"
@@ -82,10 +83,10 @@ def test_each_save_at_a_random_moment_has_its_verdict(book):
                 assert labels in ({}, {"Friction": friction})
         judging.cancel()
 
-    asyncio.run(asyncio.wait_for(save_often(), 240))
+    asyncio.run(asyncio.wait_for(save_often(), 24 * count))
     assert all(verdict.outcome.report for verdict in told)
-    assert len({verdict.outcome.sha256 for verdict in told if verdict.whole}) == 10
-    assert sum(verdict.whole for verdict in told) == 10
+    assert len({verdict.outcome.sha256 for verdict in told if verdict.whole}) == count
+    assert sum(verdict.whole for verdict in told) == count
 
 
 def test_what_a_save_changed_is_told_entries_and_results(book):

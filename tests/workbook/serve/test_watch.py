@@ -34,7 +34,7 @@ def watching(book, *options):
     command = [sys.executable, "-u", "-m", "workbook", "watch", str(book), "--no-browse", *options]
     heard = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)  # tests in the background ignore Ctrl+C
     given = os.environ | {"TMPDIR": str(temporary), "COLUMNS": "200"}
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     with subprocess.Popen(command, text=True, preexec_fn=heard, env=given, start_new_session=True, **pipes) as process:
         try:
             yield process
@@ -90,6 +90,15 @@ def test_once_ends_with_the_verdict_on_the_next_save(book):
     assert process.returncode == 0
     assert verdicts[-1]["verdict"] == "agrees"
     assert verdicts[-1]["whole"] is True
+
+
+def test_it_ends_with_its_input_where_a_program_began_it_so(book):
+    with watching(book, "--json", "--until-eof") as process:
+        verdict = json.loads(process.stdout.readline())
+        process.stdin.close()
+        process.wait(60)
+    assert process.returncode == 0
+    assert verdict["findings"] == []
 
 
 def test_a_name_of_no_file_is_refused_in_a_line(tmp_path):

@@ -7,14 +7,12 @@ from functools import partial
 from typing import Callable
 
 import unohelper
-from com.sun.star.lang import XServiceInfo
 from motion_functions.cells import Cells, motion, named, pairs, reflected, root_mean_square, single
 from motion_functions.law import NUM, Refused
+from motion_functions.service import Service
 from motionbook import XMotionFunctions
 
-IMPLEMENTATION = "MOTION"  # the first part of the functions' names, also in the files
 BACKWARDS = 1e-9  # of the mean velocity: a smaller velocity backwards is rounding
-SERVICES = ("com.sun.star.sheet.AddIn", "motionbook.MotionFunctions")
 
 
 def failure(number: int) -> float:
@@ -44,23 +42,14 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
 """the functions by the names of their methods; what they take is declared in ``functions.toml``"""
 
 
-class MotionFunctions(unohelper.Base, XMotionFunctions, XServiceInfo):
+class MotionFunctions(Service, XMotionFunctions):
     """The component, with a method for each of :data:`FUNCTIONS`."""
+
+    NAME = "MOTION"  # the first part of the functions' names, also in the files
+    SERVICES = ("com.sun.star.sheet.AddIn", "motionbook.MotionFunctions")
 
     def __init__(self, context: object) -> None:
         self.context = context
-
-    def getImplementationName(self) -> str:
-        """Return the name that LibreOffice registers."""
-        return IMPLEMENTATION
-
-    def supportsService(self, name: str) -> bool:
-        """Whether the component is such a service."""
-        return name in SERVICES
-
-    def getSupportedServiceNames(self) -> tuple[str, ...]:
-        """Return the name of the component."""
-        return SERVICES
 
 
 def method(function: Callable[..., float]) -> Callable[..., float]:
@@ -80,4 +69,4 @@ def method(function: Callable[..., float]) -> Callable[..., float]:
 for name, function in FUNCTIONS.items():
     setattr(MotionFunctions, name, method(function))
 g_ImplementationHelper = unohelper.ImplementationHelper()  # noqa: N816 - the name that LibreOffice looks for
-g_ImplementationHelper.addImplementation(MotionFunctions, IMPLEMENTATION, SERVICES)
+g_ImplementationHelper.addImplementation(MotionFunctions, MotionFunctions.NAME, MotionFunctions.SERVICES)

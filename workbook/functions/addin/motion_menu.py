@@ -5,34 +5,38 @@ A copy goes into a temporary folder; nothing is written beside the document, and
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import re
 import shutil
-import subprocess
 import tempfile
 import threading
+from functools import partial
 from typing import Any, Callable
 
 import uno
 import unohelper
-from com.sun.star.awt import Point, Size
 from com.sun.star.beans import PropertyValue
-from com.sun.star.frame import XDispatch, XDispatchProvider
-from com.sun.star.lang import XInitialization, XServiceInfo
-from motion_functions.window import Call, Marks, Window, line, note, within
-from motionbook_python import PYTHON
+from com.sun.star.frame import FeatureStateEvent, XDispatch, XDispatchProvider
+from com.sun.star.lang import XInitialization
+from com.sun.star.util import XModifyListener
+from motion_functions.findings import Findings
+from motion_functions.service import Service
+from motion_functions.window import Window, ask_file, certificate, line
+from motion_functions.work import Call, Work
+from motionbook_python import TARGETS
 
-IMPLEMENTATION = "motionbook.Menu"
-SERVICES = ("com.sun.star.frame.ProtocolHandler",)
-XLSX = "Calc MS Excel 2007 XML"
-MARK = "motionbook finding "  # begins the names of the marks
-RED, EDGE = 0xC00000, 60  # the colour of a mark; its width in 1/100 mm
+XLSX, COPY = "Calc MS Excel 2007 XML", "document.xlsx"
 MOST = 2000  # findings that are listed and marked
-CELL = re.compile(r"[A-Z]{1,3}[0-9]+")
+MOMENT = 1.0  # seconds without a change, after which it is verified as one types
 ABSENT = "motionbook does not answer. Install it as its README says, write this add-in anew by: motionbook addin"
-OF_CALC = ("PYTHONPATH", "PYTHONHOME", "LD_LIBRARY_PATH", "URE_BOOTSTRAP", "UNO_PATH")  # no business of another Python
-SPECIAL = re.compile(r'"[^"]*"|\'[^\']*\'|\{[^}]*\}|,')
+NO_AXIS = "No axis is under the cursor: go to the sheet of its drive, or to its phases on the sheet Timing."
+
+
+def without_copy(text: str) -> str:
+    """Return a text of motionbook in a line, the copy of the document called as it is for the user."""
+    return " ".join(re.sub(r"\S*" + re.escape(COPY), "This document", text).split())
 
 
 def prop(name: str, value: object) -> PropertyValue:
@@ -42,195 +46,190 @@ def prop(name: str, value: object) -> PropertyValue:
     return made
 
 
-def spelt(formula: str) -> str:
-    """Return a formula of Excel with the separators that the API of Calc takes."""
+class Session(unohelper.Base, XModifyListener):
+    """A document with its latest verdict; two documents know nothing of each other."""
 
-    def changed(found: re.Match[str]) -> str:
-        text = found[0]
-        return text.replace(";", "|").replace(",", ";") if text[0] in ",{" else text
-
-    return SPECIAL.sub(changed, formula)
-
-
-class Session:
-    """A document with the findings of its last verify; two documents know nothing of each other."""
-
-    def __init__(self, context: Any, frame: Any) -> None:
-        self.context, self.frame, self.document = context, frame, frame.getController().getModel()
+    def __init__(self, context: Any, frame: Any, uid: str) -> None:
+        self.uid, self.frame, self.document = uid, frame, frame.getController().getModel()
         self.make: Callable[[str], Any] = lambda name: context.getServiceManager().createInstanceWithContext(
             name, context
         )
-        self.findings: list[dict[str, Any]] = []
-        self.says = ""
-        self.running: subprocess.Popen[bytes] | None = None
+        self.later = self.make("com.sun.star.awt.AsyncCallback")
+        self.findings = Findings(self.document)
+        self.says = self.doing = ""  # the sentence on the document; the command at work
+        self.digest = self.copied = b""  # of the copy that was verified last, and of the latest
+        self.is_verifying = self.is_typed = False
+        self.timer = threading.Timer(MOMENT, self.rested)
+        self.watch: Work | None = None  # stays, and verifies each copy of the document
+        self.command: Work | None = None
         self.window: Window | None = None
+        self.listeners: list[tuple[Any, Any, Any]] = []
+        self.document.addModifyListener(self)
 
     def show(self, says: str) -> None:
         """Show a sentence, and the findings."""
         if self.window is None:
-            self.window = Window(self.make, self.frame.getContainerWindow(), self.go)
+            self.window = Window(
+                self.make, self.frame.getContainerWindow(), self.findings.go, partial(self.typed, True)
+            )
         self.says = says
-        self.window.show(says, [line(finding) for finding in self.findings])
+        self.window.show(says, [line(finding) for finding in self.findings.each])
+        self.tell_state()
 
-    def run(self, arguments: list[str], done: Callable[[int, str, str, str], None]) -> None:
-        """Run motionbook on a copy of the document in memory; ``done`` gets its exit code, output and the folder."""
-        if self.running is not None:
-            self.show("motionbook is at work; Motion > Cancel ends it.")
-            return
+    def begin(self, arguments: list[str], ended: Callable[..., None], heard: Any = None) -> Work | None:
+        """Begin a command on a copy of the document in memory; None where there is no motionbook."""
         folder = tempfile.mkdtemp(prefix="motionbook-")
-        path = os.path.join(folder, "document.xlsx")
-        self.document.storeToURL(uno.systemPathToFileUrl(path), (prop("FilterName", XLSX),))
-        environment = {name: value for name, value in os.environ.items() if name not in OF_CALC}
-        line = [PYTHON, "-m", "workbook", arguments[0], path, *arguments[1:]]
-        flags = {"creationflags": 0x08000000} if os.name == "nt" else {}  # no console of its own
+        self.copy(folder)
         try:
-            process = subprocess.Popen(line, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                       cwd=folder, env=environment, **flags)  # type: ignore[call-overload] # fmt: skip
+            return Work(arguments, folder, self.later, ended, heard)
         except OSError:
             shutil.rmtree(folder, ignore_errors=True)
             self.show(ABSENT)
-            return
-        self.running = process
-        callback = self.make("com.sun.star.awt.AsyncCallback")
+            return None
 
-        def wait() -> None:
-            out, err = (text.decode("utf-8", "replace") for text in process.communicate())
-            callback.addCallback(Call(lambda: ended(out, err)), None)
+    def copy(self, folder: str) -> None:
+        """Write the document as it is in memory into a folder."""
+        path = os.path.join(folder, COPY)
+        self.document.storeToURL(uno.systemPathToFileUrl(path), (prop("FilterName", XLSX),))
+        with open(path, "rb") as data:
+            self.copied = hashlib.sha256(data.read()).digest()
 
-        def ended(out: str, err: str) -> None:
-            self.running = None
-            try:
-                if process.returncode not in (0, 1, 2, 3):
-                    self.show("Cancelled." if process.returncode < 0 else ABSENT)
-                elif "No module named" in err:
-                    self.show(ABSENT)
-                else:
-                    done(process.returncode, out, err, folder)
-            finally:
-                shutil.rmtree(folder, ignore_errors=True)
-
-        threading.Thread(target=wait, daemon=True).start()
+    def fail(self, code: int, err: str) -> None:
+        """Show why a command did not do what it is for."""
+        is_told = code in (1, 2, 3) and err.strip() and "No module named" not in err
+        self.show(without_copy(err) if is_told else ABSENT)
 
     def verify(self) -> None:
-        """Verify the document as it is in memory."""
-        self.run(["verify", "--json"], self.verified)
-        if self.running is not None and self.window is None:
-            self.show("Verifying; Motion > Cancel ends it.")
-
-    def verified(self, code: int, out: str, err: str, folder: str) -> None:
-        """Show what came of it."""
-        self.findings = []
-        if code == 2 or not out.strip():
-            self.show(" ".join(err.replace(os.path.join(folder, "document.xlsx"), "This document").split()) or ABSENT)
-            return
-        report = json.loads(out)
-        self.findings = sorted(report["findings"][:MOST], key=lambda finding: finding["sheet"])
-        failing = report["checks"]["failing"]
-        own = f"of the machine's own checks {len(failing)} FAIL" if failing else "the machine's own checks hold"
-        if report["agrees"]:
-            self.show(f"OK: {report['compared']} formula cells compute what the engine computes; {own}.")
+        """Verify the document as it is in memory, by a process that stays and keeps what did not change."""
+        before = self.digest if self.watch is not None else b""
+        if self.watch is None:
+            self.watch = self.begin(["watch", COPY, "--json", "--until-eof"], self.unwatched, self.heard)
         else:
-            self.show(f"FAIL: {len(report['findings'])} findings in {report['declared']} formula cells; {own}.")
+            self.copy(self.watch.folder)
+        if self.watch is not None:
+            is_new, self.digest = before != self.copied, self.copied
+            self.is_verifying = self.is_verifying or is_new
+            # of the same bytes it tells nothing more
+            self.show("Verifying; Motion > Cancel ends it." if is_new else self.says)
+
+    def heard(self, text: str) -> None:
+        """Show a verdict: the first is on the values alone."""
+        verdict = json.loads(text)
+        self.findings.each = sorted(verdict["findings"][:MOST], key=lambda finding: finding["sheet"])
+        self.is_verifying = not verdict["whole"]
+        self.show(without_copy(verdict["sentence"]))
+
+    def unwatched(self, code: int, out: str, err: str, folder: str) -> None:
+        """Show why the process ended that should stay."""
+        self.watch, self.is_verifying = None, False
+        self.fail(code, err)
+
+    def typed(self, is_closed: bool = False) -> None:
+        """Verify a moment after each change from now on, or no longer: also where its window is closed."""
+        self.is_typed = not (self.is_typed or is_closed)
+        if self.is_typed:
+            self.verify()
+        self.tell_state()
+
+    def modified(self, event: object) -> None:
+        """Begin to wait for the end of changes, which is when nothing changed for a moment."""
+        if self.is_typed:
+            self.timer.cancel()
+            self.timer = threading.Timer(MOMENT, self.rested)
+            self.timer.daemon = True
+            self.timer.start()
+
+    def rested(self) -> None:
+        """Let the main thread verify what was changed."""
+        self.later.addCallback(Call(lambda: self.verify() if self.is_typed else None), None)
+
+    def disposing(self, event: object) -> None:
+        """End all work for the document: it is closed."""
+        sessions.pop(self.uid, None)
+        self.is_typed = False
+        self.end()
+
+    def end(self) -> None:
+        """End all work."""
+        for work in filter(None, (self.watch, self.command)):
+            work.end()
+        self.watch, self.command, self.is_verifying = None, None, False
 
     def cancel(self) -> None:
         """End what runs."""
-        if self.running is not None:
-            self.running.kill()
+        if self.is_verifying or self.command is not None:
+            self.end()
+            self.show("Cancelled.")
 
-    def cell(self, finding: dict[str, Any]) -> Any:
-        """Return the cell of a finding; None where it is about none."""
-        sheets = self.document.getSheets()
-        if not CELL.fullmatch(finding["cell"]) or not sheets.hasByName(finding["sheet"]):
-            return None
-        return sheets.getByName(finding["sheet"]).getCellRangeByName(finding["cell"])
-
-    def go(self, number: int) -> None:
-        """Go to the cell of a finding."""
-        cell = self.cell(self.findings[number]) if 0 <= number < len(self.findings) else None
-        if cell is not None:
-            self.document.getCurrentController().select(cell)
+    def tell_state(self) -> None:
+        """Tell the menu whether it verifies as one types, and whether there is work to cancel."""
+        for menu, listener, url in self.listeners:
+            event = FeatureStateEvent()
+            event.Source, event.FeatureURL = menu, url
+            event.IsEnabled = url.Path != "cancel" or self.is_verifying or self.command is not None
+            event.State = self.is_typed if url.Path == "typed" else None
+            listener.statusChanged(event)
 
     def mark(self) -> None:
-        """Mark the cells of all findings with an edge, also on protected sheets; one undo takes all away."""
-        self.clear()
-        cells = [(cell, finding) for finding in self.findings if (cell := self.cell(finding)) is not None]
-
-        def draw() -> None:
-            for cell, finding in cells:
-                self.mark_cell(cell, finding)
-
-        self.unrecorded(draw)
-        self.document.getUndoManager().addUndoAction(Marks(lambda: self.unrecorded(draw), self.clear))
-
-    def unrecorded(self, act: Callable[[], None]) -> None:
-        """Change the document without an undo of Calc's own: of marks in several layers it makes none that it takes."""
-        manager = self.document.getUndoManager()
-        manager.lock()
-        try:
-            act()
-        finally:
-            manager.unlock()
-
-    def mark_cell(self, cell: Any, finding: dict[str, Any]) -> None:
-        """Draw an edge around a cell, over it and not in it, described as what is and what should be there."""
-        shape = self.document.createInstance("com.sun.star.drawing.RectangleShape")
-        cell.getSpreadsheet().getDrawPage().add(shape)
-        at, size = cell.Position, cell.Size
-        shape.setPosition(Point(at.X, at.Y))
-        shape.setSize(Size(size.Width, size.Height))
-        shape.FillStyle = uno.Enum("com.sun.star.drawing.FillStyle", "NONE")
-        shape.LineColor, shape.LineWidth, shape.Printable = RED, EDGE, False
-        shape.Name, shape.Title, shape.Description = MARK + finding["cell"], "Motion", note(finding)
+        """Mark the cells of all findings."""
+        self.findings.mark()
 
     def clear(self) -> None:
         """Take all marks away."""
-        self.unrecorded(self.take_marks_away)
-
-    def take_marks_away(self) -> None:
-        """Remove the shapes and notes that are marks."""
-        sheets = self.document.getSheets()
-        for sheet in (sheets.getByIndex(i) for i in range(sheets.getCount())):
-            page = sheet.getDrawPage()
-            shapes = [page.getByIndex(i) for i in range(page.getCount())]
-            for shape in (shape for shape in shapes if shape.Name.startswith(MARK)):
-                page.remove(shape)
+        self.findings.clear()
 
     def put_back(self) -> None:
-        """Put the formulas of the findings in the selection back, or those of all where it has none."""
-        chosen = self.document.getCurrentSelection()
-        areas = [chosen] if hasattr(chosen, "getRangeAddress") else list(getattr(chosen, "RangeAddresses", ()))
-        areas = [area.getRangeAddress() if hasattr(area, "getRangeAddress") else area for area in areas]
-        wrong = [(self.cell(f), f["formula"]) for f in self.findings if f.get("formula")]
-        wrong = [(cell, formula) for cell, formula in wrong if cell is not None]
-        inside = [pair for pair in wrong if any(within(pair[0].getCellAddress(), area) for area in areas)] or wrong
-        manager, done, closed = self.document.getUndoManager(), 0, set()
-        manager.enterUndoContext("Put back")
-        try:
-            for cell, formula in inside:
-                if cell.getSpreadsheet().isProtected():
-                    closed.add(cell.getSpreadsheet().getName())
-                    continue
-                parser = self.document.createInstance("com.sun.star.sheet.FormulaParser")
-                parser.CompileEnglish, parser.FormulaConvention = True, 1  # AddressConvention.XL_A1
-                cell.setTokens(parser.parseFormula(spelt(formula), cell.getCellAddress()))
-                done += 1
-        finally:
-            manager.leaveUndoContext()
-        rest = f" Left as they are, for they are protected (Tools > Protect Sheet): {', '.join(sorted(closed))}."
-        self.show(f"Formulas put back: {done}. Verify again.{rest if closed else ''}")
+        """Put formulas back, and show what came of it."""
+        self.show(self.findings.put_back())
+
+    def run(self, doing: str, arguments: list[str], done: Callable[..., None]) -> None:
+        """Run a command on a copy of the document, a single one at once."""
+
+        def ended(*how: Any) -> None:
+            self.command = None
+            done(*how)
+
+        if self.command is None:
+            self.doing, self.command = doing, self.begin(arguments, ended)
+        if self.command is not None:
+            self.show(f"{self.doing}; Motion > Cancel ends it.")
 
     def regenerate(self) -> None:
-        """Open a new document that is built from these entries."""
-        self.run(["regenerate", "-o", "new.xlsx"], self.regenerated)
+        """Open a new document that is built from these entries, own sheets carried over."""
 
-    def regenerated(self, code: int, out: str, err: str, folder: str) -> None:
-        """Open it, or show why there is none."""
-        path = os.path.join(folder, "new.xlsx")
-        if not os.path.exists(path):
-            self.show(" ".join(err.split()))
+        def regenerated(code: int, out: str, err: str, folder: str) -> None:
+            path = os.path.join(folder, "new.xlsx")
+            if not os.path.exists(path):
+                self.fail(code, err)
+                return
+            url, new = uno.systemPathToFileUrl(path), (prop("AsTemplate", True),)
+            self.make("com.sun.star.frame.Desktop").loadComponentFromURL(url, "_blank", 0, new)
+            self.show(without_copy(err or out))
+
+        self.run("Regenerating", ["regenerate", COPY, "-o", "new.xlsx"], regenerated)
+
+    def export(self, file: str = "", to: str = "") -> None:
+        """Write the cam table of the axis under the cursor; which file and for which controller is asked."""
+        axis = self.findings.axis()
+        if not axis:
+            self.show(NO_AXIS)
             return
-        desktop = self.make("com.sun.star.frame.Desktop")
-        desktop.loadComponentFromURL(uno.systemPathToFileUrl(path), "_blank", 0, (prop("AsTemplate", True),))
+        if not file:
+            title = os.path.splitext(self.document.getTitle())[0]
+            file, kind = ask_file(self.make, f"{title}-{axis}", {kind: suffix for kind, (_, suffix) in TARGETS.items()})
+            to = TARGETS[kind][0] if file else ""
+        if file:
+            path = uno.fileUrlToSystemPath(file)
+            options = ["--axis", axis, "--to", to, "-o", path, "--force", "--json"]
+            self.run(f"Exporting {axis}", ["export", COPY, *options], self.exported)
+
+    def exported(self, code: int, out: str, err: str, folder: str) -> None:
+        """Show the certificate of a cam table."""
+        if code or not out.strip():
+            self.fail(code, err)
+            return
+        (table,) = json.loads(out)
+        self.show(certificate(table) + " " + without_copy(err))
 
     def insert(self) -> None:
         """Open Calc's list of functions, where MOTION.* are."""
@@ -238,13 +237,15 @@ class Session:
         helper.executeDispatch(self.frame, ".uno:FunctionDialog", "", 0, ())
 
 
-COMMANDS = "verify cancel mark clear put-back regenerate insert".split()
+COMMANDS = "verify typed cancel mark clear put-back regenerate export insert".split()
 sessions: dict[str, Session] = {}
 """by the documents' own names of the moment"""
 
 
-class Menu(unohelper.Base, XServiceInfo, XInitialization, XDispatchProvider, XDispatch):
+class Menu(Service, XInitialization, XDispatchProvider, XDispatch):
     """The component that carries out the commands of the menu for a frame."""
+
+    NAME, SERVICES = "motionbook.Menu", ("com.sun.star.frame.ProtocolHandler",)
 
     def __init__(self, context: Any) -> None:
         self.context = context
@@ -263,30 +264,29 @@ class Menu(unohelper.Base, XServiceInfo, XInitialization, XDispatchProvider, XDi
         return tuple(self.queryDispatch(r.FeatureURL, r.FrameName, r.SearchFlags) for r in requests)
 
     def dispatch(self, url: Any, arguments: Any) -> None:
-        """Carry out a command."""
+        """Carry out a command, with arguments that a macro gives it."""
         if self.frame is not None:
-            name = self.frame.getController().getModel().RuntimeUID
-            session = sessions.setdefault(name, Session(self.context, self.frame))
-            getattr(session, url.Path.replace("-", "_"))()
+            given = {argument.Name.lower(): argument.Value for argument in arguments if argument.Name in ("File", "To")}
+            getattr(self.session(), url.Path.replace("-", "_"))(**given)
+
+    def session(self) -> Session:
+        """Return the session of the frame's document."""
+        name = self.frame.getController().getModel().RuntimeUID
+        if name not in sessions:
+            sessions[name] = Session(self.context, self.frame, name)
+        return sessions[name]
 
     def addStatusListener(self, listener: Any, url: Any) -> None:
-        """Take no notice: a command can always be given."""
+        """Tell a listener of the menu the state of a command from now on."""
+        session = self.session()
+        session.listeners.append((self, listener, url))
+        session.tell_state()
 
     def removeStatusListener(self, listener: Any, url: Any) -> None:
-        """Take no notice."""
-
-    def getImplementationName(self) -> str:
-        """Return the name that LibreOffice registers."""
-        return IMPLEMENTATION
-
-    def supportsService(self, name: str) -> bool:
-        """Whether the component is such a service."""
-        return name in SERVICES
-
-    def getSupportedServiceNames(self) -> tuple[str, ...]:
-        """Return the name of the service."""
-        return SERVICES
+        """Tell a listener nothing more."""
+        for session in sessions.values():
+            session.listeners = [known for known in session.listeners if known[1] != listener]
 
 
 g_ImplementationHelper = unohelper.ImplementationHelper()  # noqa: N816 - the name that LibreOffice looks for
-g_ImplementationHelper.addImplementation(Menu, IMPLEMENTATION, SERVICES)
+g_ImplementationHelper.addImplementation(Menu, Menu.NAME, Menu.SERVICES)
