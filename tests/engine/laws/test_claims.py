@@ -87,12 +87,6 @@ def test_every_law_has_a_number_and_claims_something():
     assert sorted(known - claimed) == [], "laws that tests/engine/laws/claims.py does not have in CLAIMS"
 
 
-def test_the_documents_names_are_known():
-    names = ("ACS", "TVP", "CUB", "Cubic", "CIC", "Cycloidal", "Dwell", "ModTVP", "Modified trapezoidal")
-    codes = [law(name).code for name in names]
-    assert codes == ["ACS", "TVP", "CUB", "CUB", "CIC", "CIC", "DWL", "MTP", "MTP"]
-
-
 def shared_names(laws):
     """The names, in letters and digits as they are looked up, by which more than one law is known."""
     names = [{re.sub(r"[\W_]", "", name.casefold()) for name in (one.code, one.name, *one.aliases)} for one in laws]

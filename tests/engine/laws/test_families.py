@@ -131,15 +131,6 @@ def test_any_velocities_and_any_stroke_are_met(law, stroke, v0, v1):
     )
 
 
-@given(law=pulsed, v=number)
-def test_equal_velocities_at_both_ends_shear_the_law(law, v):
-    """y = v ξ + (H − v) S(ξ)."""
-    plain, sheared = Bare(law.pulses, ends=BoundaryValues()), Bare(law.pulses, ends=BoundaryValues(1.0, v, v))
-    at, rest = sheared.evaluate(XI), plain.evaluate(XI)
-    assert at.s == pytest.approx(v * XI + (1 - v) * rest.s, abs=1e-11)
-    assert at.v == pytest.approx(v + (1 - v) * rest.v, abs=1e-11)
-
-
 SHIFTED = (ConstantAcceleration, Cubic, SimpleHarmonic, Cycloidal, Polynomial345, Polynomial4567, ModifiedSine,
            TrapezoidByShare)  # fmt: skip
 

@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 
 from engine.laws import CATALOGUE, Dwell, Piece, PieceLaw
-from engine.laws.inverse import breaks, inverse, is_monotone, velocity_extremes, velocity_peak
+from engine.laws.inverse import breaks, inverse, is_monotone, velocity_extremes
 from engine.laws.modified import ModifiedTrapezoidal
 from engine.laws.polynomials import Cubic
-from engine.laws.ramps import TrapezoidalVelocity
 from engine.laws.simple import Cycloidal
 
 MOVING = [entry() for entry in CATALOGUE if entry.code != "DWL"]
@@ -63,13 +62,6 @@ def test_a_short_motion_backwards_is_seen():
 def test_breaks_of_the_seven_stages_leave_out_those_of_no_length():
     law = ModifiedTrapezoidal((0.0, 0.5, 0.0, 0.0, 0.0, 0.5, 0.0))
     assert breaks(law) == pytest.approx([0.0, 0.5, 1.0])
-
-
-@pytest.mark.parametrize(
-    ("law", "peak"), [(Cycloidal(), 0.5), (TrapezoidalVelocity(0.2, 0.7), 0.2), (ASYMMETRIC, 0.25)], ids=str
-)
-def test_the_fastest_instant(law, peak):
-    assert velocity_peak(law) == pytest.approx(peak, abs=1e-12)
 
 
 @pytest.mark.parametrize("law", MOVING, ids=str)

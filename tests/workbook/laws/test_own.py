@@ -22,16 +22,6 @@ def cells():
     return computed(MACHINE, machine(Off=OFF, Up=UP))
 
 
-def test_the_polynomial_345_has_its_extremes_on_its_page_within_the_bounds(cells):
-    assert cells("OWN_cv") == pytest.approx(1.875, rel=1e-12)
-    assert cells("OWN_ca_max") == pytest.approx(10 / 3**0.5, rel=1e-2)
-    assert cells("OWN_ca_min") == pytest.approx(-10 / 3**0.5, rel=1e-2)
-    assert cells("OWN_ca_rms") == pytest.approx((120 / 7) ** 0.5, rel=1e-12)
-    assert cells("OWN_cj") == pytest.approx(60.0, rel=1e-12)
-    assert cells("OWN_va_max") == pytest.approx(6075 / (343 * 7**0.5), rel=4e-2)
-    assert cells("OWN_dense") == "OK"
-
-
 def test_each_own_law_tells_by_how_much_it_misses_and_what_mends_it(cells):
     made = [piece.engine_piece for piece in machine(Off=OFF).laws["Off"].pieces]
     off, right = misses(made), normalized(made)
