@@ -98,7 +98,7 @@ def test_beyond_its_cycles_an_hour_the_reducer_s_torque_counts_over_the_factor(f
     value, holds = computed(TEMPLATE, machine), full >= 1.0
     assert value("drive1_reducer_held") == pytest.approx(torque if holds else torque / 2.0, rel=1e-15)
     assert any("the reducer's" in line for line in failed(machine)) is not holds
-    estimates = (value("drive1_held", "rate")[list(LIMITS_OF_RATE).index(name)] for name in (REDUCER_TORQUE, CYCLES))
+    estimates = (value("drive1_held", "rate")[LIMITS_OF_RATE["name"].index(name)] for name in (REDUCER_TORQUE, CYCLES))
     assert min(estimates) == pytest.approx(highest * rate, rel=1e-9)
     (view,) = drives_of(machine)
     exact = exact_rates(view)

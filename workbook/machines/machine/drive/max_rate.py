@@ -6,7 +6,7 @@ With T_s the torque at standstill and I = T − T_s, a rate of √x times the pr
 import math
 from collections.abc import Iterable, Sequence
 
-from engine.drive.limits import BELOW, CYCLES
+from engine.drive.limits import CYCLES
 from engine.drive.rate_estimates import (
     LEAST_USE,
     NO_LIMIT,
@@ -19,7 +19,7 @@ from engine.drive.rate_estimates import (
     mean_squares,
     mean_torque_line,
 )
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import CheckSentence, Sentence
 from workbook.fields.units import PER_MINUTE, RPM, shown
@@ -68,7 +68,7 @@ def cubic(torque: str) -> str:
 
 def names_of(view: DriveView) -> list[str]:
     """Return the names of the limits in the order of their rows."""
-    return [*LIMITS, *([BELOW] if view.knows_falling else [])]
+    return LIMITS["name"] if view.knows_falling else LIMITS["name"][:-1]
 
 
 def by_square(half: str, growing: str, left: str, square: str, root: str) -> tuple[str, str]:
@@ -80,35 +80,21 @@ def by_square(half: str, growing: str, left: str, square: str, root: str) -> tup
     )
 
 
-RMS_SHARE, RMS_FROM = by_square("@half", "@grow", "@left", "@square", "@root")
-MEAN_SHARE, MEAN_FROM = by_square("@half_s", "@grow_s", "@left_s", "@square_s", "@root_s")
+def held_by_points(letter: str) -> dict[str, str]:
+    """Return the formulas of a limit of torques at points, by the letter of their column: see the table of limits."""
+    names = ("up", "up_back", "from", "from_back")
+    ways = [of(f"{letter}0", letter, "[cap]", way) for of in (grown, shrunk) for way in (True, False)]
+    return {letter: largest(f"{letter}0")} | {f"{letter}_{name}": way for name, way in zip(names, ways, strict=True)}
 
 
-def at_points(none: str, now: str, limit: str) -> tuple[str, ...]:
-    """Return the formulas of a limit of torques at points: what stands, the shares, and from which x it is held."""
-    ways = (of(none, now, limit, way) for of in (grown, shrunk) for way in (True, False))
-    return largest(none), *ways
+def mean_parts() -> dict[str, str]:
+    """Return the formulas of the limits of mean torques: the share of each, and the x from which it is held."""
+    rms, rms_from = by_square("@half", "@grow", "@left", "@square", "@root")
+    mean, mean_from = by_square("@half_s", "@grow_s", "@left_s", "@square_s", "@root_s")
+    return {"rms": rms, "rms_from": rms_from, "mean": mean, "mean_from": mean_from}
 
 
-LIMITS: dict[str, tuple[str, ...]] = {
-    "RMS torque": ("@line", "SQRT(@stand)", RMS_SHARE, "0", RMS_FROM, "0"),
-    PEAK_TORQUE: ("@motor_peak", *at_points("T0", "T", "[cap]")),
-    "motor speed": ("@motor_nmax", "0", "(@speed/[limit])^2", "0", "0", "0"),
-    "reducer input speed": ("@reducer_nmax", "0", "IF([limit]=0,0,(@speed/[limit])^2)", "0", "0", "0"),
-    REDUCER_TORQUE: ("@reducer_peak", *at_points("S0", "S", "[cap]")),
-    CYCLES: ("@reducer_peak/@reducer_fs", *at_points("S0", "S", "[cap]")),
-    "reducer mean torque": (
-        "@reducer_mean",
-        "@smean0",
-        f"IF([limit]=0,0,{MEAN_SHARE})",
-        "0",
-        f"IF([limit]=0,0,{MEAN_FROM})",
-        "0",
-    ),
-}
-"""of each limit in cells: the limit itself, what stands at any rate, the shares 1/x of torques forward and backward,
-and the x from which they are held"""
-FALLING = ("@corner", largest("T0"), "MAX([@pt.uc])", "MAX([@pt.ub])", "0", "0")
+LIMITS = formulas_by_row(__file__, "limits", **mean_parts(), **held_by_points("T"), **held_by_points("S"))
 
 
 def means(view: DriveView) -> list[Quantity]:
@@ -163,7 +149,7 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
     names, search = names_of(view), view.search
     estimates = [search.estimates.get(name, search.estimates[PEAK_TORQUE]._replace(**LEVEL)) for name in names]
     estimated = [search.estimated.get(name, Ends(0.0, math.inf)) for name in names]
-    limits, stands, *shares = zip(*((LIMITS | {BELOW: FALLING})[name] for name in names), strict=True)
+    _, limits, stands, *shares = (column[: len(names)] for column in LIMITS.values())
 
     def in_units(values: Iterable[float]) -> list[float]:
         each = [0.0 if math.isinf(value) else value for value in values]
@@ -182,11 +168,11 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
     cell.place(
         sheet,
         cell("name", names),
-        cell("limit", limit, limit_of=list(limits)),
+        cell("limit", limit, limit_of=limits),
         cell("cap", [each or NO_LIMIT for each in limit]),
-        cell("stands", in_units(estimate.standing for estimate in estimates), standing=list(stands)),
+        cell("stands", in_units(estimate.standing for estimate in estimates), standing=stands),
         *(
-            cell(name, [getattr(estimate, field) for estimate in estimates], share=list(cells), scale=1.0)
+            cell(name, [getattr(estimate, field) for estimate in estimates], share=cells, scale=1.0)
             for (name, field), cells in zip(SHARES.items(), shares, strict=True)
         ),
         cell("most", [max(estimate.forward, estimate.backward) for estimate in estimates]),

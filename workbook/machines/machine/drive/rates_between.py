@@ -9,7 +9,6 @@ from engine.drive.rate_estimates import (
     BEYOND,
     PEAK_TORQUE,
     REDUCER_TORQUE,
-    SPEEDS,
     TARGET,
     TARGET_BETWEEN,
     TARGET_CURVE,
@@ -18,7 +17,7 @@ from engine.drive.rate_estimates import (
     use_below,
 )
 from engine.drive.rate_estimates import largest as largest_size
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import quoted
 from workbook.drive.motor import continuous_at
@@ -53,25 +52,6 @@ def curve(column: str, times: str = "1") -> str:
     return f"SUMPRODUCT(MAX(([@pt.{column}]^2)^0.5+@fall*([@pt.n]^2)^0.5*{times}))"
 
 
-USES: dict[str, tuple[str, str]] = {
-    "RMS torque": (
-        "@rms/@continuous",
-        f"SQRT(SUMPRODUCT([@pt.share],[@pt.TN],[@pt.TN]))/{continuous_at('(@mean*@times)')}",
-    ),
-    PEAK_TORQUE: ("MAX(@tmax,0-@tmin)/@motor_peak", "@TN_max/@motor_peak"),
-    "motor speed": ("@speed/@motor_nmax", "@speed*@times/@motor_nmax"),
-    "reducer input speed": ("IF({limit}=0,0,@speed/{limit})", "IF({limit}=0,0,@speed*@times/{limit})"),
-    REDUCER_TORQUE: ("IF({limit}=0,0,@smax/{limit})", "IF({limit}=0,0,@SN_max/{limit})"),
-    CYCLES: (
-        "IF(OR({limit}=0,@cycles<=@full*(1+1E-9)),0,@smax/{limit})",
-        "IF(OR({limit}=0,60*@tried<=@full*(1+1E-9)),0,@SN_max/{limit})",
-    ),
-    "reducer mean torque": ("IF({limit}=0,0,@smean/{limit})", "IF({limit}=0,0,@SN_mean/{limit})"),
-    BELOW: (f"IF(@fall=0,0,{curve('T')}/{{limit}})", f"IF(@fall=0,0,{curve('TN', '@times')}/{{limit}})"),
-}
-"""the use of each limit in cells: at the present rate, and at the one that is tried"""
-
-
 def rates_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the means that the rates depend on, the estimated rates of each limit, and those between two rates."""
     sheet.heading("Workings: the rates", ABOUT)
@@ -102,7 +82,9 @@ def tried(view: DriveView) -> list[Quantity]:
         cell("@SN_mean", then.cubic_mean(then.load.output_torque), cubic=cubic("[@pt.SN]")),
         cell("@holds_tried", int(search.tried_holds)),
         cell(
-            "@cycles_use", search.cycles_use[search.begin], cycles_use=CYCLES_USE.format(list(LIMITS).index(CYCLES) + 1)
+            "@cycles_use",
+            search.cycles_use[search.begin],
+            cycles_use=CYCLES_USE.format(LIMITS["name"].index(CYCLES) + 1),
         ),
         cell("@from", search.way[0]),
         cell("@to", search.way[1]),
@@ -152,20 +134,22 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
     shares = [search.between.get(name, (Shares(0.0),) * 3) for name in names]
     ends = [search.ends.get(name, Ends(0.0, math.inf)) for name in names]
     rows = list(enumerate(names, 1))
-    now, then = ([f"={USES[name][k].format(limit=f'[@held.limit.{row}]')}" for row, name in rows] for k in (0, 1))
+    rows = list(range(1, len(names) + 1))
+    least = "(1-1E-6)" if search.points.load.train.has_constant_ratio else "@target"
+    parts = {"continuous": continuous_at("(@mean*@times)"), "least": least, "not_reached": NOT_REACHED}
+    curves = {"curve": curve("T"), "curve_then": curve("TN", "@times")}
+    by_limit = {
+        head: column[: len(rows)] for head, column in formulas_by_row(__file__, "by limit", **parts, **curves).items()
+    }
+    cell = cell.sharing(row=rows, **by_limit)
     meets = [met(search.met(name)) if name in search.between else NOT_REACHED for name in names]
-    low = [f"=IF(@to<@from,IF(ISNUMBER([met]),[met],0),[@held.low.{row}])" for row, _ in rows]
     sheet.row += 1
     cell.place(
         sheet,
         cell("name", names),
-        cell("now", [search.uses.get(name, 0.0) for name in names], formula=now),
-        cell("then", [search.uses_tried.get(name, 0.0) for name in names], formula=then),
-        cell(
-            "cap",
-            [search.caps.get(name, TARGET_CURVE) for name in names],
-            formula=[cap(row, name) for row, name in rows],
-        ),
+        cell("now", [search.uses.get(name, 0.0) for name in names]),
+        cell("then", [search.uses_tried.get(name, 0.0) for name in names]),
+        cell("cap", [search.caps.get(name, TARGET_CURVE) for name in names]),
         *(
             cell(column, [share[begin][sign] for share in shares], formula=way(names, begin, sign), scale=1.0)
             for column, (begin, sign) in WAYS.items()
@@ -174,8 +158,8 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
         cell("part", [part(search, name) for name in names], not_reached=NOT_REACHED, scale=1.0),
         *(orders(view) if has_orders(view) else []),
         cell("met", meets, formula=[met_at(view, name) for name in names]),
-        cell("high", [met(end.high) for end in ends], formula=[high(row, name, search) for row, name in rows]),
-        cell("low", [met(end.low, NEVER_HELD) for end in ends], formula=low, scale=view.rate),
+        cell("high", [met(end.high) for end in ends]),
+        cell("low", [met(end.low, NEVER_HELD) for end in ends], scale=view.rate),
     )
 
 
@@ -222,24 +206,6 @@ def part(search: RateSearch, name: str) -> float | str:
     """Return the part of the way to the tried rate after which a limit is reached, or the word for none."""
     found = search.part(name) if name in search.between else math.inf
     return NOT_REACHED if math.isinf(found) else found
-
-
-def cap(row: int, name: str) -> str:
-    """Return the formula of the use of a limit, or of the torque at points, at the ends of the range."""
-    if name not in MEETS:
-        return f"={'@target_curve' if name == BELOW else '@target'}+0"
-    return f"=@target*[@held.cap.{row}]/{'@over_T' if name == PEAK_TORQUE else '@over_S'}"
-
-
-def high(row: int, name: str, search: RateSearch) -> str:
-    """Return the formula of the rate up to which a limit is held."""
-    rate = f"[@held.rate.{row}]"
-    if name in SPEEDS:
-        least = "(1-1E-6)" if search.points.load.train.has_constant_ratio else "@target"
-        held = f'IF(ISNUMBER({rate}),{rate}*{least},"{NOT_REACHED}")'
-    else:
-        held = "[met]"
-    return f"=IF(@to<@from,@tried,{held})"
 
 
 def ends(view: DriveView) -> list[Quantity]:
