@@ -6,7 +6,7 @@ from typing import Any
 
 from engine.motion import Phase
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import Quantity, Sheet, calc, check, result
+from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
@@ -18,18 +18,14 @@ from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
 from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.stops import stop_check, stops_of
-from workbook.motion.cells import RAISED
 from workbook.motion.pieces import room_check
 from workbook.motion.requirements import rate_columns
 
 CELLS = cell_tables(__file__)
 
-RATES: tuple[tuple[str, str, str, str, Callable[[Phase], float]], ...] = (
-    ("velocity", "vmax", VELOCITY, "C_v h/{}", lambda phase: phase.y1_max),
-    ("acceleration", "amax", ACCELERATION, "C_a h/{}²", lambda phase: phase.y2_max),
-    ("jerk", "jmax", JERK, "C_j h/{}³", lambda phase: phase.y3_max),
-)
-"""by the order of the derivative: what it is, its greatest size in tables of steps, by the law, and its equation"""
+BY_ABSCISSA = "C_v h/{}", "C_a h/{}²", "C_j h/{}³", "C_a,rms h/{}²"
+IN_TIME = "y' ω", "y'' ω²", "y''' ω³", "C_a,rms h/δ² ω²"
+"""the equations of velocity, acceleration, jerk and RMS acceleration: over what is entered, and by the rate"""
 
 
 def phases_table(sheet: Sheet, tables: AxisTables) -> None:
@@ -40,18 +36,11 @@ def phases_table(sheet: Sheet, tables: AxisTables) -> None:
 
 def phase_columns(tables: AxisTables) -> list[Quantity]:
     """Return the columns of phases: entries and what follows from each, then workings."""
-    base = tables.axis.base
+    cell = CELLS["geometric"].sharing(base=tables.axis.base)
     geometric = [
-        calc(
-            f"y{k}",
-            f"geometric {word}",
-            "y" + k * "'",
-            f"{base}/rad{RAISED[k]}",
-            own(tables, most, formula),
-            moving(tables, figure),
-            source=source.format("δ"),
-        )
-        for k, (word, most, formula, source, figure) in enumerate(RATES, 1)
+        cell("y1", moving(tables, lambda phase: phase.y1_max), own=own(tables, "vmax", VELOCITY)),
+        cell("y2", moving(tables, lambda phase: phase.y2_max), own=own(tables, "amax", ACCELERATION)),
+        cell("y3", moving(tables, lambda phase: phase.y3_max), own=own(tables, "jmax", JERK)),
     ]
     return [*entered(tables), *extremes(tables), *used(tables), *geometric, *faults(tables)]
 
@@ -89,7 +78,7 @@ def entered(tables: AxisTables) -> list[Quantity]:
         passing = rate_columns(entry("velocity"), entry("acceleration"), key, units, symbols)
         kinds = zip(*(step.kinds for _, step in tables.ends.phases), strict=True)
         for end, values in zip(("begin", "end"), kinds, strict=True):
-            passing.append(cell("{end}s", filled(values, tables.rows, ""), end=end, tables=tables, source=KINDS))
+            passing.append(cell("{end}s", filled(values, tables.rows, ""), end=end, tables=tables))
     y = f"INDEX([{steps}.y0],2*[k])+INDEX([{steps}.h],2*[k])-[lack]"
     reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
     ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
@@ -107,57 +96,31 @@ def entered(tables: AxisTables) -> list[Quantity]:
 
 def extremes(tables: AxisTables) -> list[Quantity]:
     """Return the columns of each movement's greatest rates, and its duration where the cycle's length is entered."""
-    axis, over, by = tables.axis, tables.machine.over, "t" if tables.machine.over.timed else "δ"
-    symbols = over.extremes
-    units = over.rates(axis.given.unit)
-    lift = over.lift(axis.given.unit).shown
-    figures = [
-        (word[0], word, f"[y{k}]*omega{f'^{k}' if k > 1 else ''}{lift}", k, figure, source)
-        for k, (word, *_, source, figure) in enumerate(RATES, 1)
-    ]
-    rms, mean = f"{own(tables, 'rms', f'={RMS}')}*omega^2{lift}", "C_a,rms h/{}²"
+    axis, over = tables.axis, tables.machine.over
+    units, lift = tuple(over.rates(axis.given.unit)), over.lift(axis.given.unit).shown
+    by = "t" if over.timed else "δ"
+    sources = [equation.format(by) for equation in BY_ABSCISSA] if over.measured else IN_TIME
 
     def timed(k: int, figure: Callable[[Phase], float]) -> list[float | str]:
         return moving(tables, lambda phase: axis.rate(figure(phase) * axis.speed**k))
 
     durations = [1000.0 * p.duration / axis.speed for p in axis.phases]
     pauses = [1000.0 * si(gap, DEGREE) / axis.speed for gap in gaps(tables)]
-    cell = CELLS["extremes"].sharing(unit=over.unit, length=over.length)
+    cell = CELLS["extremes"].sharing(unit=over.unit, length=over.length, symbols=over.extremes, units=units, lift=lift)
     in_ms = [cell("ms", filled(durations, tables.rows)), cell("pause", pauses, scale=1000.0 * math.tau / axis.speed)]
+    lasting = filled([over.shown(p.stop - p.start) for p in axis.given.phases], tables.rows)
+    measured = [
+        cell("lasts", lasting, symbol=over.lasting),
+        cell("rests", [over.shown(gap) for gap in gaps(tables)], shown_formula=over.shown_formula("[gap]")),
+    ]
+    own_rms = own(tables, "rms", f"={RMS}")
     return [
         *([] if over.measured else in_ms),
-        *(
-            result(
-                name,
-                word,
-                symbols[k - 1],
-                units[k - 1],
-                f"={speed}" if k < 3 else f'=IF(ISNUMBER([y3]),{speed},"∞")',
-                timed(k, figure),
-                source=source.format(by) if over.measured else "y" + k * "'" + f" ω{RAISED[k]}",
-            )
-            for name, word, speed, k, figure, source in figures
-        ),
-        cell(
-            "rms",
-            timed(2, lambda phase: phase.y2_rms),
-            symbol=symbols[3],
-            unit=units[1],
-            formula=rms,
-            source=mean.format(by) if over.measured else f"{mean.format('δ')} ω²",
-        ),
-        *(
-            [
-                cell(
-                    "lasts",
-                    filled([over.shown(p.stop - p.start) for p in axis.given.phases], tables.rows),
-                    symbol=over.lasting,
-                ),
-                cell("rests", [over.shown(gap) for gap in gaps(tables)], shown_formula=over.shown_formula("[gap]")),
-            ]
-            if over.measured
-            else []
-        ),
+        cell("v", timed(1, lambda phase: phase.y1_max), source=sources[0]),
+        cell("a", timed(2, lambda phase: phase.y2_max), source=sources[1]),
+        cell("j", timed(3, lambda phase: phase.y3_max), source=sources[2]),
+        cell("rms", timed(2, lambda phase: phase.y2_rms), own=own_rms, source=sources[3]),
+        *(measured if over.measured else []),
     ]
 
 
@@ -167,58 +130,38 @@ def used(tables: AxisTables) -> list[Quantity]:
     n, axis, over = tables.rows, tables.axis, tables.machine.over
     phases, turned = axis.phases, axis.given.phases
     start, stop = over.degrees_formula("[start]"), over.degrees_formula("[stop]")
+    to_base = "[lift]/1000" if axis.given.unit == "mm" else "RADIANS([lift])"
     laws = filled([tables.machine.given.laws.number(p.law) for p in turned], n, 1)
     return [
         cell("k", list(range(1, n + 1))),
         cell("no", laws, formula=LAW_NUMBER),
-        cell(
-            "h",
-            filled([p.lift for p in phases], n),
-            unit=axis.base,
-            formula="=[lift]/1000" if axis.given.unit == "mm" else "=RADIANS([lift])",
-        ),
+        cell("h", filled([p.lift for p in phases], n), unit=axis.base, to_base=to_base),
         cell("span", filled([p.duration for p in phases], n), stop=stop, start=start),
         cell("begin", filled([p.start for p in turned], n, 360.0), start=start, scale=360.0),
         cell("end", filled([p.stop for p in turned], n, 360.0), stop=stop, scale=360.0),
     ]
 
 
-BACKWARDS = (
-    '=IF([stop]="","",IF([stop]>[start],"",'
-    '"ends at "&ROUND([stop],9)&"{0}, "&ROUND([start]-[stop],9)&"{0} before it begins"))'
-)
-EARLY = (
-    '=IF([stop]="","",IF([gap]<0-check_zero,'
-    '"begins at "&ROUND([start],9)&"{0}, "&ROUND({1},9)&"{0} before row "&([k]-1)&" ends",""))'
-)
-NO_FAULT, KINDS = "empty where it does not", "R rest, G velocity, U reversal, B both"
-
-
 def faults(tables: AxisTables) -> list[Quantity]:
     """Return the columns of the faults of each phase, and of the rest before it."""
-    cell = CELLS["faults"]
-    over, lacking = tables.machine.over, "=[h]*(1-INDEX(law_s1,[no]))"
+    axis, over = tables.axis, tables.machine.over
+    lacks = filled([p.missing_lift for p in axis.phases], tables.rows)
+    lack = own(tables, "", "=[h]*(1-INDEX(law_s1,[no]))")
+    cell = CELLS["faults"].sharing(after=over.after)
     return [
         cell("gap", gaps(tables), scale=360.0),
-        cell("backwards", "", formula=BACKWARDS.format(over.after), source=NO_FAULT),
-        cell("early", "", formula=EARLY.format(over.after, over.shown_formula("0-[gap]")), source=NO_FAULT),
+        cell("backwards", ""),
+        cell("early", "", too_soon=over.shown_formula("0-[gap]")),
         *([beyond(over)] if over.measured else []),
-        cell(
-            "lack",
-            filled([p.missing_lift for p in tables.axis.phases], tables.rows),
-            unit=tables.axis.base,
-            formula=own(tables, "", lacking),
-            scale=tables.axis.motion.size(0),
-        ),
+        cell("lack", lacks, unit=axis.base, lack=lack, scale=axis.motion.size(0)),
     ]
 
 
 def beyond(over: Abscissa) -> Quantity:
     """Return the column of how far a row from ``start`` to ``stop`` goes on beyond the cycle, in words."""
-    cell = CELLS["beyond"]
     last = "MAX([start],[stop])"
-    late = f'=IF(OR([stop]="",{over.degrees_formula(last)}-360<=check_zero),"",{going_beyond(last, over)})'
-    return cell("beyond", "", formula=late, source=NO_FAULT)
+    degrees, late = over.degrees_formula(last), going_beyond(last, over)
+    return CELLS["beyond"]("beyond", "", degrees=degrees, late=late)
 
 
 def going_beyond(last: str, over: Abscissa) -> str:
