@@ -50,10 +50,8 @@ def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces)
                 formulas = [row.formulas[name] for row in rows]
                 return calc(name, *LABELS[name], "", formulas, [entry[name] for entry in values])
 
-            sheet.table(
-                "@pieces",
-                "Pieces of the law",
-                len(rows),
+            cell.place(
+                sheet,
                 cell("name", [row.name for row in rows]),
                 cell("k", list(range(1, len(rows) + 1))),
                 cell("xi", begins(pieces)),
@@ -123,10 +121,8 @@ def samples(sheet: Sheet, rise: Phase, lift: float, n: int, stack: sampling.Piec
     cell = CELLS["samples"]
     xi = np.arange(n + 1) / n
     at, h, t = rise.law.evaluate(xi), rise.lift, rise.duration
-    sheet.table(
-        "@samples",
-        "The law over ξ = t / t_a, and the rise h in the time t_a",
-        n + 1,
+    cell.place(
+        sheet,
         cell("k", list(range(n + 1))),
         cell("xi", xi),
         *stack.columns(dict(zip("svaj", at, strict=True)), "svaj", result, entries),

@@ -230,10 +230,8 @@ def matrix(
     down, names = view.rooms[0], view.motors.names
     order = [place_of(view, k) if k < len(names) else k + 1 for k in range(down)]
     sheet.row += 1
-    rows = sheet.table(
-        f"@all_{name}",
-        TITLES[name],
-        down,
+    rows = cell.sharing(name=name, title=TITLES[name]).place(
+        sheet,
         cell("motor", filled(names, down, "")),
         cell("k", list(range(1, down + 1))),
         *([cell("order", order, down=down)] if name == "word" else []),

@@ -59,10 +59,8 @@ def grid(
     grid_heads(sheet, view, name)
     cell = CELLS["motors of a grid"]
     names = filled(view.motors.names, down, "")
-    rows = sheet.table(
-        f"@{name}",
-        TITLES[name],
-        down,
+    rows = cell.sharing(name=name, title=TITLES[name]).place(
+        sheet,
         cell("motor", names) if name == "word" else cell("motor", names, formula="=[@word.motor.same]"),
         cell("first", list(range(0, down * across, across))) if name == "key" else cell("k", list(range(1, down + 1))),
     )

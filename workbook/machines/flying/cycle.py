@@ -48,10 +48,8 @@ def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces)
     radius = machine.tool.radius
     speed, acceleration = at.speed / radius, at.acceleration / radius
     sheet.row += 1
-    sheet.table(
-        "cycle",
-        f"Tool, shaft and load at {len(t) - 1} equal steps",
-        len(t),
+    cell.sharing(steps=len(t) - 1).place(
+        sheet,
         cell("t", t),
         cell("s", shown(at.position, MM), sampled=pieces.sampled(rows, 0), source=pieces.POSITION),
         cell("v", at.speed, sampled=pieces.sampled(rows, 1)),
@@ -95,10 +93,8 @@ def motion_tables(sheet: Sheet, machine: CutterView, rows: PieceRows, stack: Pie
     }
     cell = CELLS["motion_tables"]
     first, none = "=MATCH(fly_no,piece_number,0)", "=MATCH(1,piece_number,0)"
-    sheet.table(
-        AT.phases,
-        "The parts of the cycle",
-        len(parts),
+    cell.place(
+        sheet,
         cell("what", PARTS["what"]),
         cell("k", [1, 2, 3, 4]),
         *(cell(name, values, formula=PARTS[name]) for name, values in figures.items()),

@@ -32,7 +32,6 @@ UNLISTED = "a name is not in the catalogue; expected one of its names, or an emp
 PEAK = "at a point: exact; of a law of your own to 4 %"
 MOVING = "SUMPRODUCT([@pt.share],([@pt.v]^2)^0.5)"
 
-TITLE = "Where the tool turns round: four looks at each turn, each nearer"
 LEAST = "=fly_v+fly_h1/1000/fly_tm*[standing.v.1]"
 ABOUT_POINTS = "Nine points, ends included, of each piece of the tool's motion, cut where the tool turns round."
 
@@ -169,10 +168,8 @@ def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         cell("@turned", cycle.turns),
     )
     sheet.row += 1
-    sheet.table(
-        "@turns",
-        TITLE,
-        len(looks),
+    cell.place(
+        sheet,
         cell("after", after),
         cell("look", [*range(1, LOOKS + 1)] * 2),
         cell("q", [k + 1 for k in number], forward=forward, backward=backward),

@@ -58,14 +58,12 @@ def lengths_sheet(book: Book, machine: CutterView) -> None:
     factor = replace(CHARTS["Load factor, with its limits"], title="Load factor against product length")
     tool = (CHARTS[f"{what} of the tool against product length"] for what in ("Speed", "Acceleration"))
     sheet.chart_row(*tool, factor, width=6, height=18)
-    cuts = [machine.of(length) for length in machine.lengths]
-    sheet.table(
-        "lengths",
-        f"{n + 1} product lengths",
-        n + 1,
-        CELLS["lengths"]("length", machine.lengths),
+    cuts, cell = [machine.of(length) for length in machine.lengths], CELLS["lengths"]
+    cell.sharing(n=n + 1).place(
+        sheet,
+        cell("length", machine.lengths),
         *lengths_columns(machine, cuts, "[length]", "fly_beyond"),
-        CELLS["lengths"]("k", list(range(n + 1))),
+        cell("k", list(range(n + 1))),
     )
     line(book, machine, cuts)
     sheet.print_columns = 17

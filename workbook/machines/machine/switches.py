@@ -150,10 +150,8 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
     beyond = going_beyond(over.shown_formula("MAX([begin],[end])"), over)
     late = cell("late", "", beyond=beyond)
 
-    sheet.table(
-        name,
-        f"Switch {i}: its times in degrees of the {over.period}",
-        TIMES,
+    cell.sharing(i=i, period=over.period).place(
+        sheet,
         cell("t", list(NUMBERS)),
         cell("used", lane.each([1] * len(lane.entered), 0), start=start, stop=stop),
         cell("begin", [time.start or 0.0 for time in times], since=over.degrees_formula(start)),

@@ -206,10 +206,8 @@ def phases(
     cell = CELLS["phases"]
     size, degrees = size_of_parts(parts), [shown(part.duration, DEGREE) for part in parts]
     sheet.row += 1
-    sheet.table(
-        rows.at.phases,
-        title,
-        len(parts),
+    cell.sharing(name=rows.at.phases, title=title).place(
+        sheet,
         cell("what", formulas["what"]),
         cell("k", [k for k, _ in enumerate(parts, 1)]),
         cell("no", list(rows.numbers), formula=formulas["no"]),

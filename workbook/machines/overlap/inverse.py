@@ -167,10 +167,8 @@ def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     number, low, high = pieces.number(law), inverse.low, inverse.high
 
     cell = CELLS["inversion"]
-    sheet.table(
-        wanted.name,
-        wanted.title,
-        len(wanted.s),
+    cell.sharing(name=wanted.name, title=wanted.title).place(
+        sheet,
         *wanted.head,
         cell("wanted", wanted.s, formula=wanted.formula),
         cell("xi", inverse.xi),

@@ -67,10 +67,8 @@ def outcome(sheet: Sheet, machine: OverlapView, states: States) -> None:
     sheet.rows(CELLS["outcome"]("view_t", shown(states.moved, MM)))
     sheet.row += 1
     cell = CELLS["stands"]
-    sheet.table(
-        "stands",
-        "The tools at this angle" if len(stations) > 1 else "The tool at this angle",
-        len(stations),
+    cell.sharing(tools="tools" if len(stations) > 1 else "tool").place(
+        sheet,
         cell("name", [s.given.name for s in stations], formula=machine.each("=@name")),
         cell("b", shown(states.before, MM), formula=machine.each("=[@view.yb]")),
         cell("a", shown(states.after, MM), formula=machine.each("=[@view.ya]")),

@@ -67,10 +67,8 @@ def bends_table(sheet: Sheet, handover: AxisHandover) -> None:
         values = of(lambda step: step.jerk_powers["abc".index(name)])
         return column(name, values, y=at.y, quintic=quintic, septic=septic, scale=100.0 * size)
 
-    sheet.table(
-        bends_name(handover),
-        f"Where the acceleration of phases of axis {handover.axis.number} bends",
-        room,
+    CELLS["bends_table"].sharing(i=handover.axis.number).place(
+        sheet,
         column("k", list(range(1, room + 1))),
         column("mode", filled([step.mode for step in phases], room, 0)),
         power("a", f"6*{e(3)}", f"24*{e(4)}"),

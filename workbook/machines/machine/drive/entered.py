@@ -18,7 +18,6 @@ from workbook.machines.machine.timing.phases import beyond, no_fault
 CELLS = cell_tables(__file__)
 
 OF_PART = "count inertia shaft driver driven diameter length density bore".split()
-TITLE = "Rotating parts: an inertia, or a cylinder's diameter, length and density; teeth of what is geared"
 
 
 def parts_and_forces(sheet: Sheet, view: DriveView) -> None:
@@ -40,10 +39,8 @@ def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     cell = CELLS["parts"]
     column = table_of(AxisPart).columns(driven.entered.parts, f"axes.{driven.number - 1}.parts", rows)
     turned = driven.parts
-    sheet.table(
-        "@parts",
-        TITLE,
-        rows,
+    cell.place(
+        sheet,
         column("name"),
         cell("k", list(range(1, rows + 1))),
         *map(column, OF_PART),

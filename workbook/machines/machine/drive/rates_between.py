@@ -133,7 +133,6 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
     names, search = names_of(view), view.search
     shares = [search.between.get(name, (Shares(0.0),) * 3) for name in names]
     ends = [search.ends.get(name, Ends(0.0, math.inf)) for name in names]
-    rows = list(enumerate(names, 1))
     rows = list(range(1, len(names) + 1))
     least = "(1-1E-6)" if search.points.load.train.has_constant_ratio else "@target"
     parts = {"continuous": continuous_at("(@mean*@times)"), "least": least, "not_reached": NOT_REACHED}

@@ -30,10 +30,8 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
     speed, acceleration = (units(machine, order) for order in (1, 2))
     sheet.row += 1
     cell = CELLS["axes"].sharing(unit=unit, i=numbers)
-    table = sheet.table(
-        "axes",
-        "Axes",
-        len(axes),
+    table = cell.place(
+        sheet,
         entry("group"),
         cell("k", numbers),
         entry("name"),
