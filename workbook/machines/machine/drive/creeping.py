@@ -3,7 +3,7 @@
 import math
 
 from engine.drive.creeping import CREEP_RATE
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import amount, around
 from workbook.drive.motor import continuous_at
@@ -15,35 +15,22 @@ CELLS = cell_tables(__file__)
 
 DECIMALS = 9  # of a use: limits that are used alike are told apart by no rounding
 FALLEN = "SUMPRODUCT(MAX(([@pt.TC]^2)^0.5+@fall*(([@pt.n]^2)^0.5*@slow>@knee)*(([@pt.n]^2)^0.5*@slow-@knee)))"
-LIMITS = (
-    f"={continuous_at('(@mean*@slow)')}",
-    "=@motor_peak+0",
-    "=@reducer_peak/IF(60*@rate*@slow>@full*(1+1E-9),@reducer_fs,1)",
-    "=@reducer_mean+0",
-)
 
 
 def creeping_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the table of the torques while the drive creeps, and of their limits."""
     cell, checks = CELLS["creep"], view.creep_checks
-    values = (
-        "=SQRT(SUMPRODUCT([@pt.share],[@pt.TC],[@pt.TC]))",
-        f"={FALLEN if view.knows_falling else largest('TC')}",
-        f"={largest('SC')}",
-        f"={cubic('[@pt.SC]')}",
-    )
+    asked = FALLEN if view.knows_falling else largest("TC")
+    parts = {"peak": asked, "behind": largest("SC"), "mean": cubic("[@pt.SC]")}
+    each = formulas_by_row(__file__, "by limit", continuous=continuous_at("(@mean*@slow)"), **parts)
+    size = max(view.scales.torque, view.scales.behind)
     CELLS["rate"].begin(sheet)
     sheet.rows(CELLS["rate"]("@creep_rate", shown(CREEP_RATE, PER_MINUTE)), CELLS["rate"]("@slow", view.slow))
     cell.place(
         sheet,
         cell("name", [check.name for check in checks]),
-        cell(
-            "value",
-            [check.value for check in checks],
-            formula=values,
-            scale=max(view.scales.torque, view.scales.behind),
-        ),
-        cell("limit", [0.0 if math.isinf(check.limit) else check.limit for check in checks], formula=LIMITS),
+        cell("value", [check.value for check in checks], asked=each["asked"], scale=size),
+        cell("limit", [0.0 if math.isinf(check.limit) else check.limit for check in checks], limit_of=each["limit"]),
         cell("use", uses(view), decimals=DECIMALS, scale=1.0),
     )
     sheet.row += 1

@@ -24,7 +24,6 @@ from workbook.drive.motor import continuous_at
 from workbook.fields.units import PER_MINUTE, shown
 from workbook.machines.machine.drive.max_rate import (
     ABOUT,
-    LIMITS,
     MEETS,
     NEVER_HELD,
     NOT_REACHED,
@@ -81,16 +80,12 @@ def tried(view: DriveView) -> list[Quantity]:
         cell("@SN_max", largest_size(then.load.output_torque) * search.over[1], largest=largest("SN")),
         cell("@SN_mean", then.cubic_mean(then.load.output_torque), cubic=cubic("[@pt.SN]")),
         cell("@holds_tried", int(search.tried_holds)),
-        cell(
-            "@cycles_use",
-            search.cycles_use[search.begin],
-            cycles_use=CYCLES_USE.format(LIMITS["name"].index(CYCLES) + 1),
-        ),
+        cell("@cycles_use", search.cycles_use[search.begin]),
         cell("@from", search.way[0]),
         cell("@to", search.way[1]),
         target(view),
         *([CELLS["curve"]("@target_curve", TARGET_CURVE)] if view.knows_falling else []),
-        *([cell("@released", met(search.released), released=RELEASED, not_reached=NOT_REACHED)] if view.brakes else []),
+        *([cell("@released", met(search.released), not_reached=NOT_REACHED)] if view.brakes else []),
     ]
 
 
@@ -100,10 +95,6 @@ def target(view: DriveView) -> Quantity:
     if view.varies or view.driven.by_angle or not is_viscous(view):
         return CELLS["target"]("@target", value)
     return CELLS["target of a viscous load"]("@target", value, between=TARGET_BETWEEN, at_an_end=TARGET)
-
-
-CYCLES_USE = "IF(@holds=1,@smax,IF(@holds_tried=1,@SN_max,[@held.stands.{}]))*@reducer_fs/@reducer_peak"
-RELEASED = "SUMPRODUCT(MAX([@iv.held]*@brake_least/([@iv.dwell]+tiny)))"
 
 
 def way(names: list[str], begin: int, sign: int) -> list[str]:

@@ -64,16 +64,8 @@ def workings(view: DriveView) -> list[Quantity]:
     rows.append(cell("@is", view.load.output_ratio, ratios="*".join(f"@is{n}" for n in range(1, last + 1))))
     for n in range(1, last + 1):
         ratios = "*".join(f"@is{k}" for k in range(n, last + 1))
-        rows.append(
-            cell(
-                "@s{n}_ja",
-                m.on_shaft(n) * m.ratio_from(n) / m.ratio_from(m.last - 1) * turns,
-                n=n,
-                unit=unit,
-                ratios=ratios,
-                mechanism=mechanism,
-            )
-        )
+        torque = m.on_shaft(n) * m.ratio_from(n) / m.ratio_from(m.last - 1) * turns
+        rows.append(cell("@s{n}_ja", torque, n=n, unit=unit, ratios=ratios, mechanism=mechanism))
     inertia = (view.inertia - m.on_shaft(0)) * m.stages[0].ratio ** 2
     rows.append(cell("@j_out", inertia, behind=behind))
     return rows
@@ -96,8 +88,8 @@ def output(view: DriveView, behind: str, inertia: str, force: str = "[F]", end: 
     inertia. The columns' names end in ``end``: 0 of torques without inertia, else by :data:`OTHER_RATES`.
     """
     last, moved = count(view.driven), "[al]" if view.varies else "[a]"
-    cell = CELLS["torques"]
     rate, grows = OTHER_RATES.get(end) or {"": ("", ""), REST: (", without inertia", "")}[end]
+    cell = CELLS["torques"].sharing(end=end, mark=SYMBOLS[end], rate=rate)
     grows = f"*{grows}^2" if grows else ""
     torques = {
         "": lambda: view.load.shaft_torques,
@@ -109,22 +101,10 @@ def output(view: DriveView, behind: str, inertia: str, force: str = "[F]", end: 
     columns = list[Quantity]()
     for n in range(last, 0, -1):
         where = "on the mechanism's shaft" if n == last else f"before stage {n + 1}"
-        scale, name = max(float(np.abs(view.load.shaft_torques[n]).max()), LEAST), f"M{n}{end}"
-        symbol = f"T_{n + 1}{SYMBOLS[end]}"
-        columns.append(
-            cell(
-                "{name}",
-                view.by_point(torques[n]),
-                name=name,
-                where=where,
-                rate=rate,
-                symbol=symbol,
-                behind=formula,
-                n=n,
-                scale=scale,
-            )
-        )
-        formula = LOSS.format(n, name) + ("" if end == REST else f"+@s{n}_ja*{moved}{grows}")
+        scale = max(float(np.abs(view.load.shaft_torques[n]).max()), LEAST)
+        values = view.by_point(torques[n])
+        columns.append(cell("M{n}{end}", values, n=n, after=n + 1, where=where, behind=formula, scale=scale))
+        formula = LOSS.format(n, f"M{n}{end}") + ("" if end == REST else f"+@s{n}_ja*{moved}{grows}")
     return columns, formula
 
 

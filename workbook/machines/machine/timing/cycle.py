@@ -1,7 +1,7 @@
 """The sheet Cycle of an axis: its motion sample by sample, which charts show and cam tables export."""
 
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import FIRST, Book, Quantity, result
+from workbook.book.declare import FIRST, Book, Quantity
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import DEGREE, shown
 from workbook.machines.machine.motion_tables import AxisTables
@@ -12,13 +12,8 @@ from workbook.motion.pieces import POSITION, finding, sampled
 CELLS = cell_tables(__file__)
 
 LANE_SHARE = 0.8  # of the height of a lane that an axis takes. Source: S1, 'Timing diagram for a cutting machine'
-CURVES = (
-    ("y", "position", "", "", ""),
-    ("v", "velocity", "omega", "y' ω", "dy/dx"),
-    ("a", "acceleration", "omega^2", "y'' ω²", "d²y/dx²"),
-    ("j", "jerk", "omega^3", "y''' ω³, between jumps", "d³y/dx³, between jumps"),
-)
-"""a sampled axis: its column, what it is called; its factor, and its equation over time and over all else"""
+CURVES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
+"""the rates of a sampled axis by their columns, and what they are called"""
 EARLIER = "([theta]-@late-[p])*@lap"  # the travel of the turns that its phases have ended before
 
 
@@ -28,6 +23,7 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
     unshifted = tables.axis.unshifted(machine.samples)
     title = sheet_title(f"Cycle {i}", [sheet.title for sheet in book.sheets])
     sheet = book.sheet(title, f"Axis {i} over {over.cycle}, sample by sample; what charts show.")
+    size = shown(axis.motion.size(0), axis.unit)
     unit, lowest, highest = axis.given.unit, f"[axes.low.{i}]", f"[axes.high.{i}]"
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     by_lift = LANE_SHARE / (high - low) if high > low else 0.0
@@ -37,11 +33,7 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
         sheet.rows(
             cell("@name", axis.given.name),
             cell("@late", axis.given.shift),
-            cell(
-                "@lap",
-                shown(axis.motion.lifts_sum, axis.unit) / 360.0,
-                scale=shown(axis.motion.size(0), axis.unit) / 360.0,
-            ),
+            cell("@lap", shown(axis.motion.lifts_sum, axis.unit) / 360.0, scale=size / 360.0),
             cell("@scale", by_lift, highest=highest),
             cell("@floor", floor - by_lift * low, floor=floor, scale=1.0),
         )
@@ -68,29 +60,20 @@ def results(tables: AxisTables) -> list[Quantity]:
     axis, unit, over = tables.axis, tables.axis.given.unit, tables.machine.over
     timed = axis.motion.at_speed(axis.unshifted(tables.machine.samples).x, axis.speed)
     y, lift = sampled(tables.pieces, 0), over.lift(unit).shown
-    rates = zip(CURVES[1:], over.symbols[1:], over.rates(unit), timed[1:], strict=True)
+    either = f"1000*({y})" if unit == "mm" else f"DEGREES({y})"
+    position = shown(axis.at(tables.machine.samples).y, axis.unit)
+    table = CELLS["rates"].sharing(symbols=over.symbols, units=tuple(over.rates(unit)), lift=lift)
+
+    def rate(name: str, order: int, source: str) -> Quantity:
+        own = {"source": source} if over.timed else {}
+        place = sampled(tables.pieces, order)
+        return table(name, axis.rate(timed[order]), sampled=place, scale=axis.size(order), **own)
+
     return [
-        cell(
-            "y",
-            shown(axis.at(tables.machine.samples).y, axis.unit),
-            unit=unit,
-            either=f"1000*({y})" if unit == "mm" else f"DEGREES({y})",
-            earlier=EARLIER,
-            source=POSITION,
-        ),
-        *(
-            result(
-                name,
-                words,
-                symbol,
-                shown_in,
-                f"={factor}*({sampled(tables.pieces, order)}){lift}",
-                axis.rate(values),
-                scale=axis.size(order),
-                source=paced if over.timed else by_x,
-            )
-            for order, ((name, words, factor, paced, by_x), symbol, shown_in, values) in enumerate(rates, 1)
-        ),
+        cell("y", position, unit=unit, either=either, earlier=EARLIER, source=POSITION),
+        rate("v", 1, "y' ω"),
+        rate("a", 2, "y'' ω²"),
+        rate("j", 3, "y''' ω³, between jumps"),
     ]
 
 

@@ -119,7 +119,7 @@ def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
     for unit in moving:
         of = {"mm": ", travelling", "°": ", turning"}[unit] if len(moving) > 1 else ""
         charts: list[Chart] = []
-        for (column, word, *_), symbol, shown_in in zip(CURVES[1:], over.symbols[1:], over.rates(unit), strict=True):
+        for (column, word), symbol, shown_in in zip(CURVES.items(), over.symbols[1:], over.rates(unit), strict=True):
             lines = tuple(curve(axis, over.column, column) for axis in machine.axes if axis.given.unit == unit)
             title = f"{word.capitalize()}{of}"
             about = f"{title} over the {over.name}, a line for each axis"
