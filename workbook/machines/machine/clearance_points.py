@@ -72,22 +72,15 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
     last_part = PARTS_OF[gap.parts][-1][0]
     of_first = f"*INDEX([clear{n}_pairs.slope],[line])" if gap.table else ""
     cell = CELLS["points"].sharing(n=n, unit=gap.unit)
+    speeds = []
+    for mark, of, rows, values in zip(MARKS, OF, gap.rows, gap.velocities, strict=True):
+        place, most = sampled(rows.pieces, 1, mark), rows.axis.motion.size(1)
+        speeds.append(cell("v{mark}", values, mark=mark, of=of, unit=rows.at.unit(1), sampled=place, scale=most))
     cell.place(
         sheet,
         cell("theta", angles, angle=gap.over.angle, last_part=last_part, scale=TURN),
         *at_angles(gap, angles),
-        *(
-            cell(
-                "v{mark}",
-                values,
-                mark=mark,
-                of=of,
-                unit=rows.at.unit(1),
-                sampled=sampled(rows.pieces, 1, mark),
-                scale=rows.axis.motion.size(1),
-            )
-            for mark, of, rows, values in zip(MARKS, OF, gap.rows, gap.velocities, strict=True)
-        ),
+        *speeds,
         cell("slope", gap.slopes, of_first=of_first, scale=float(np.abs(gap.slopes).max())),
         cell("fall", low.fall, scale=size),
         cell("rise", low.rise, scale=size),

@@ -59,7 +59,8 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
     unit = units.pop() if len(units) == 1 else "mm, °"
     entry = table_of(ClearanceEntry).columns([gap.given for gap in gaps], "clearances", len(gaps))
     size = max(gap.size for gap in gaps)
-    least = [f"=MIN([clear{gap.number}_least.gap])" for gap in gaps]
+    place = [over.shown_formula(PLACE.format(n=gap.number)) for gap in gaps]
+    cell = cell.sharing(symbol=over.symbol, unit=over.unit, n=[gap.number for gap in gaps])
     entered = cell.place(
         sheet,
         entry("name"),
@@ -70,16 +71,8 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
         entry("factor2"),
         entry("offset", unit=unit),
         entry("least", unit=unit),
-        cell("gap", [gap.least for gap in gaps], unit=unit, formula=least, scale=size),
-        cell(
-            "at",
-            [over.shown(gap.place) for gap in gaps],
-            symbol=over.symbol,
-            unit=over.unit,
-            formula=[f"={over.shown_formula(PLACE.format(n=gap.number))}" for gap in gaps],
-            scale=over.length,
-            format=over.format,
-        ),
+        cell("gap", [gap.least for gap in gaps], unit=unit, scale=size),
+        cell("at", [over.shown(gap.place) for gap in gaps], place=place, scale=over.length, format=over.format),
     )
     cell = CELLS["gaps"]
     sheet.workings(
@@ -130,21 +123,16 @@ def pairs(sheet: Sheet, gap: ClearanceView, table: FreePositions) -> None:
     n, units = gap.number, [rows.axis.given.unit for rows in gap.rows]
     column = table_of(FreePosition).columns(gap.given.pairs, f"clearances.{n - 1}.pairs", PAIRS)
     after = [(f"[clear{n}_pairs.at.{k}]", f"[clear{n}_pairs.free.{k}]") for k in range(2, PAIRS + 1)]
-    slopes = [f"=IF(COUNT({at})=1,({free}-[free])/({at}-[at]),0)" for at, free in after]
+    slopes = [f"IF(COUNT({at})=1,({free}-[free])/({at}-[at]),0)" for at, free in after]
     sheet.row += 1
+    per, steepest = f"{units[1]}/{units[0]}", float(np.abs(table.slopes).max())
     cell = CELLS["pairs"].sharing(unit=units[0], n=n, near=table.near)
     cell.place(
         sheet,
         column("at", unit=units[0]),
         column("free", unit=units[1]),
         cell("begin", filled(table.at.tolist(), PAIRS, float(table.at[-1])), scale=float(np.ptp(table.at))),
-        cell(
-            "slope",
-            filled(table.slopes.tolist(), PAIRS, 0.0),
-            unit=f"{units[1]}/{units[0]}",
-            formula=[*slopes, "=0*[k]"],
-            scale=float(np.abs(table.slopes).max()),
-        ),
+        cell("slope", filled(table.slopes.tolist(), PAIRS, 0.0), unit=per, line=[*slopes, "0*[k]"], scale=steepest),
     )
     sheet.rows(cell("clear{n}_pairs_used", len(table.at)), cell("clear{n}_near", table.near))
 

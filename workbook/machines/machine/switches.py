@@ -7,7 +7,7 @@ from typing import Any
 
 from engine.timing import Switch
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import Book, Quantity, Sheet, calc, result
+from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled, spread
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
@@ -94,45 +94,26 @@ def switches_sheet(book: Book, machine: MachineView) -> None:
 def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
     """Declare the table of switches: a row each."""
     over = machine.over
-    times = [
-        CELLS["entries"](
-            "{name}{t}",
-            [getattr(lane.typed[t - 1], name) for lane in lanes],
-            name=name,
-            t=t,
-            label=label,
-            unit=over.unit,
-            t_before=t - 1,
-            format=over.format,
-            upper_limit=over.upper_limit,
-        )
-        for t in NUMBERS
-        for label, name in (("on from", "start"), ("to", "stop"))
-    ]
-    shown_as, source = (calc, "in all") if over.measured else (result, "at the production rate")
-    lasting = [
-        shown_as(
-            "on",
-            "on in all",
-            "",
-            "°",
-            [f"=SUM([switch{lane.number}_times.span])" for lane in lanes],
-            [shown(lane.switch.total, DEGREE) for lane in lanes],
-        ),
-        CELLS["entries"](
-            "time",
-            [lane.switch.total / machine.speed for lane in lanes],
-            symbol=over.lasting,
-            unit=over.unit if over.measured else "s",
-            source=source,
-        ),
-    ]
+    cell = CELLS["entries"].sharing(unit=over.unit)
+    own = {"format": over.format, "upper_limit": over.upper_limit}
+
+    def column(name: str, label: str, t: int) -> Quantity:
+        values = [getattr(lane.typed[t - 1], name) for lane in lanes]
+        return cell("{name}{t}", values, name=name, t=t, t_before=t - 1, label=label, **own)
+
+    times = [column(*end, t) for t in NUMBERS for end in (("start", "on from"), ("stop", "to"))]
+    on = cell("on", [shown(lane.switch.total, DEGREE) for lane in lanes], number=[lane.number for lane in lanes])
+    lasts = cell("time", [lane.switch.total / machine.speed for lane in lanes], symbol=over.lasting)
+    if over.measured:
+        lasting = [lasts._replace(source="in all"), on._replace(role="calculation")]
+    else:
+        lasting = [on, lasts._replace(unit="s", source="at the production rate")]
     CELLS["switches"].place(
         sheet,
         CELLS["switches"]("name", [lane.given.name for lane in lanes]),
         CELLS["switches"]("k", [lane.number for lane in lanes]),
         *times,
-        *(reversed(lasting) if over.measured else lasting),
+        *lasting,
         rules=[HALF],
     )
     cell = CELLS["switches"]

@@ -11,7 +11,6 @@ from workbook.machines.machine.drive.view import DriveView
 CELLS = cell_tables(__file__)
 
 LOSS2 = "IF([dir]=0,@hold2,IF({0}*[dir]<0,@back2,1/@eta2))*{0}"
-LOSS1 = "IF({0}*[dir]<0,@in1,@out1)*{0}"
 CONSTANT = "IF([dir]=0,@held2,IF({0}*[dir]<0,@in2,@out2))*{0}"
 """output torque of the reducer by a force, of a constant ratio; LOSS2 is without the ratio"""
 
@@ -36,7 +35,7 @@ def standing(view: DriveView) -> list[Quantity]:
     columns = [
         *before,
         cell("S0", of(load.output_torque_at_rest), output=output),
-        cell("T0", of(points.standing), held=brake.held(view), behind_reducer=LOSS1.format("[S0]")),
+        cell("T0", of(points.standing), held=brake.held(view)),
     ]
     if not view.knows_falling:
         return columns
@@ -65,13 +64,8 @@ def creeping(view: DriveView) -> list[Quantity]:
     resists = by_angle.resisting(view, "@steady", "@rub")
     if view.varies:  # a sheet with the columns of a ratio that changes has no room for another
         return at_another_rate(view, view.creeping, stages.CREEPING, f'IF(creep_forces="on",[R],{resists})')
-    force = CELLS["creeping"](
-        "RC",
-        view.by_point(view.creeping.load.resisting),
-        unit=driven_unit(view),
-        resists=resists,
-        scale=view.scales.force,
-    )
+    resisting, unit = view.by_point(view.creeping.load.resisting), driven_unit(view)
+    force = CELLS["creeping"]("RC", resisting, unit=unit, resists=resists, scale=view.scales.force)
     return [force, *at_another_rate(view, view.creeping, stages.CREEPING, "[RC]")]
 
 
@@ -87,28 +81,13 @@ def at_another_rate(view: DriveView, then: DrivePoints, end: str, resists: str) 
     resisted = f"+@viscous*{speed}*({times}-{times}^2)" if viscous else ""
     source = "F_r + (F − F_r − c ẏ) x + c ẏ √x" if viscous else "F_r + (F − F_r) x"
     before, output = stages.output(view, behind(view), inertia, f"[F{end}]", end)
-    words = {"end": end, "rate": rate}
-    cell = CELLS["at another rate"].sharing(**view.parts, times=times)
+    own = {"times": times, "end": end, "rate": rate, "resists": resists, "resisted": resisted}
+    cell = CELLS["at another rate"].sharing(**view.parts, **own)
     return [
-        cell(
-            "F{end}",
-            of(then.load.force),
-            unit=driven_unit(view),
-            resists=resists,
-            resisted=resisted,
-            source=source,
-            **words,
-        ),
+        cell("F{end}", of(then.load.force), unit=driven_unit(view), source=source),
         *before,
-        cell("S{end}", of(then.load.output_torque), output=output, **words),
-        cell(
-            "T{end}",
-            of(then.torque),
-            held=brake.held_at(view, times),
-            behind_reducer=LOSS1.format(f"[S{end}]"),
-            own_inertia=motor_inertia,
-            **words,
-        ),
+        cell("S{end}", of(then.load.output_torque), output=output),
+        cell("T{end}", of(then.torque), held=brake.held_at(view, times), own_inertia=motor_inertia),
     ]
 
 

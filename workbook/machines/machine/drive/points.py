@@ -77,8 +77,8 @@ def chain(view: DriveView, place: str) -> list[Quantity]:
         linked = LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of)
         linked.append(cell("al", of(load.shaft_acceleration)))
     if view.varies or view.driven.by_angle:
-        place_in_piece = sampled(view.tables.pieces, 0)
-        position = [cell("y", of(load.position), unit=axis.base, sampled=place_in_piece, scale=axis.motion.size(0))]
+        at, size = sampled(view.tables.pieces, 0), axis.motion.size(0)
+        position = [cell("y", of(load.position), unit=axis.base, sampled=at, scale=size)]
     return [
         *motion(view, place),
         *position,
@@ -90,13 +90,7 @@ def chain(view: DriveView, place: str) -> list[Quantity]:
         *before,
         cell("S", of(load.output_torque), output=output),
         *(brake.of_points(view) if view.brakes else ()),
-        cell(
-            "T",
-            of(points.torque),
-            held=brake.held(view),
-            behind_reducer=other_rates.LOSS1.format("[S]"),
-            own_inertia=motor_inertia,
-        ),
+        cell("T", of(points.torque), held=brake.held(view), own_inertia=motor_inertia),
         cell("n", of(shown(points.speed, RPM)), ratio=motor_ratio),
         cell("P", of(shown(points.power, KW))),
     ]

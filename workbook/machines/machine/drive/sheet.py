@@ -40,7 +40,7 @@ from workbook.machines.machine.drive.points import (
 from workbook.machines.machine.drive.reach import linkage_checks, reach_table
 from workbook.machines.machine.drive.turns import turns_check, turns_table
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.drive.workings import peaks_table, top, workings
+from workbook.machines.machine.drive.workings import peaks_table, workings
 from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.mechanism import SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
@@ -153,7 +153,9 @@ def outcome(view: DriveView) -> list[Quantity]:
     inertias = np.array(
         [driven.motor_used.inertia, driven.reducer.inertia, driven.beside_motor, reducer_load.behind_reducer(view)]
     )
-    fastest = f"=MAX({top('n')},0-{top('n', 'low')})" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
+    fastest = "=MAX([@tops.top.7],0-[@tops.top.8])" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
+    damped = "" if view.varies or driven.by_angle else UNDAMPED
+    speed = f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio"
     cell = CELLS["outcome"].sharing(**view.parts, inertia=stages.inertia(driven))
     return [
         cell("@sized", OWN if own else MACHINES, machines=MACHINES, own=OWN),
@@ -167,25 +169,15 @@ def outcome(view: DriveView) -> list[Quantity]:
         cell("@j_all", shown(driven.motor_used.inertia + view.inertia, KG_CM2)),
         cell("@j_figures", Sentence(" + ".join(map(rounded, shown(inertias, KG_CM2))))),
         cell("@largest", view.size("T"), source=to(bound.peak_torque)),
-        cell(
-            "@tmax",
-            view.top("T"),
-            highest=top("T"),
-            source=to(bound.peak_torque) + ("" if view.varies or driven.by_angle else UNDAMPED),
-        ),
-        cell("@tmin", -view.top("T", -1), lowest=top("T", "low"), source=to(bound.peak_torque)),
+        cell("@tmax", view.top("T"), source=to(bound.peak_torque) + damped),
+        cell("@tmin", -view.top("T", -1), source=to(bound.peak_torque)),
         cell("@rms", points.rms_torque, bound=to(bound.rms_torque, "the peak")),
         cell("@t_hold", points.holding_torque),
-        cell(
-            "@speed",
-            shown(view.speed, RPM),
-            formula=fastest,
-            source=f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio",
-        ),
+        cell("@speed", shown(view.speed, RPM), formula=fastest, source=speed),
         cell("@mean", shown(points.mean_speed, RPM)),
         motor.continuous(view.driven.motor, points.mean_speed),
         *([cell("@spare", view.spare)] if view.knows_falling else []),
-        cell("@smax", reducer[0].value, highest=top("S"), lowest=top("S", "low"), source=to(bound.peak_torque)),
+        cell("@smax", reducer[0].value, source=to(bound.peak_torque)),
         cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]")),
         *energies(view),
         *max_rate.range_results(view),
@@ -210,22 +202,15 @@ def uses(view: DriveView) -> list[Quantity]:
 def energies(view: DriveView) -> list[Quantity]:
     """Return the results of the motor's energy and power over the cycle."""
     (driving, returned), bound = view.energy, stated_bounds(view.driven.train)
+    mean = shown((driving - returned) / view.driven.drive_cycle.time, KW)
+    lowest = shown(min(0.0, -view.top("P", -1)), KW)
     cell = CELLS["energies"].sharing(**view.parts)
     return [
         cell("@energy", driving, bound=to(bound.energy, "both energies")),
         cell("@returned", returned, source=to(bound.energy, "both energies")),
-        cell(
-            "@power",
-            shown((driving - returned) / view.driven.drive_cycle.time, KW),
-            source=to(bound.mean_power, "the peak"),
-        ),
-        cell("@pmax", shown(max(0.0, view.top("P")), KW), highest=top("P"), source=to(bound.peak_power)),
-        cell(
-            "@pmin",
-            shown(min(0.0, -view.top("P", -1)), KW),
-            lowest=top("P", "low"),
-            bound=to(bound.peak_power, "the larger"),
-        ),
+        cell("@power", mean, source=to(bound.mean_power, "the peak")),
+        cell("@pmax", shown(max(0.0, view.top("P")), KW), source=to(bound.peak_power)),
+        cell("@pmin", lowest, bound=to(bound.peak_power, "the larger")),
         *([brake.torque(view)] if view.brakes else []),
     ]
 

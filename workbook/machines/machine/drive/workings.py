@@ -117,12 +117,6 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
     )
 
 
-def top(name: str, end: str = "high") -> str:
-    """Return the reference to a peak: of the column T, S, P or n, its ``high`` or its ``low``."""
-    row = 2 * "TSPn".index(name) + (1 if end == "high" else 2)
-    return f"[@tops.top.{row}]"
-
-
 def peaks_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the peaks, a row for the highest and one for the lowest of each quantity."""
     points, sizes, last = view.points, view.scales, view.rows * POINTS
