@@ -63,6 +63,11 @@ class Abscissa:
         return f"{lift}/{per}", f"{lift}/{per}²", f"{lift}/{per}³"
 
     @property
+    def words(self) -> dict[str, str]:
+        """The label, symbol, unit and format of a column of places."""
+        return {"label": self.name, "symbol": self.symbol, "unit": self.unit, "format": self.format}
+
+    @property
     def title(self) -> str:
         """The title of a chart's axis."""
         return f"{self.name} {self.symbol} [{self.unit}]"

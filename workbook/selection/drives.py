@@ -44,16 +44,17 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
             )
             for figure, scale in zip(view.shaft.figures, scales, strict=True)
         ),
-        *last_point(view),
+        *([cell("@last", view.shaft.rows * POINTS)] if view.is_ragged else []),
         cell("@held_mixed", mixed, mean=MIXED.format(**OWN), scale=view.shaft.product),
         cell("@held_square", square, mean=SQUARE.format(**OWN), scale=view.shaft.torque**2),
         cell("@held_motor", motor, as_entered=AS_ENTERED),
         cell("@held_reducer", reducer, as_entered=AS_ENTERED),
     )
+    points = [shaft.rows * POINTS for shaft in view.shafts]
     cell = CELLS["drives"]
     cell.place(
         sheet,
-        cell("axis", [shaft.name for shaft in view.shafts], formula=[shaft.title for shaft in view.shafts]),
+        cell("axis", [shaft.name for shaft in view.shafts], title=[shaft.title for shaft in view.shafts]),
         *cell.of_rows(view.shafts, k="number"),
         *(
             FIGURES(
@@ -64,19 +65,8 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
             )
             for column, scale in zip(columns, scales, strict=True)
         ),
-        *([last_points(view)] if view.is_ragged else []),
+        *([cell("last", points, columns=[shaft.columns for shaft in view.shafts])] if view.is_ragged else []),
     )
-
-
-def last_point(view: PairSelection) -> list[Quantity]:
-    """Return the row of the number of points that the named drive has, where some have more than others."""
-    return [CELLS["named_drive"]("@last", view.shaft.rows * POINTS)] if view.is_ragged else []
-
-
-def last_points(view: PairSelection) -> Quantity:
-    """Return the column of the number of points that each drive has, where some have more than others."""
-    numbers = [shaft.rows * POINTS for shaft in view.shafts]
-    return CELLS["drives"]("last", numbers, formula=[f"=COUNT({shaft.columns}_n)" for shaft in view.shafts])
 
 
 def points_table(sheet: Sheet, view: PairSelection) -> None:
@@ -187,14 +177,7 @@ def loads(sheet: Sheet, view: PairSelection) -> None:
         cell("left", [drive.shaft.values["left"] / view.shaft.values["left"] for drive in drives]),
         cell("mixed", mixed, formula=of_drive(MIXED.format(**OWN)), scale=product),
         cell("square", square, formula=of_drive(SQUARE.format(**OWN)), scale=torque**2),
-        cell(
-            "least",
-            smallest,
-            formula=[
-                f'={beyond}-SUMPRODUCT(MAX(([@all_word{n}.v]="yes")*({beyond}-[@all_word.order])))'
-                for n in range(1, len(drives) + 1)
-            ],
-        ),
+        cell("least", smallest, beyond=beyond, n=list(range(1, len(drives) + 1))),
     )
 
 

@@ -42,6 +42,7 @@ BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
 def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float, laws: Sequence[NamedLaw]) -> None:
     """Declare the sheet; ``stroke`` (m) is the tool's by the points of its drive."""
     cell = CELLS["fastest"]
+    peaks = [0.0 if isinstance(law.law, Dwell) else fastest(law.law) for law in laws]
     sheet = book.sheet("Cutter", "The tool works at line speed, and makes up for the product's length in between.")
     entries(sheet, machine)
     sheet.heading("Results")
@@ -58,12 +59,8 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
     sheet.row += 1
     cell.place(
         sheet,
-        cell("law", [law.name for law in laws], formula=[f"=INDEX(law_code,{law.number})" for law in laws]),
-        cell(
-            "at",
-            [0.0 if isinstance(law.law, Dwell) else fastest(law.law) for law in laws],
-            formula=[law.own(law.page.fastest) for law in laws],
-        ),
+        cell("law", [law.name for law in laws], number=[law.number for law in laws]),
+        cell("at", peaks, fastest=[law.own(law.page.fastest) for law in laws]),
     )
     sheet.print_columns, sheet.widths = 16, {FIRST: 37}
 
@@ -131,23 +128,15 @@ def verdicts(sheet: Sheet, machine: CutterView, joints: Joints, by_points: float
         "AND(INDEX(law_wrong,fly_no)<check_zero,INDEX(law_v_low,fly_no)>=0-check_zero,"
         "MAX(fly_ends,fly_misses)<check_zero,fly_cv>=fly_least_cv)"
     )
+    room = machine.given.saw.stroke
+    too_fast = amount("fly_n-fly_rpm_max", fastest - limits.speed, "", " rpm too much")
+    too_hard = amount("fly_dw-fly_dw_max", hardest - limits.acceleration, "", " rad/s² too much")
+    too_far = amount("fly_stroke-fly_room", stroke - room, "", " mm too much")
     cell = CELLS["verdicts"].sharing(near=near, is_drum=IS_DRUM)
     sheet.checks(
-        cell(
-            "fly_ok_speed",
-            fastest <= limits.speed,
-            says=amount("fly_n-fly_rpm_max", fastest - limits.speed, "", " rpm too much"),
-        ),
-        cell(
-            "fly_ok_acceleration",
-            hardest <= limits.acceleration,
-            says=amount("fly_dw-fly_dw_max", hardest - limits.acceleration, "", " rad/s² too much"),
-        ),
-        cell(
-            "fly_ok_stroke",
-            machine.is_drum or stroke <= machine.given.saw.stroke,
-            says=amount("fly_stroke-fly_room", stroke - machine.given.saw.stroke, "", " mm too much"),
-        ),
+        cell("fly_ok_speed", fastest <= limits.speed, says=too_fast),
+        cell("fly_ok_acceleration", hardest <= limits.acceleration, says=too_hard),
+        cell("fly_ok_stroke", machine.is_drum or stroke <= room, says=too_far),
         joints.check("fly_ok_smooth", "The tool moves as smoothly as asked"),
         cell("fly_ok_length", True),
         cell("fly_ok_tools", True),

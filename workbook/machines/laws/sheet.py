@@ -100,7 +100,7 @@ def names_sheet(book: Book, view: ComparedLaws) -> None:
     laws = view.moving
     cell.place(
         sheet,
-        cell("law", [law.name for law in laws], formula=[f"=[costs.law.{i}]" for i in range(1, len(laws) + 1)]),
+        cell("law", [law.name for law in laws], i=list(range(1, len(laws) + 1))),
         *(cell(vendor, [getattr(law.law.vendors, vendor) or NONE for law in laws]) for vendor in VENDORS),
     )
 

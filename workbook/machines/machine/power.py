@@ -189,10 +189,7 @@ def bus_table(sheet: Sheet, bus: Mains) -> None:
 
     time = CELLS["bus_table"]("theta", machine.angles, label=over.angle)
     if over.measured:
-        shown_at = over.shown(machine.angles)
-        time = CELLS["bus_table"](
-            "time", shown_at, label=over.name, symbol=over.symbol, unit=over.unit, format=over.format
-        )
+        time = CELLS["bus_table"]("time", over.shown(machine.angles), **over.words)
     sheet.heading("Power over the cycle")
     CELLS["bus"].place(
         sheet,

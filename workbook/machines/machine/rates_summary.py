@@ -111,23 +111,15 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
     high = found.rates.high
     # IronCalc lacks it of one cell
     unmet = f"{most}={NO_RATE}" if axes == 1 else f"COUNTIF({most},{NO_RATE})>0"
+    shortest = turn_time(si(high, PER_MINUTE)) if isinstance(high, float) else NO_DRIVE
+    first_low = binds("axes_low.binds_low", "about_first_low")
     apart = f'IF(COUNT({most})=0,"{NONE_BINDS}",IF(MAX({least})<MIN({most}),MIN({most}),{NO_RATE}))'
     words = range_in_words(found.rates, "about_", "hold")
     cell = CELLS["range_of_rates"].sharing(unmet=unmet, no_rate=NO_RATE, least=least)
     return [
         cell("about_range", Sentence(words.text), words=words),
         cell("about_highest", high, apart=apart),
-        *(
-            [
-                cell(
-                    "about_shortest",
-                    turn_time(si(high, PER_MINUTE)) if isinstance(high, float) else NO_DRIVE,
-                    no_drive=NO_DRIVE,
-                )
-            ]
-            if over.measured
-            else []
-        ),
+        *([cell("about_shortest", shortest, no_drive=NO_DRIVE)] if over.measured else []),
         cell(
             "about_first",
             found.high_axis,
@@ -138,5 +130,5 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
         cell("about_binds", found.rates.high_limit, formula=binds("axes_short.binds", "about_first")),
         cell("about_lowest", found.rates.low, format=RATE_LOOK),
         cell("about_first_low", found.low_axis, fastest=row_of(f"MAX({least})", least)),
-        cell("about_binds_low", found.rates.low_limit, formula=binds("axes_low.binds_low", "about_first_low")),
+        cell("about_binds_low", found.rates.low_limit, formula=first_low),
     ]

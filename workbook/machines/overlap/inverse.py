@@ -48,27 +48,19 @@ def inverse_sheet(book: Book, machine: OverlapView, pieces: Pieces) -> None:
     )
     sheet.unprinted = True
     wanted = all_wanted(machine)
-    worst = max(float(np.abs(table.residual).max()) for table in wanted)
+    most = [float(np.abs(table.residual).max()) for table in wanted]
+    worst = max(most)
     CELLS["inverse_sheet"].begin(sheet)
     cell = CELLS["inverse_sheet"]
     sheet.rows(cell("inverse_residual", worst), cell("inverse_bound", HEIGHT), cell("inverse_slow", REST))
-    sheet.checks(
-        CELLS["inverse_sheet"](
-            "inverse_ok",
-            worst <= HEIGHT,
-            says=amount("inverse_residual*100", shown(worst, PERCENT), "missed by ", " % of the rise"),
-        )
-    )
+    missed = amount("inverse_residual*100", shown(worst, PERCENT), "missed by ", " % of the rise")
+    sheet.checks(cell("inverse_ok", worst <= HEIGHT, says=missed))
     sheet.row += 1
     cell = CELLS["residuals"]
     cell.place(
         sheet,
         cell("what", [table.title for table in wanted]),
-        cell(
-            "most",
-            [float(np.abs(table.residual).max()) for table in wanted],
-            formula=[f"=MAX(MAX([{table.name}_met.residual]),0-MIN([{table.name}_met.residual]))" for table in wanted],
-        ),
+        cell("most", most, name=[table.name for table in wanted]),
     )
     laws_in_use(sheet, machine, pieces)
     for table in wanted:

@@ -93,13 +93,16 @@ def end_kinds(handover: AxisHandover) -> list[Quantity]:
         values = [[(at.begin, at.end)[i][order] for at in handover.motion.ends] for i, _ in both]
         return [column(name, handover.spread(values[i]), order=order, i=i, end=end) for i, end in both]
 
+    def peaks(figure: Callable[[Handover], float]) -> list[float]:
+        return [value or 1.0 for value in handover.of(figure)]
+
     def has(name: str, kinds: str, i: int) -> Quantity:
         return column(name, lambda step: int(step.kinds[i] in kinds), i=i, end=WORDS[i])
 
     return [
         handover.steps()[0],
-        column("peak1", [value or 1.0 for value in handover.of(lambda step: step.phase.y1_max)], order=1),
-        column("peak2", [value or 1.0 for value in handover.of(lambda step: step.phase.y2_max)], order=2),
+        column("peak1", peaks(lambda step: step.phase.y1_max), order=1),
+        column("peak2", peaks(lambda step: step.phase.y2_max), order=2),
         *rates("v{i}", 1),
         *rates("a{i}", 2),
         *(has(name, kinds, i) for i, _ in both for name, kinds in (("moves{i}", "GB"), ("bends{i}", "UB"))),

@@ -28,7 +28,7 @@ def turns_table(sheet: Sheet, view: DriveView) -> None:
         cell("@cut", view.turns_cut, room=room, left=left(view)),
     )
     sheet.row += 1
-    sheet.table("@turns", "Where it turns round inside a piece", room, *columns(view), blank="[k]>@turned")
+    CELLS["turns"].place(sheet, *columns(view), blank="[k]>@turned")
 
 
 def columns(view: DriveView) -> list[Quantity]:
@@ -44,7 +44,6 @@ def columns(view: DriveView) -> list[Quantity]:
     )
     at = filled([shown(turn.at, DEGREE) for turn in turns[: view.turns_cut]], room, TURN)
     return [
-        cell("k", list(range(1, room + 1))),
         cell("q", filled([turn.piece + 1 for turn in turns], room, 1), axis_turns=of),
         cell("again", filled([int(turn.again) for turn in turns], room)),
         cell("after", filled([turn.after for turn in turns], room), axis_turns=of),

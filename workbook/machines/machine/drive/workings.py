@@ -64,12 +64,13 @@ def inertias(view: DriveView, sizes: list[Quantity]) -> list[Quantity]:
     """Return the rows of the moved mass or inertia, the sizes of the mechanism, and the inertias on both shafts."""
     cell = CELLS["inertias"]
     driven, m, travels = view.driven, view.driven.mechanism, view.driven.travels
-    own, moved = m.on_shaft(m.last - 1), m.on_shaft(m.last)
+    own, moved, by = m.on_shaft(m.last - 1), m.on_shaft(m.last), by_travel(view)
     if travels:
         mass = "@mass+@belt_mass" if driven.given.kind in BELTED else "@mass+0"
         load = CELLS["load that travels"]("@m", moved, mass=mass)
     else:
         load = CELLS["load that turns"]("@m", moved)
+    on_it = own + moved * view.travel**2
     of_load = "m (dx/dψ)²" if view.slides else "m/φ'²"
     largest = ", the largest" if driven.train.inertia_varies else ""
     return [
@@ -78,7 +79,7 @@ def inertias(view: DriveView, sizes: list[Quantity]) -> list[Quantity]:
         cell("@tau", 1.0 / m.stages[0].ratio),
         cell("@j0", driven.at_motor, on_shaft=on_shaft("motor")),
         cell("@j1", own, on_shaft=on_shaft("mechanism"), own=stages.own(driven)),
-        cell("@j_shaft", own + moved * view.travel**2, by_travel=by_travel(view), of_load=of_load, largest=largest),
+        cell("@j_shaft", on_it, by_travel=by, of_load=of_load, largest=largest),
     ]
 
 
@@ -131,6 +132,8 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     signs = [sign for _, sign in each]
 
     columns = [f"[@pt.{column}]" for column, _ in each]
+    what = [f"{words[name][0]}, {'highest' if sign > 0 else 'lowest'}" for name, sign in each]
+    most = [shown(float((sign * PEAKED[name](points)).max()), PEAK_UNITS[name]) for name, sign in each]
     neighbours = [
         [shown(sign * value, PEAK_UNITS[name]) for value in peak.values]
         for (name, sign), peak in zip(each, found, strict=True)
@@ -143,9 +146,9 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     cell = CELLS["peaks"].sharing(column=columns, size=size)
     cell.place(
         sheet,
-        cell("what", [f"{words[name][0]}, {'highest' if sign > 0 else 'lowest'}" for name, sign in each]),
+        cell("what", what),
         cell("sign", signs),
-        cell("most", [shown(float((sign * PEAKED[name](points)).max()), PEAK_UNITS[name]) for name, sign in each]),
+        cell("most", most),
         cell("at", [peak.at + 1 for peak in found], beyond=last + 1),
         cell("y0", [n[0] for n in neighbours]),
         cell("y", [n[1] for n in neighbours]),

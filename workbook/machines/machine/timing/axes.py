@@ -104,6 +104,6 @@ def extremes_compared(machine: MachineView) -> list[Quantity]:
         return []
     faster = rate / machine.given.per_minute
     return [
-        cell("vc", [a.max_velocity * faster for a in axes], symbol=symbols[1], unit=units(machine, 1)),
-        cell("ac", [a.max_acceleration * faster**2 for a in axes], symbol=symbols[2], unit=units(machine, 2)),
+        cell("vc", [a.max_velocity * faster for a in axes], symbols=symbols, unit=units(machine, 1)),
+        cell("ac", [a.max_acceleration * faster**2 for a in axes], symbols=symbols, unit=units(machine, 2)),
     ]

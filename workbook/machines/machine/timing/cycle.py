@@ -39,9 +39,7 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
         )
         sheet.row += 1
         theta = cell("theta", machine.angles.tolist(), label=over.angle)
-        time = cell(
-            "time", over.shown(machine.angles), label=over.name, symbol=over.symbol, unit=over.unit, format=over.format
-        )
+        time = cell("time", over.shown(machine.angles), **over.words)
         cell.sharing(name=over.name).place(
             sheet,
             time if over.measured else theta,

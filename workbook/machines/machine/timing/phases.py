@@ -195,26 +195,18 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
         called = f'[axes.name.{i}]&" row "'
         return no_fault(f"{t}_{rule}", f"{label}: {condition}", f"[{t}.{column}]", called, f":{rule}{i}")
 
+    lacks = amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}")
+    ends = amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")
     cell = CELLS["axis_checks"].sharing(t=t, label=label, lift=lift, i=i)
     sheet.checks(
         none_in("backwards", "forward", "every phase runs forward"),
         none_in("early", "follows", "no phase begins before the one above ends"),
         *([none_in("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []),
-        cell(
-            "{t}_position",
-            motion.complete,
-            lack=lack,
-            says=amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}"),
-        ),
+        cell("{t}_position", motion.complete, lack=lack, says=lacks),
         room_check(f"{t}_room", tables.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
         *(tables.ends.checks(t, f"{label}: ") if tables.ends else []),
         *map(stop_check, stops_of(axis)),
         tables.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
-        cell(
-            "{t}_closes",
-            axis.closes,
-            gap=gap,
-            says=amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins"),
-        ),
+        cell("{t}_closes", axis.closes, gap=gap, says=ends),
         *([] if axis.given.motor is None else [cell("{t}_repeats", True, i_before=i - 1, open_drive=OPEN_DRIVE)]),
     )
