@@ -163,12 +163,7 @@ def room_cell(guard: Guard, rows: Sequence[int]) -> Quantity:
     """Return the cell under the last row of a table, which says that it is full; by whether each row is in use."""
     used = f"[{guard.table}{MESSAGES}.{USED}]"
     formula = f'=IF(SUM({used})=COUNT({used}),{quoted(IS_FULL)},"")'
-    return message_column(f"{guard.table}{FULL}", "Room in the table", formula, room_text(rows))
-
-
-def room_text(rows: Sequence[int]) -> str:
-    """Return the text under a table, by whether each of its rows is in use."""
-    return IS_FULL if all(rows) else ""
+    return message_column(f"{guard.table}{FULL}", "Room in the table", formula, IS_FULL if all(rows) else "")
 
 
 def in_use(rows: int, inputs: Sequence[Quantity]) -> list[int]:

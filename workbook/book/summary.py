@@ -104,7 +104,9 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
     for picture in sorted(drawn, key=lambda chart: not chart.in_short)[:1]:
         sheet.charts.append((picture, PICTURE_ROW, FIRST, COLUMNS - FIRST + 1, PICTURE_ROWS))
     stamp_line(book, sheet, SENTENCE + 1, ENTERED)
-    to_mend(book, sheet)
+    sheet.heading("To mend")
+    sheet.rows(CELLS["to_mend"]("mend_count", summary(book).failing, to_mend=FAILING["mend"]))
+    failing_table(sheet, "mend")
     sheet.not_printed_below()
     if sheet.more:
         sheet.heading("More results")
@@ -148,13 +150,6 @@ def head(sheet: Sheet) -> None:
     entered = sheet.book.blocks["book_title"].quantities[0].value
     title = Quantity("book_heading", "Title", "", "", "title", '=book_title&""', entered, align="left")
     sheet.put(title, 1, FIRST)
-
-
-def to_mend(book: Book, sheet: Sheet) -> None:
-    """Declare how many checks fail, and the first of them."""
-    sheet.heading("To mend")
-    sheet.rows(CELLS["to_mend"]("mend_count", summary(book).failing, to_mend=FAILING["mend"]))
-    failing_table(sheet, "mend")
 
 
 def entry(sheet: Sheet, first: Text, note: str) -> None:

@@ -106,11 +106,6 @@ def checks(view: ToolDrive) -> list[Quantity]:
     ]
 
 
-def place_in_use(view: ToolDrive) -> int:
-    """Return the place of the proposed pair among the best ones, from 1."""
-    return (view.proposal.proposed or 0) + 1 if view.proposal.ranked else 1
-
-
 def in_use(sheet: Sheet, view: ToolDrive) -> None:
     """Declare the figures of the motor and the reducer in use."""
     cell, (m, r), motor = CELLS["in_use"], view.pair, view.motor
@@ -124,7 +119,7 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
 
     sheet.heading("Motor and reducer in use")
     sheet.rows(
-        cell("@place", place_in_use(view)),
+        cell("@place", (view.proposal.proposed or 0) + 1),
         row("motor", "m", m + 1),
         row("reducer", "r", r + 1),
         cell("@jm", motor.inertia),

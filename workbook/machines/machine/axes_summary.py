@@ -52,15 +52,11 @@ def motors(axes: Sequence[MovingAxis], drives: Mapping[int, DriveView]) -> list[
         formulas = zip(numbers, quantity.formula or (), strict=True)
         return quantity._replace(formula=[text if i in drives else f'="{NO_DRIVE}"' for i, text in formulas])
 
-    def motor_name(view: DriveView) -> str:
-        motor = view.driven.entered.motor
-        return (motor and motor.name) or ENTERED
-
     def used(name: str, share: Callable[[DriveView, Reserve], float]) -> Quantity:
         return column(name, lambda view, reserve: shown(share(view, reserve), PERCENT), limit=WHOLE)
 
     return [
-        column("motor", lambda view, _: motor_name(view), entered=ENTERED),
+        column("motor", lambda view, _: view.driven.entered_motor.name or ENTERED, entered=ENTERED),
         column("ratio", lambda view, _: view.driven.reducer.ratio),
         used("of_rated", lambda _, reserve: reserve.rms_torque.use),
         used("of_peak", lambda _, reserve: reserve.peak_torque.use),

@@ -51,7 +51,7 @@ def rate_of(view: DriveView) -> Iterator[str]:
         return
     exact = exact_rates(view)
     if not agree(view.rates, exact):
-        ranges = [in_words(rates) for rates in (exact, view.rates)]
+        ranges = [range_in_words(rates, "").text for rates in (exact, view.rates)]
         if ranges[0] == ranges[1]:  # so near that their rounded ends are equal
             ranges = [f"holds up to {rates.high:.6g} cycles/min" for rates in (exact, view.rates)]
         yield f"{view.driven.called}: {ranges[0]} exactly; its sheet says {ranges[1]}"
@@ -72,11 +72,6 @@ def held_exactly(view: DriveView, rate: float) -> bool:
     names = {EXACT_NAMES.get(name, name) for name, use in uses.items() if use > NEARLY}
     checks = at_speed(view.driven.limit_checks, rate * math.tau)
     return all(check.use <= 1.0 + ROUNDING for check in checks.of(names))
-
-
-def in_words(rates: Rates) -> str:
-    """Return a range of rates in words."""
-    return range_in_words(rates, "").text
 
 
 def agree(stated: Rates, exact: Rates) -> bool:

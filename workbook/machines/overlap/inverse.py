@@ -11,7 +11,7 @@ import numpy as np
 
 from engine.laws import Law
 from engine.laws.base import Array
-from engine.laws.inverse import HEIGHT, INTERVALS, REST, PointInversion, inversion_points, law_pieces, point_inversion
+from engine.laws.inverse import HEIGHT, INTERVALS, REST, inversion_points, law_pieces, point_inversion
 from engine.laws.points import slowest
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
@@ -148,16 +148,11 @@ def points(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     sheet.row += 1
 
 
-def scale_of_acceleration(inverse: PointInversion) -> float:
-    """Return the scale of accelerations between points: that of a law, or a millionth of 2/Δξ², as heights round."""
-    return max(1.0, 2e-6 / float((inverse.high.xi - inverse.low.xi).min()) ** 2)
-
-
 def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
     """Declare, for each height, its share of time; then the residual there."""
     law, inverse, i = wanted.law, point_inversion(wanted.law, wanted.s), wanted.use
     number, low, high = pieces.number(law), inverse.low, inverse.high
-
+    size = max(1.0, 2e-6 / float((high.xi - low.xi).min()) ** 2)  # of a law, or a millionth of 2/Δξ², as heights round
     cell = CELLS["inversion"]
     cell.sharing(name=wanted.name, title=wanted.title).place(
         sheet,
@@ -172,7 +167,7 @@ def inversion(sheet: Sheet, wanted: InversionTable, pieces: Pieces) -> None:
         cell("ds", inverse.over),
         cell("v0", low.v, i=i),
         cell("v1", high.v, i=i),
-        cell("acc", inverse.acceleration, scale=scale_of_acceleration(inverse)),
+        cell("acc", inverse.acceleration, scale=size),
         cell("near", inverse.near),
         *pieces.finding(f"[used.no.{i}]", number, "near", inverse.near),
         *pieces.columns({"s": inverse.s, "v": inverse.v}, "sv"),

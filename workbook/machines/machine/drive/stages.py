@@ -47,7 +47,8 @@ def workings(view: DriveView) -> list[Quantity]:
     driven, last = view.driven, count(view.driven)
     m, rows = driven.mechanism, list[Quantity]()
     mechanism, unit = ("*@i2", driven.axis.base) if not view.varies else ("", "rad")
-    behind = "+".join(f"@s{n}_js/{ratio_before(n)}^2" if n > 1 else "@s1_js" for n in range(1, last + 1))
+    before = ("*".join(f"@is{k}" for k in range(1, n)) for n in range(2, last + 1))
+    behind = "+".join(["@s1_js", *(f"@s{n}_js/({ratio})^2" for n, ratio in enumerate(before, 2))])
     for n, entered in enumerate(driven.entered.stages, 1):
         stage = m.stages[n]
         out, document = 1.0 / stage.efficiency / stage.ratio, driven.given.method == "document"
@@ -69,11 +70,6 @@ def workings(view: DriveView) -> list[Quantity]:
     inertia = (view.inertia - m.on_shaft(0)) * m.stages[0].ratio ** 2
     rows.append(cell("@j_out", inertia, behind=behind))
     return rows
-
-
-def ratio_before(n: int) -> str:
-    """Return the formula of the ratio of the stages before the n-th."""
-    return "(" + "*".join(f"@is{k}" for k in range(1, n)) + ")"
 
 
 def own(driven: Driven) -> str:

@@ -77,10 +77,6 @@ class HardStop(NamedTuple):
             return self.outwards * math.inf
         return shown(motion.reach[STOPS.index(self.end)], self.axis.unit)
 
-    def is_kept(self, reached: float) -> bool:
-        """Return whether an axis that goes so far does not go beyond it."""
-        return self.outwards * reached <= self.outwards * self.position + self.tolerance
-
 
 def stops_of(axis: MovingAxis) -> list[HardStop]:
     """Return both stops of an axis that has any."""
@@ -106,4 +102,5 @@ def stop_check(stop: HardStop) -> Quantity:
     says = CheckSentence(f'IF({feeds_on},"{FEEDS_ON}",{says.says})', FEEDS_ON if stop.feeds_on else says.text)
     stays = f'OR([axes.closes.{i}]<>"feed",{onwards}<=check_zero*{lift})'
     parts = {"entered": entered, "i": i, "called": called, "stays": stays, "beyond": beyond, "lift": lift}
-    return cell("{entered}_kept", stop.is_kept(stop.reached), says=says, **parts)
+    is_kept = stop.outwards * stop.reached <= stop.outwards * stop.position + stop.tolerance
+    return cell("{entered}_kept", is_kept, says=says, **parts)
