@@ -8,9 +8,10 @@ from collections.abc import Callable
 from contextlib import suppress
 from functools import lru_cache, partial
 from pathlib import Path
+from typing import Any
 
 from workbook.build import read_inputs
-from workbook.controllers.registry import TARGETS
+from workbook.controllers.registry import STATED, TARGETS
 from workbook.serve import editing, home, pages, shown, study, tables
 from workbook.serve.handler import REPORT, Action, Folder, Page, state
 from workbook.serve.server import serving, static
@@ -62,7 +63,9 @@ async def controller(page: Page, name: str) -> str:
     """Show the form of an export, with the axes of the workbook."""
     path = page.folder.file(name)
     names = [*await page.work.in_worker(axes, path, state(path)), ALL]
-    return pages.page(f"{name}: controller", "controller", name=name, axes=names, targets=TARGETS, orders=ORDERS)
+    given: dict[str, Any] = {"name": name, "axes": names, "targets": TARGETS, "orders": ORDERS}
+    titles = {target: str(STATED[target]["title"]) for target in TARGETS}
+    return pages.page(f"{name}: controller", "controller", **given, titles=titles)
 
 
 async def export(page: Page) -> str:

@@ -3,12 +3,13 @@
 import re
 import tomllib
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from datetime import datetime
 from functools import lru_cache
 from html import unescape
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 from urllib.parse import quote
 
@@ -98,7 +99,7 @@ def post(action: str, name: str, words: str) -> str:
     return f'<form action="{action}" method="post">{sent}</form>'
 
 
-def choice(name: str, values: Sequence[str], key: str = "") -> str:
-    """Return a field for a choice of texts; ``key`` is its own in the page, the name by default."""
-    options = (f'<option value="{shown(value)}">{shown(value)}</option>' for value in values)
+def choice(name: str, values: Iterable[str], key: str = "", words: Mapping[str, str] = MappingProxyType({})) -> str:
+    """Return a field for a choice of texts, shown in ``words``; ``key`` is its own in the page, the name by default."""
+    options = (f'<option value="{shown(value)}">{shown(words.get(value, value))}</option>' for value in values)
     return f'<select name="{name}" id="{key or name}">{"".join(options)}</select>'

@@ -13,7 +13,7 @@ import tomlkit
 from pydantic import ValidationError
 
 from workbook.build import read_description
-from workbook.commands.study import summary_from
+from workbook.commands.study import announced, summary_from
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.fields.paths import Place, get, join, leaves, spell, spread
@@ -30,12 +30,14 @@ from workbook.serve.words import spoken
 from workbook.studies import folder
 from workbook.studies.evaluate import Label, listed_results, require_names
 from workbook.studies.plan import EDGES, PRODUCTS, Plan, lines_of, make_plan, read_study
-from workbook.studies.run import machine_of
+from workbook.studies.run import machine_of, measure_pace
 from workbook.studies.space import Study
 from workbook.studies.summary import Summary
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
 
+OF_MACHINE = re.compile(r"about_(rate|cycle|highest|peak|bus_year)|clearances\.gap\.\S+")
+OF_DRIVE = re.compile(r"drive(\d+)_(rms|largest|speed|use_rms|use_peak|use_speed|energy|pair_mass|pair_cost|highest)")
 ROWS = 6  # results that a form can ask for
 ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at least": "at least",
          "at most": "at most", "off": "no constraint"}  # fmt: skip
@@ -57,19 +59,19 @@ async def vary(page: Page, name: str) -> str:
 
 
 async def new(page: Page) -> None:
-    """Write a study under a name that is free, begin it and follow it."""
+    """Write a study under a name that is free, and show it."""
     base = page.file()
     asked = {key: page.get_body_arguments(key) for key in (*page.request.body_arguments, *SENT)}
     text = composed(base.name, asked)
     await page.work.in_worker(require_study, text, base)
     path = page.folder.free(f"{base.stem}-study.toml")
     write_text(path, text)
-    await begin(page, path)
+    page.redirect(pages.address("study", path.name))
 
 
-async def begin(page: Page, path: Path | None = None) -> None:
-    """Begin a study, that of the form by default, or go on with it, with a core left free, and follow it."""
-    path = path or page.file()
+async def begin(page: Page) -> None:
+    """Begin a study, or go on with it, with a core left free, and follow it."""
+    path = page.file()
     results = path.with_suffix(".csv")
     done, size = folder.progress(results)
     more = ["--resume"] if size else []
@@ -108,9 +110,18 @@ async def progress(page: Page, name: str) -> str:
         front_page = await page.work.in_worker(front, path)
         return front_page + pages.link(pages.address("file", results.name), "Download all designs")
     done, size = folder.progress(results)
-    words = f"{done:,} of {size:,} designs are worked out." if size else "No design is worked out."
+    words = f"{done:,} of {size:,} designs are worked out."
+    if not size:
+        words = await page.work.in_worker(forecast, path, slow=True)
     output = f"<pre>{shown(job.done.text)}</pre>" if job and job.done and job.done.text else ""
     return f"<p>{words}</p>{pages.post('/begin', path.name, 'Go on' if size else 'Begin')}{output}"
+
+
+def forecast(path: Path) -> str:
+    """Return how many designs a study has, and how long they take."""
+    plan = read_study(path)
+    seconds = measure_pace(plan).seconds(plan.space)
+    return " ".join(announced(plan, seconds, max(1, cores() - 1))) or f"{plan.space.size:,} designs, soon done."
 
 
 class Field(NamedTuple):
@@ -124,7 +135,7 @@ class Field(NamedTuple):
 
 
 def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]]:
-    """Return the entries that can vary by their tables, and the results that may be asked for, fast ones first."""
+    """Return the entries that can vary by their tables, and the results that are proposed, by their names."""
     machine: Any = read_description(base)
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
     words = {reference.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for reference in references(machine)}
@@ -140,7 +151,15 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
         if isinstance(value, float) or key in words:
             row = field_to_vary(data, path, value, words.get(key, []))
             tables.setdefault(spoken((*above,), data), []).append(row)
-    return tables, [name for _, names in listed_results(machine) for name in names]
+    results = [(key, about) for _, names in listed_results(machine) for key, about in names]
+    return tables, [*filter(None, (proposed(machine, *result) for result in results))] or results
+
+
+def proposed(machine: Any, key: str, about: Label) -> tuple[str, Label] | None:
+    """Return a result that is proposed, with its axis where it is a drive's; None of others, whose names are typed."""
+    if match := OF_DRIVE.fullmatch(key):
+        return key, about._replace(words=f"{machine.axes[int(match[1]) - 1].name}: {about.words}")
+    return (key, about) if OF_MACHINE.fullmatch(key) else None
 
 
 def field_to_vary(data: Mapping[str, Any], path: Place, value: Any, words: list[str]) -> Field:

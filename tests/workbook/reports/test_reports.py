@@ -101,7 +101,7 @@ def test_the_page_is_well_formed_escaped_and_fetches_nothing():
     assert read.open == []
     assert text.startswith("<!DOCTYPE html>")
     assert {tag for tag, _ in read.tags} <= {
-        "html", "head", "meta", "title", "style", "body", "h1", "h2", "h3", "p", "a", "span", "code",
+        "html", "head", "meta", "title", "style", "body", "main", "h1", "h2", "h3", "p", "a", "span", "code",
         "table", "thead", "tbody", "tr", "th", "td",
     }  # fmt: skip
     assert {name for _, given in read.tags for name in given} <= {

@@ -84,6 +84,7 @@ def test_a_study_ends_with_the_server_and_its_parts_stay(tmp_path):
     write_text(tmp_path / "long.toml", write_machine(cutting.small(cycle=12, law=4)))
     with serving(tmp_path) as server:
         server.ask("/study", server.form(name="long.toml", **LONG))
+        server.ask("/begin", server.form(name="long-study.toml"))
         while not [*tmp_path.glob("*.parts/part-*.json")]:
             assert "data-running" in server.ask("/progress/long-study.toml").body.decode()
             time.sleep(0.2)

@@ -82,6 +82,7 @@ def study(page):
         page.get_by_label("Result").nth(k).fill(name)
     page.locator("summary", has_text="MC01, phase 1").click()
     page.locator("input[name=vary][value='axes[1].phases[1].law']").check()
+    page.get_by_role("button", name="Show").click()
     page.get_by_role("button", name="Begin").click()
     page.wait_for_selector("#study svg", timeout=2 * LONG)
 

@@ -145,6 +145,8 @@ def test_a_study_is_chosen_followed_and_its_best_design_edited(server, tmp_path)
              "designs": "9", "key": [law, rate], "values": ["all", "50, 60"], "vary": [law, rate]}  # fmt: skip
     begun = server.ask("/study", server.form(name="live.toml", **asked))
     assert (begun.code, begun.headers["Location"]) == (302, "/study/live-study.toml")
+    assert re.search(r"<p>\d+ designs", server.ask("/progress/live-study.toml").body.decode())
+    server.ask("/begin", server.form(name="live-study.toml"))
     page = server.ask("/study/live-study.toml").body.decode()
     assert "live-study.toml" in page
     assert 'href="/edit/live.toml"' in page
@@ -180,9 +182,7 @@ def test_a_phase_that_varies_takes_its_room_from_another_one(server):
              "values": ["200, 210"], "takes": [other], "vary": [stop]}  # fmt: skip
     assert server.ask("/study", server.form(name="cutting.toml", **asked)).code == 302
     assert read_study(server.root / "cutting-study.toml").space.dimensions[0].takes == ("axes", "2", "phases", "1")
-    finished(server, "cutting-study.toml")
-    for file in server.root.glob("cutting-study.*"):
-        file.unlink()
+    (server.root / "cutting-study.toml").unlink()
 
 
 def test_a_study_is_cancelled_and_goes_on(server):
@@ -191,6 +191,7 @@ def test_a_study_is_cancelled_and_goes_on(server):
     asked = {"result": "drive1_rms", "what": "minimise", "value": "", "way": "full", "designs": "9", "key": rate,
              "values": "30 to 60 in 1000000", "vary": rate}  # fmt: skip
     server.ask("/study", server.form(name="long.toml", **asked))
+    server.ask("/begin", server.form(name="long-study.toml"))
     folder = server.root / "long-study.csv.parts"
     while len([*folder.glob("part-*.json")]) < 2:
         assert "data-running" in server.ask("/progress/long-study.toml").body.decode()
