@@ -136,7 +136,12 @@ class Field(NamedTuple):
 
 def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]]:
     """Return the entries that can vary by their tables, and the results that are proposed, by their names."""
-    machine: Any = read_description(base)
+    machine = read_description(base)
+    return fields_of(machine), proposed(machine)
+
+
+def fields_of(machine: Any) -> dict[str, list[Field]]:
+    """Return the entries that can vary by their tables."""
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
     words = {reference.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for reference in references(machine)}
     tables: dict[str, list[Field]] = {}
@@ -151,15 +156,19 @@ def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]
         if isinstance(value, float) or key in words:
             row = field_to_vary(data, path, value, words.get(key, []))
             tables.setdefault(spoken((*above,), data), []).append(row)
-    results = [(key, about) for _, names in listed_results(machine) for key, about in names]
-    return tables, [*filter(None, (proposed(machine, *result) for result in results))] or results
+    return tables
 
 
-def proposed(machine: Any, key: str, about: Label) -> tuple[str, Label] | None:
-    """Return a result that is proposed, with its axis where it is a drive's; None of others, whose names are typed."""
-    if match := OF_DRIVE.fullmatch(key):
-        return key, about._replace(words=f"{machine.axes[int(match[1]) - 1].name}: {about.words}")
-    return (key, about) if OF_MACHINE.fullmatch(key) else None
+def proposed(machine: Any) -> list[tuple[str, Label]]:
+    """Return the results that are proposed, a drive's with its axis; other results are asked for by their names."""
+    results = [result for _, names in listed_results(machine) for result in names]
+    chosen = []
+    for key, about in results:
+        if match := OF_DRIVE.fullmatch(key):
+            chosen.append((key, about._replace(words=f"{machine.axes[int(match[1]) - 1].name}: {about.words}")))
+        elif OF_MACHINE.fullmatch(key):
+            chosen.append((key, about))
+    return chosen or results
 
 
 def field_to_vary(data: Mapping[str, Any], path: Place, value: Any, words: list[str]) -> Field:
