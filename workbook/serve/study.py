@@ -36,7 +36,9 @@ from workbook.studies.summary import Summary
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
 
-OF_MACHINE = re.compile(r"about_(rate|cycle|highest|peak|bus_year)|clearances\.gap\.\S+")
+OF_MACHINE = re.compile(
+    r"about_(?!limits|binds|laws|held|verdict|range|first)\w+(?<!_says)(?<!_expected)|clearances\.gap\.\S+"
+)
 OF_DRIVE = re.compile(r"drive(\d+)_(rms|largest|speed|use_rms|use_peak|use_speed|energy|pair_mass|pair_cost|highest)")
 ROWS = 6  # results that a form can ask for
 ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at least": "at least",
