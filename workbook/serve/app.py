@@ -40,11 +40,8 @@ async def print_page(page: Page, name: str) -> str:
 async def verify(page: Page) -> str:
     """Verify a workbook of the folder and return the report."""
     path = page.file()
-    more = [
-        pages.post("/inputs", path.name, "Edit what is entered"),
-        pages.post("/regenerate", path.name, "Build anew"),
-    ]
-    return await page.reported(path, *more)
+    taken = pages.post("/inputs", path.name, "Edit what is entered")
+    return await page.reported(path, taken, pages.post("/regenerate", path.name, "Build anew"))
 
 
 async def upload(page: Page) -> str:
@@ -77,18 +74,8 @@ async def export(page: Page) -> str:
         if share := page.get_body_argument(order, ""):
             options += ["--tolerance", f"{order}={share}%"]
     with tempfile.TemporaryDirectory() as folder:
-        done = await page.run(
-            "export",
-            book,
-            "--to",
-            page.get_body_argument("target"),
-            "--points",
-            page.get_body_argument("points"),
-            *options,
-            "--report",
-            REPORT,
-            folder=folder,
-        )
+        asked = ["--to", page.get_body_argument("target"), "--points", page.get_body_argument("points"), *options]
+        done = await page.run("export", book, *asked, "--report", REPORT, folder=folder)
         report, links = "", []
         for file in sorted(Path(folder).iterdir()):
             if file.name == REPORT:

@@ -1,7 +1,6 @@
 """The first page: designs with their books and studies, what each comes to; new ones, and what is done with files."""
 
 import re
-from collections.abc import Mapping
 from datetime import datetime
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -24,7 +23,7 @@ from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
 
 BIN = ".bin"  # of a folder: what was deleted on the first page
-WIDTH, HEIGHT, POINTS = 300, 100, 90  # of the small picture, and how many points a line of it has
+WIDTH, HEIGHT, POINTS = 300, 100, 90  # of the small picture, as in brief.html, and how many points a line has
 FIRST = 3  # results in a line
 RATE = 60.0  # cycles/min of an empty machine
 
@@ -59,11 +58,6 @@ def owner_of(file: pages.Item, designs: list[pages.Item]) -> pages.Item | None:
     return named[-1] if named else titled[0] if len(titled) == 1 else None
 
 
-def brief_known(path: Path) -> dict[str, Any] | None:
-    """Return what a description comes to, where this is known of its contents."""
-    return load_cached(BRIEF, state(path))
-
-
 async def home(page: Page) -> str:
     """Show the folder's machines with what is known of them, a new machine, an upload, a comparison."""
     files = page.folder.files()
@@ -79,11 +73,8 @@ async def home(page: Page) -> str:
         waiting=page.work.waiting,
         templates=TEMPLATES,
         bin=len([*deleted.iterdir()]) if deleted.is_dir() else 0,
-        bin_name=BIN,
-        brief=brief_known,
+        brief=lambda path: load_cached(BRIEF, state(path)),
         verdict_on=lambda path: (load_cached(JUDGED, state(path)) or {}).get("verdict"),
-        width=WIDTH,
-        height=HEIGHT,
     )
 
 
@@ -95,7 +86,7 @@ async def brief(page: Page, name: str) -> str:
     if known is None:
         known = await page.work.in_worker(summary, name, text, slow=True)
         store_cached(BRIEF, digest, known)
-    return rendered("serve/brief.html", known=known, width=WIDTH, height=HEIGHT)
+    return rendered("serve/brief.html", known=known)
 
 
 def summary(name: str, text: str) -> dict[str, Any]:
@@ -171,10 +162,5 @@ def empty_machine(title: str, axis: str) -> str:
     quarter = TURN / 4.0
     phases = [{"start": k * quarter, "stop": (k + 1.0) * quarter, "lift": lift, "law": LAW}
               for k, lift in ((0, LIFT), (2, -LIFT))]  # fmt: skip
-    data: Mapping[str, Any] = {
-        "template": "machine",
-        "title": title,
-        "master": {"rate": RATE},
-        "axes": [{"name": axis, "group": "Group", "phases": phases}],
-    }
-    return tomlkit.dumps(data)
+    axes = [{"name": axis, "group": "Group", "phases": phases}]
+    return tomlkit.dumps({"template": "machine", "title": title, "master": {"rate": RATE}, "axes": axes})

@@ -38,7 +38,7 @@ def page(title: str, template: str, *scripts: str, do: Sequence[str] = (), **val
 
 
 def bar(*do: str, at_home: bool = False) -> str:
-    """Return what stands above a page: the way to the first page, and what can be done with what it shows."""
+    """Return the bar above a page: the way to the first page, and what can be done."""
     return rendered("serve/bar.html", do="".join(do), at_home=at_home)
 
 

@@ -74,7 +74,7 @@ _books: OrderedDict[Path, WatchedBook] = OrderedDict()
 
 
 def judge_values(path: Path, data: bytes) -> tuple[Outcome, Changes] | None:
-    """Return what comes of the values of a save, and what it changed; None where only ``verify`` can judge it."""
+    """Return the outcome of the values of a save, and its changes; None where only ``verify`` can judge it."""
     watched, begin = _books.setdefault(path, WatchedBook()), time.perf_counter()
     _books.move_to_end(path)
     while len(_books) > MOST_HELD:
@@ -92,7 +92,7 @@ def judge_values(path: Path, data: bytes) -> tuple[Outcome, Changes] | None:
 
 
 def changed(before: Design | None, design: Design) -> Changes:
-    """Return what differs between two saves of a book."""
+    """Return the differences between two saves of a book."""
     if before is None or before.machine.template != design.machine.template:
         return Changes()
     results = changes(before.results(), design.results())

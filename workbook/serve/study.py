@@ -265,10 +265,8 @@ def picked(path: Path, number: int) -> str:
     base = path.parent / str(plan.study.base)
     text = read_text(base, "a machine description, a .toml file")
     try:
-        changed = edited(
-            text,
-            plan.changes({dimension: best.entries[dimension.label] for dimension in plan.space.dimensions}).items(),
-        )
+        entries = {dimension: best.entries[dimension.label] for dimension in plan.space.dimensions}
+        changed = edited(text, plan.changes(entries).items())
         template = template_named(plan.base.template, "template")
         if template.model.model_validate(parse_toml(changed, base)) == machine:
             return changed
