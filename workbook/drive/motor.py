@@ -38,7 +38,7 @@ def inertia_check(of: str, cell: str, limit: str, ratio: float, most: float) -> 
 
 
 def pair_checks(
-    of: str, shaft: float, hub: float, mass: float, most: float, limit: str = "@pair_mass"
+    of: str, shaft: float, hub: float, mass: float, most: float, limit: str = "@largest_mass"
 ) -> list[Quantity]:
     """Return the checks of a motor's shaft in its reducer's hub (mm), and of their mass (kg); a limit of 0 is none."""
     cell = CELLS["pair_checks"].sharing(of=of, allowed=limit)

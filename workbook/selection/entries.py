@@ -62,7 +62,7 @@ class Limits(Model):
     speed_reserve: Positive = 1.0
     inertia_ratio: Positive = 10.0
     torque_factor: Positive = 1.0
-    pair_mass: NotNegative = 0.0
+    largest_mass: NotNegative = 0.0
 
     def of_axis(self, own: "OwnLimits") -> "Limits":
         """Return the limits of an axis: its own where it has any."""
@@ -77,7 +77,7 @@ class OwnLimits(Model):
     speed_reserve: Positive | None = None
     inertia_ratio: Positive | None = None
     torque_factor: Positive | None = None
-    pair_mass: NotNegative | None = None
+    largest_mass: NotNegative | None = None
 
 
 class Ranked(Products):

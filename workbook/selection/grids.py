@@ -116,7 +116,7 @@ def margin_verdict(table: str, n: int, inertia: str, mass: str, limit: str) -> s
     ``limit`` is the cell of a limit, with {} for its name.
     """
     used, most = f"[@{table}share{n}.v.same]", f"{limit.format('inertia_ratio')}*{of_motor('jm')}"
-    mass, least = f"{of_motor('mass')}+[{mass}.{n}]", limit.format("pair_mass")
+    mass, least = f"{of_motor('mass')}+[{mass}.{n}]", limit.format("largest_mass")
     light = f'IF(AND({least}>0,{mass}>{least}),"mass","yes")'
     other = f'IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{most},"inertia",{light}))'
     return f'IF({used}*{limit.format("rms_reserve")}>1,"RMS",{other})'

@@ -189,7 +189,7 @@ class PairSelection:
             own["torque_factor"],
             own["peak_reserve"],
             own["speed_reserve"],
-            own["pair_mass"] or math.inf,
+            own["largest_mass"] or math.inf,
         )
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
@@ -256,7 +256,7 @@ class PairSelection:
         """Return a motor's shaft, the largest in a reducer's hub (mm), and masses (kg), by cell; 0: not told."""
         m, r, hub = self.motors, self.reducers, shown(float(self.reducers.hub[reducer]), MM)
         figures = shown(m.shaft[motor], MM), m.size[motor], hub if math.isfinite(hub) else 0.0, r.size[reducer]
-        names = "@motor_shaft", "@motor_mass", "@reducer_hub", "@reducer_mass"
+        names = "@motor_shaft", "@motor_kg", "@reducer_hub", "@reducer_kg"
         return dict(zip(names, map(float, np.nan_to_num(figures)), strict=True))
 
     @cached_property

@@ -25,7 +25,7 @@ def limited(drawn):
     data["axes"][1]["limits"] = {
         "peak_reserve": drawn.uniform(0.8, 1.5),
         "inertia_ratio": 10 ** drawn.uniform(-0.5, 1.0),
-        "pair_mass": drawn.choice([0.0, 9.5]),
+        "largest_mass": drawn.choice([0.0, 9.5]),
     }
     return data
 

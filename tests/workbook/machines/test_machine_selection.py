@@ -69,7 +69,7 @@ def test_a_pair_of_the_grid_does_what_a_drive_with_it_does():
 
 @pytest.mark.parametrize(("limit", "beyond", "word"), [
     ("inertia_ratio", 1e-6, "inertia"), ("rms_reserve", 1e6, "RMS"), ("greatest_margin", 1e-6, "large"),
-    ("pair_mass", 1e-6, "mass"),
+    ("largest_mass", 1e-6, "mass"),
 ])  # fmt: skip
 def test_each_limit_can_leave_no_pair_and_says_so(limit, beyond, word):
     value = computed(TEMPLATE, machine(**WIDE | {limit: beyond}))

@@ -57,7 +57,7 @@ def compared(plan, number):
 ON_THE_PAGE = frozenset(
     (
         "creep_use inertia_ratio j_figures losses nmax peak peak_reserve rated reducer_rated rms_reserve "
-        "speed_reserve stall torque_factor parts_listed windows_listed"
+        "speed_reserve stall torque_factor largest_mass parts_listed windows_listed"
     ).split()
 )
 """bold on a drive's page, and no results: what entries decide or say in words, and the use while it creeps"""

@@ -98,7 +98,7 @@ def checks(view: ToolDrive) -> list[Quantity]:
         inertia_check(
             "Drive", "sel_own_inertias", "limits_inertia_ratio", view.inertia_ratio, view.reserves.inertia_ratio
         ),
-        *pair_checks("Drive", shaft, hub, motor_mass + reducer_mass, view.reserves.pair_mass, "limits_pair_mass"),
+        *pair_checks("Drive", shaft, hub, motor_mass + reducer_mass, view.reserves.largest_mass, "limits_largest_mass"),
         below_curve("Drive", view.motor.falling.fall, float(view.left.min())),
         within.limit("@ok_reducer_speed", shown(view.speed, RPM), shown(fastest, RPM)),
         within.limit("@ok_reducer_peak", view.reserves.torque_factor * demand.torque, strongest),

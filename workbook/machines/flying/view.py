@@ -259,7 +259,7 @@ class ToolDrive:
             "held_row": m + 1,
             "held_gear": r + 1,
             "held_hub": self.proposal.built(m, r)["@reducer_hub"],
-            "held_reducer_mass": self.proposal.built(m, r)["@reducer_mass"],
+            "held_reducer_mass": self.proposal.built(m, r)["@reducer_kg"],
             "turns": 1.0,
         }
         figures = shaft_figures("drive_", formulas, values)

@@ -38,7 +38,7 @@ IN_USE = {
         "motor_nmax": "max_speed",
         "motor_row": "row",
         "motor_shaft": "shaft",
-        "motor_mass": "mass",
+        "motor_kg": "known_mass",
     },
     "reducer": {
         "i1": "ratio",
@@ -52,7 +52,7 @@ IN_USE = {
         "reducer_nmax": "max_speed",
         "reducer_row": "row",
         "reducer_hub": "hub",
-        "reducer_mass": "mass",
+        "reducer_kg": "known_mass",
     },
 }
 """by product, the cells of its figures in use; limits are over their reserves"""
@@ -82,7 +82,7 @@ class MotorInUse(NamedTuple):
     losses: float
     copper: float
     shaft: float = 0.0
-    mass: float = 0.0
+    known_mass: float = 0.0
 
     @property
     def motor(self) -> Motor:
@@ -105,7 +105,7 @@ class ReducerInUse(NamedTuple):
     mean_torque: float
     max_speed: float
     hub: float = 0.0
-    mass: float = 0.0
+    known_mass: float = 0.0
 
     @property
     def limits(self) -> ReducerLimits:
@@ -222,7 +222,7 @@ def figures(driven: "Driven") -> list[Quantity]:
 def pair_fit(driven: "Driven") -> tuple[float, float, float, float]:
     """Return the motor's shaft, the largest in the reducer's hub (mm), their mass and its limit (kg); 0: not told."""
     motor, reducer = driven.motor_used, driven.reducer
-    return motor.shaft, reducer.hub, motor.mass + reducer.mass, driven.limits.pair_mass
+    return motor.shaft, reducer.hub, motor.known_mass + reducer.known_mass, driven.limits.largest_mass
 
 
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'

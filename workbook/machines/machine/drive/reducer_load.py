@@ -98,7 +98,7 @@ def shaft_of(view: DriveView) -> Shaft:
         "held_row": motor.row,
         "held_gear": reducer.row,
         "held_hub": reducer.hub,
-        "held_reducer_mass": reducer.mass,
+        "held_reducer_mass": reducer.known_mass,
     }
     figures = shaft_figures(f"drive{d.number}_", formulas, values)
     return Shaft(

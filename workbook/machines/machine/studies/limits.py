@@ -65,9 +65,8 @@ CHECKS = {name: partial(within, limit) for name, limit in LIMITED.items()} | {
         (study.reducers_used["hub"] == 0.0) | (study.motors_used["shaft"] <= study.reducers_used["hub"])
     ),
     "ok_mass": lambda study: (
-        not study.limits.pair_mass
-        or np.nan_to_num(study.motors_used["mass"]) + np.nan_to_num(study.reducers_used["mass"])
-        <= study.limits.pair_mass
+        (study.limits.largest_mass == 0.0)
+        | (study.motors_used["known_mass"] + study.reducers_used["known_mass"] <= study.limits.largest_mass)
     ),
 }
 
