@@ -47,7 +47,7 @@ def workings(view: DriveView) -> list[Quantity]:
     driven, last = view.driven, count(view.driven)
     m, rows = driven.mechanism, list[Quantity]()
     mechanism, unit = ("*@i2", driven.axis.base) if not view.varies else ("", "rad")
-    before = ("*".join(f"@is{k}" for k in range(1, n)) for n in range(2, last + 1))
+    before = ("*".join(map("@is{}".format, range(1, n))) for n in range(2, last + 1))
     behind = "+".join(["@s1_js", *(f"@s{n}_js/({ratio})^2" for n, ratio in enumerate(before, 2))])
     for n, entered in enumerate(driven.entered.stages, 1):
         stage = m.stages[n]
