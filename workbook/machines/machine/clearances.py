@@ -4,7 +4,6 @@ import numpy as np
 
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
-from workbook.book.checks import ZERO
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, amount
@@ -155,5 +154,4 @@ def clearance_check(gap: ClearanceView) -> Quantity:
     place = amount(least, gap.least, ": ", f" {unit} at ")
     says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
     sentence = f"{round(gap.over.shown(gap.place), AT):.15g}{after}; expected at least {gap.given.least:.15g} {unit}"
-    is_left = gap.least >= gap.given.least - ZERO * gap.size
-    return cell("clear{n}_kept", is_left, n=n, says=CheckSentence(says, f"{gap.given.name}{place.text}{sentence}"))
+    return cell("clear{n}_kept", gap.is_left, n=n, says=CheckSentence(says, f"{gap.given.name}{place.text}{sentence}"))

@@ -193,3 +193,8 @@ class ClearanceView:
     def least(self) -> float:
         """The least gap."""
         return float(self.gaps(self.lowest_at).min())
+
+    @property
+    def is_left(self) -> bool:
+        """Whether the gap that is asked for is left, but for rounding."""
+        return self.least >= self.given.least - ZERO * self.size
