@@ -128,7 +128,8 @@ class Edited:
         for _ in range(ROUNDS):
             found = judged(self.template, rest).faults
             moved = moved_back(found, self.data, rest)
-            self.faults |= {key: line for key, line in moved.items() if key not in self.faults}
+            known = [*self.faults]  # what lacks a faulty part is no fault of its own
+            self.faults |= {k: v for k, v in moved.items() if not any(f"{key}.".startswith(f"{k}.") for key in known)}
             if not found:
                 return
             for key in found:
