@@ -186,6 +186,33 @@ def test_axes_and_phases_are_added_copied_and_deleted(page, server, wrapping):
     expect(page.locator(".pill")).to_contain_text("checks OK", timeout=LONG)
 
 
+PARTS = ("MC01", "MC02", "MC03", "MC04", "Punch over cutter", "Valve 3", "Film sensor", "Cycle", "Export", "Timing",
+         "Selection", "Sizes")  # fmt: skip
+BUTTONS = "aside button:not(.more):not(.in):not(:has-text('from the catalogue'))"
+
+
+@pytest.mark.sample(1)
+@pytest.mark.parametrize("part", PARTS)
+def test_every_button_leads_to_a_design_that_works_or_names_what_is_missing_in_its_field(page, server, wrapping, part):
+    opened(page, server)
+    chosen = page.locator("nav :is(.card, .item)", has_text=part).first
+    chosen.click()
+    for k in range(page.locator(BUTTONS).count()):
+        with page.expect_response("**/change") as answer:
+            page.locator(BUTTONS).nth(k).click()
+        given = answer.value.json()
+        if given["refused"]:
+            expect(page.locator(".notice.bad")).to_have_count(1)
+            page.get_by_label("close").click()
+            continue
+        if given["faults"]:
+            expect(page.locator("aside .wrong").first).to_be_visible()
+        with page.expect_response("**/change"):
+            page.get_by_role("button", name="Undo").click()
+        expect(page.get_by_role("button", name="Undo")).to_be_disabled()
+        chosen.click()
+
+
 def test_the_page_fits_a_screen_without_scrolling_and_its_text_can_be_read(page, server, wrapping):
     opened(page, server)
     settled(page)

@@ -122,7 +122,9 @@ function Axis({ index }) {
   const there = names.filter((name) => isSet(s.get(axis, name)));
   const absent = names.filter((name) => !isSet(s.get(axis, name)) && (name.length === 1 || isSet(s.get(axis, name.slice(0, -1)))));
   const driven = isSet(axis.mechanism);
-  const add = absent.filter((name) => driven || !DRIVE.includes(name[0]));
+  const add = absent.filter((name) => (driven || !DRIVE.includes(name[0])) && (name[1] !== "arm" || axis.unit === "°"));
+  const missing = absent.flatMap((name) => Object.entries(s.faults.value)
+    .filter(([key]) => `${key}.`.startsWith(`${s.keyOf(["axes", index, ...name])}.`)).map(([, line]) => `${title(name)}: ${line}`));
   there.sort((a, b) => (ORDER.indexOf(a[0]) + 99) % 99 - ((ORDER.indexOf(b[0]) + 99) % 99));
   return html`<h2>${axis.name || `axis ${index + 1}`} <small>${axis.group}</small>
       <span class="do"><button onClick=${() => commit([{ path: ["axes", index], do: "copy" }])}>copy</button>
@@ -131,6 +133,7 @@ function Axis({ index }) {
     <section><h3>Phases <small>${[...new Set([s.design.value.period.unit, axis.unit ?? "mm"])].join(" and ")}</small></h3>
       <${Rows} entry=${own.keys.find((each) => each.name === "phases")} path=${["axes", index, "phases"]} /></section>
     ${!driven && html`<button class="add" onClick=${() => commit([{ path: ["axes", index, "drive"], do: "add" }])}>+ mechanism and motor</button>`}
+    ${[...new Set(missing)].map((words) => html`<small class="wrong" role="alert" key=${words}>${words}</small>`)}
     ${there.map((name) => html`<${Table} key=${name.join(".")} path=${["axes", index, ...name]} pattern=${`axes.*.${name.join(".")}`} />`)}
     <${Table} path=${["axes", index]} pattern="axes.*" of="axes" />
     <p class="adds">${add.map((name) => html`<button class="add" key=${name.join(".")}
