@@ -53,7 +53,7 @@ def main(picture: Path = PICTURE) -> None:
         folder = calc.folder
         publish.write_add_in(folder / "made" / "motion.oxt")
         calc.install(folder / "made" / "motion.oxt")
-        book = book_of(FOLDER / "cutting-machine.toml", folder)
+        book = shutil.copy(book_of(FOLDER / "cutting-machine.toml", folder), folder / "machine.xlsx")
         running.append(subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", SCREEN, "-fbdir", folder]))
         shown = os.environ | {"DISPLAY": DISPLAY, "SAL_USE_VCLPLUGIN": "gen"}
         profile = f"-env:UserInstallation={calc.profile.as_uri()}"
