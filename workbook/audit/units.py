@@ -10,7 +10,6 @@ from workbook.audit.finding import Finding
 from workbook.audit.lines import FEW, Lines, held
 from workbook.audit.view import View, numbers_of
 from workbook.book.address import Address
-from workbook.book.formula import Area
 from workbook.dimensions.rules import UNKNOWN, Judged, Term, UnitWalk
 from workbook.dimensions.units import NONE, POWERS, dimension_of
 
@@ -106,8 +105,6 @@ def bracketed(text: str) -> str:
 class Walk(UnitWalk):
     """Units run through all formulas, but for those with numbers that may have a unit of their own."""
 
-    read_cells = 0
-
     def judge(self, shape: str, terms: tuple[Term, ...]) -> Judged:
         """Return the term of a formula and its faults; 9.81 has the unit of an acceleration, or none."""
         numbers = numbers_of(shape)[1]
@@ -121,11 +118,6 @@ class Walk(UnitWalk):
         if len({term for term, _ in results}) > 1:
             return UNKNOWN, () if any(not faults for _, faults in results) else results[0][1]
         return min(results, key=lambda result: len(result[1]))
-
-    def range(self, area: Area) -> Term:
-        """Return the term of a range; of more cells than can be walked, unknown."""
-        self.read_cells += area.size
-        return Term() if self.read_cells > 2_000_000 else super().range(area)
 
 
 @lru_cache(maxsize=10_000)

@@ -5,7 +5,6 @@ from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from functools import cached_property, lru_cache
-from graphlib import TopologicalSorter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,6 +17,7 @@ from workbook.book.columns import Moved
 from workbook.book.formula import FUNCTION, TOKEN, Area, Formula, anchored
 from workbook.book.rows import is_number
 from workbook.reading.files import BookFile
+from workbook.witnesses.pycel.compiled import depth_first
 
 NUMBER = re.compile(r"(?<![\w.$:])\d+\.?\d*(?:[eE][+-]?\d+)?(?![\w.:])")
 SINGLE = re.compile(r"(?P<column>\$?[A-Za-z]{1,3})(?P<row>\$?\d+)")
@@ -225,16 +225,17 @@ def spans(places: Iterable[int], gap: int = 1) -> Iterator[tuple[int, int]]:
 def ordered(view: View) -> tuple[list[Address], list[list[Address]]]:
     """Return all formulas, each behind those that it needs but on a circle; and the circles."""
     needs = needs_of(view)
-    numbers = {node: n for n, node in enumerate(needs)}
-    edges = np.array([(numbers[a], numbers[b]) for a, others in needs.items() for b in others] or [(0, 0)]).T
-    graph = coo_matrix((np.ones(edges.shape[1]), (edges[0], edges[1])), shape=(len(needs), len(needs)))
-    label = dict(zip(needs, connected_components(graph, connection="strong")[1].tolist(), strict=True))
-    sizes, groups = Counter(label.values()), defaultdict[int, list[Address]](list)
+    nodes = list(needs)
+    numbers = {node: n for n, node in enumerate(nodes)}
+    reads = {numbers[node]: [numbers[other] for other in others] for node, others in needs.items()}
+    edges = np.array([(a, b) for a, others in reads.items() for b in others] or [(0, 0)]).T
+    graph = coo_matrix((np.ones(edges.shape[1]), (edges[0], edges[1])), shape=(len(nodes), len(nodes)))
+    labels = connected_components(graph, connection="strong")[1].tolist()
+    sizes, groups = Counter(labels), defaultdict[int, list[Address]](list)
     for cell in view.forms:
-        groups[label[cell]].append(cell)
+        groups[labels[numbers[cell]]].append(cell)
     circles = [sorted(some) for n, some in groups.items() if sizes[n] > 1 or some[0] in needs[some[0]]]
-    joined = {node: {other for other in others if label[other] != label[node]} for node, others in needs.items()}
-    order = TopologicalSorter(joined).static_order()
+    order = (nodes[n] for n in depth_first(reads)[0])
     return [node for node in order if isinstance(node, Address)], circles
 
 

@@ -47,6 +47,7 @@ class Term:
 
 
 FREE, UNKNOWN = Term(free=True), Term()
+MOST_READ = 2_000_000  # cells of ranges, behind which a range is of no known dimension
 Judged = tuple[Term, tuple[str, ...]]
 
 
@@ -200,6 +201,9 @@ class UnitWalk:
         self.contents, self.units = contents, units
         self.terms: dict[Address, Term] = {}
         self.areas: dict[Area, Term] = {}
+        # the terms of a range from its first row to each that was read, by its columns and first row
+        self.growing: dict[tuple[str, int, int, int], list[tuple[Term, ...]]] = {}
+        self.read_cells = 0
         self.judged: dict[tuple[str, tuple[Term, ...]], Judged] = {}  # a formula that is copied is judged once
         for cell, unit in units.items():
             dimension = dimension_of(unit)
@@ -246,8 +250,15 @@ class UnitWalk:
         return self.areas[argument]
 
     def range(self, area: Area) -> Term:
-        """Return the term of a range: unknown where that of any of its cells is."""
-        terms = [self.cell(cell) for cell in area.cells()]
+        """Return the term of a range: unknown where that of any of its cells is; a row is read once."""
+        rows = self.growing.setdefault((area.sheet, area.left, area.right, area.top), [()])
+        for row in range(area.top + len(rows) - 1, area.bottom + 1):
+            self.read_cells += len(area.columns)
+            if self.read_cells > MOST_READ:
+                return UNKNOWN
+            met = dict.fromkeys(self.cell(Address(area.sheet, row, column)) for column in area.columns)
+            rows.append(rows[-1] if met.keys() <= {*rows[-1]} else rows[-1] + tuple(met))
+        terms = dict.fromkeys(rows[area.bottom - area.top + 1])
         if any(term.dimension is None and not term.free for term in terms):
             return UNKNOWN
         known = tuple(dict.fromkeys(term.dimension for term in terms if term.dimension is not None))
