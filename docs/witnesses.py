@@ -33,21 +33,22 @@ HEAD = """\
 
 ## Excel's own values
 
-The tests of [IronCalc](https://github.com/ironcalc/IronCalc) (folder xlsx/tests at 0d797798) are workbooks that Excel computed and
-saved. Of 201 of them, with 68,524 formula cells that do not change by themselves, an evaluator alone, and all of them together as
-`verify --against` asks them where each saved value is declared, give this:
+The tests of [IronCalc](https://github.com/ironcalc/IronCalc) (folder xlsx/tests at 0d797798) are workbooks that Excel
+computed and saved. Of 201 of them, with 68,524 formula cells that do not change by themselves, an evaluator alone, and
+all of them together as `verify --against` asks them where each saved value is declared, give this:
 
 | evaluator | as Excel | otherwise or not at all | remark |
 |---|---|---|---|
 | pycel 1.0b30 | 20.9 % | 54,221 | most of it functions that it lacks |
 | formulon 0.18.0 | 99.0 % | 664 | 350 cells in four files not within 90 s, with other work beside it |
-| ironcalc 0.9.1 | 99.7 % | 193 | 74 in a file of whole columns that it does not end |
-| all together | 99.95 % | 36 cannot be judged, none differs | of the 36, 29 were saved with an escape (`_x0001_`) that is read since |
+| ironcalc 0.9.1 | 99.7 % | 193 | 74 in a file that it did not end within 90 s |
+| all together | 99.95 % | 36 | none differs, 36 cannot be judged; 29 had an escape (`_x0001_`), read since |
 
-The audit calls none of these values stale. What is left, Excel computes unlike its documentation, or by what the file does not have:
-COT, CSC and SEC of arguments above 10^8, of which it loses digits (4 cells), VALUE of a date without year, which is that of the
-day it was saved (2), and LOWER of the text `#DIV/0!` (1). By night
-[test_excels_values.py](../tests/foreign/test_excels_values.py) judges them all where `MOTIONBOOK_FOREIGN` names a folder with them.
+The audit calls none of these values stale. What is left, Excel computes unlike its documentation, or by what the file
+does not have: COT, CSC and SEC beside a pole, where it loses digits (4 cells), VALUE of a date without year, which is
+that of the day it was saved (2), and LOWER of the text `#DIV/0!` (1). By night
+[test_excels_values.py](../tests/foreign/test_excels_values.py) judges them all where `MOTIONBOOK_FOREIGN` names a
+folder with them.
 
 ## Excel's documentation
 
