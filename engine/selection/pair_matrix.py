@@ -145,18 +145,14 @@ class PairMatrix:
     @cached_property
     def wanted_verdicts(self) -> NDArray[np.str_]:
         """The first of margins, inertia ratio and mass that each pair fails, or "yes"."""
+        m = self.motors
         fails = {
             "RMS": self.uses * self.wanted.least_margin > 1.0,
             "large": self.uses * self.wanted.greatest_margin < 1.0,
             "inertia": self.inertia_ratio > self.wanted.inertia_ratio,
-            "mass": self.masses > self.wanted.most_mass,
+            "mass": np.nan_to_num(m.size)[:, None] > self.wanted.most_mass - np.nan_to_num(self.reducers.size),
         }
         return np.select(list(fails.values()), list(fails), "yes")
-
-    @cached_property
-    def masses(self) -> Array:
-        """The mass of motor and reducer of each pair (kg); one that is not given counts as 0."""
-        return np.nan_to_num(self.motors.size)[:, None] + np.nan_to_num(self.reducers.size)
 
     @cached_property
     def balance(self) -> Array:

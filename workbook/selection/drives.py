@@ -232,12 +232,13 @@ def limit(n: int) -> str:
 
 def wanted(n: int) -> str:
     """Return the formula of the margin or inertia ratio that the motor of a row misses."""
-    return margin_verdict("all_", n, "@behind.at", "@drives.held_reducer_mass", limit(n))
+    return margin_verdict("all_", n, "@behind.at", "@drives.held_room", limit(n))
 
 
 def word(n: int) -> str:
     """Return the formula of what the motor of a row fails first."""
-    return f'IF({of_motor("on")}=0,"–",{first_failure("all_", n, "@behind.fast", "@drives.held_hub", limit(n))})'
+    motor = first_failure("all_", n, "@behind.fast", limit(n))
+    return f'IF({of_motor("on")}=0,"–",IF({of_motor("shaft")}>[@drives.held_hub.{n}],"shaft",{motor}))'
 
 
 def share(n: int) -> str:

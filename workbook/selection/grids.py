@@ -12,7 +12,7 @@ from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.fields.units import MM, PER_RPM, RPM, shown
 from workbook.selection.catalogue import FULL_CYCLES
-from workbook.selection.pair_selection import MIXED, SQUARE, PairSelection, rms_of, torque_of
+from workbook.selection.pair_selection import MIXED, NO_LIMIT, SQUARE, PairSelection, rms_of, torque_of
 
 CELLS = cell_tables(__file__)
 
@@ -110,35 +110,34 @@ def peak(c: int) -> str:
     return f"IF({of_motor('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
 
 
-def margin_verdict(table: str, n: int, inertia: str, mass: str, limit: str) -> str:
+def margin_verdict(table: str, n: int, inertia: str, room: str, limit: str) -> str:
     """Return the formula of the margin, inertia ratio or mass that a motor misses in the n-th column; yes if none.
 
     ``limit`` is the cell of a limit, with {} for its name.
     """
     used, most = f"[@{table}share{n}.v.same]", f"{limit.format('inertia_ratio')}*{of_motor('jm')}"
-    mass, least = f"{of_motor('mass')}+[{mass}.{n}]", limit.format("largest_mass")
-    light = f'IF(AND({least}>0,{mass}>{least}),"mass","yes")'
+    light = f'IF({of_motor("mass")}>[{room}.{n}],"mass","yes")'
     other = f'IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{most},"inertia",{light}))'
     return f'IF({used}*{limit.format("rms_reserve")}>1,"RMS",{other})'
 
 
-def first_failure(table: str, n: int, fast: str, hub: str, limit: str) -> str:
-    """Return the formula of what a motor fails first in the n-th column: its shaft, speed, torque or another limit."""
+def first_failure(table: str, n: int, fast: str, limit: str) -> str:
+    """Return the formula of what a motor fails first in the n-th column: speed, peak torque, or another limit."""
     peak = f"[@{table}peak{n}.v.same]*{limit.format('peak_reserve')}"
     other = f'IF({peak}>{of_motor("peak")},"peak",[@{table}wanted{n}.v.same])'
-    other = f'IF([{fast}.{n}]>{of_motor("nmax")},"speed",{other})'
-    return f'IF(AND([{hub}.{n}]>0,{of_motor("shaft")}>[{hub}.{n}]),"shaft",{other})'
+    return f'IF([{fast}.{n}]>{of_motor("nmax")},"speed",{other})'
 
 
 def verdict(c: int) -> str:
-    """Return the formula of what a pair fails first: its reducer, or its motor."""
-    motor = first_failure("", c, "@reducers.fast", "@reducers.hub", "@{}")
-    return f'IF({of_motor("on")}*[@reducers.on.{c}]=0,"–",IF([@reducers.fits.{c}]=0,"reducer",{motor}))'
+    """Return the formula of what a pair fails first: its reducer, its shaft in the reducer's hub, or its motor."""
+    takes, motor = f"[@reducers.takes.{c}]", first_failure("", c, "@reducers.fast", "@{}")
+    built = f'IF({of_motor("shaft")}>{takes},IF({takes}<0,"reducer","shaft"),{motor})'
+    return f'IF({of_motor("on")}*[@reducers.on.{c}]=0,"–",{built})'
 
 
 def wanted(c: int) -> str:
     """Return the formula of the margin or inertia ratio that a pair misses."""
-    return margin_verdict("", c, "@reducers.j", "@reducers.mass", "@{}")
+    return margin_verdict("", c, "@reducers.j", "@reducers.room", "@{}")
 
 
 def products(sheet: Sheet, view: PairSelection) -> None:
@@ -212,8 +211,10 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
     """Declare the reducers of the catalogue, 0 in spare rows, and what each makes of the axis."""
     cell = CELLS["reducers"]
     r, g, n = view.reducers, view.grid, view.rooms[1]
-    limits = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque, shown(r.hub, MM)
-    speeds, torques, means, hubs = (np.where(np.isfinite(limit), limit, 0.0) for limit in limits)
+    limits = shown(r.max_input_speed, RPM), r.max_output_torque, r.max_mean_torque
+    hubs = np.minimum(shown(r.hub, MM), NO_LIMIT)
+    speeds, torques, means = (np.where(np.isfinite(limit), limit, 0.0) for limit in limits)
+    most = view.requirements.most_mass
     largest = max(float(g.balance.max()), 1e-9)
     reciprocals = np.divide(1.0, g.balance, out=np.zeros(g.balance.shape), where=g.balance > 0.0)
     mixed, square = view.load.mixed(view.bare), view.load.square(view.bare)
@@ -236,9 +237,9 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
         cell("fs", filled(g.cycle_factors, n, 1.0), full_cycles=f"{FULL_CYCLES:g}"),
         cell("held", filled(torques / g.cycle_factors, n)),
         cell("tmean", filled(means, n)),
-        cell("hub", filled(hubs, n)),
-        cell("mass", filled(np.nan_to_num(r.size), n)),
+        cell("room", filled(most - np.nan_to_num(r.size), n, most)),
         cell("fits", filled(g.fits.astype(int), n, 0)),
+        cell("takes", filled(np.where(g.fits, hubs, -1.0), n, -1.0)),
         cell("balance", filled(g.balance, n), scale=largest),
         cell("unit", filled(reciprocals, n)),
         cell("mixed", filled(mixed, n), mean=MIXED.format(**own), scale=view.shaft.product),

@@ -22,6 +22,7 @@ from workbook.selection.entries import Ranked, SelectionSizes
 
 BEST = 15  # rows of the list of the best pairs
 AS_ENTERED = "as entered"
+NO_LIMIT = 1e9  # of a hub (mm) and of a mass (kg), where none is given
 # of a shaft and of the pair that drives it, in the order of the sheet
 FIGURES = cell_tables(__file__)["figures"]
 MIXED = "@product/{eta}+@product_back*{eta}+{i}*{own}*@way_turning"
@@ -189,7 +190,7 @@ class PairSelection:
             own["torque_factor"],
             own["peak_reserve"],
             own["speed_reserve"],
-            own["largest_mass"] or math.inf,
+            own["most_mass"],
         )
         self.motors = engine_motors(given.motors).derated(self.shaft.values["left"])
         r = self.reducers = engine_reducers(given.reducers)
@@ -225,12 +226,10 @@ class PairSelection:
     def behind_own(self) -> PairMatrix:
         """All motors behind the reducer that the drive has, whose own limits are checked on the drive's sheet."""
         none, own = np.array([np.inf]), self.own_reducer
-        hub = np.array([si(self.in_use("hub") or math.inf, MM)])
-        mass = np.array([self.in_use("reducer_mass")])
-        reducer = Reducers(
-            ("own",), own.ratio, own.efficiency, own.inertia, none, none, size=mass, no_load=own.no_load, hub=hub
-        )
-        return PairMatrix(self.load, self.motors, reducer, self.in_use("j") - self.in_use("jm"), self.requirements)
+        hub = np.array([si(self.in_use("hub"), MM)])
+        reducer = Reducers(("own",), own.ratio, own.efficiency, own.inertia, none, none, no_load=own.no_load, hub=hub)
+        wanted = self.requirements._replace(most_mass=self.in_use("room"))
+        return PairMatrix(self.load, self.motors, reducer, self.in_use("j") - self.in_use("jm"), wanted)
 
     @cached_property
     def usable_behind_own(self) -> list[int]:

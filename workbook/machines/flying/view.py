@@ -29,7 +29,7 @@ from workbook.law_sheets.library import laws
 from workbook.laws.registry import RISING
 from workbook.machines.flying.entries import DRUM, CutterEntry, FlyingCutter
 from workbook.selection.entries import Limits, Selection, SelectionSizes
-from workbook.selection.pair_selection import Figure, PairSelection, Shaft, load_figures, shaft_figures
+from workbook.selection.pair_selection import NO_LIMIT, Figure, PairSelection, Shaft, load_figures, shaft_figures
 
 REST = 1e-9  # dimensionless velocity at which a law is at rest
 LEAST_CV = 1.001  # below, no product is too long to keep moving
@@ -119,7 +119,11 @@ class ToolDrive:
         self.torque = max(self.demand.torque, scales["Nm"], LEAST)
         hardest = float(np.abs(bare.shaft_acceleration).max())
         self.turning = max(hardest, scales["rad/s²"])  # the scale of its accelerations
-        self.unpaired = dict(reserves) | {"beside": 0.0, "left": 1.0, "cycles": shown(1.0 / cut.cycle_time, PER_HOUR)}
+        self.unpaired = (
+            dict(reserves)
+            | {"most_mass": reserves.largest_mass or NO_LIMIT}
+            | {"beside": 0.0, "left": 1.0, "cycles": shown(1.0 / cut.cycle_time, PER_HOUR)}
+        )
         bare_shaft = [Figure(name, "", "", "", value) for name, value in self.unpaired.items()]
         self.proposal = PairSelection(chosen, sizes, [self._shaft(bare_shaft)])
 
@@ -252,14 +256,12 @@ class ToolDrive:
             "held_eta": gears.efficiency,
             "held_no_load": gears.no_load,
             "held_rated": self.reserve.rms_torque.limit * reserves.rms_reserve,
-            "held_peak": motor.peak_torque * reserves.peak_reserve,
             "held_top": (self.peak, self.motor_torque),
             "held_spare": (float(self.left.min()), max(self.motor_torque, motor.peak_torque)),
-            "held_nmax": shown(motor.max_speed, RPM) * reserves.speed_reserve,
             "held_row": m + 1,
             "held_gear": r + 1,
-            "held_hub": self.proposal.built(m, r)["@reducer_hub"],
-            "held_reducer_mass": self.proposal.built(m, r)["@reducer_kg"],
+            "held_hub": self.proposal.built(m, r)["@reducer_hub"] or NO_LIMIT,
+            "held_room": (reserves.largest_mass or NO_LIMIT) - self.proposal.built(m, r)["@reducer_kg"],
             "turns": 1.0,
         }
         figures = shaft_figures("drive_", formulas, values)

@@ -11,7 +11,7 @@ from workbook.book.declare import Sheet
 from workbook.machines.machine.drive import stages
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
-from workbook.selection.pair_selection import Shaft, load_figures, shaft_figures
+from workbook.selection.pair_selection import NO_LIMIT, Shaft, load_figures, shaft_figures
 
 CELLS = cell_tables(__file__)
 
@@ -85,20 +85,19 @@ def shaft_of(view: DriveView) -> Shaft:
         "by_power": float(d.given.method == "physical"),
         "left": d.left,
         **dict(d.limits),
+        "most_mass": d.limits.largest_mass or NO_LIMIT,
         "held_j": d.at_motor,
         "held_jm": motor.inertia,
         "held_i": reducer.ratio,
         "held_eta": reducer.efficiency,
         "held_no_load": reducer.no_load_torque,
         "held_rated": rms.limit * d.limits.rms_reserve,
-        "held_peak": motor.peak_torque * d.limits.peak_reserve,
         "held_top": (top, torque),
         "held_spare": (view.spare if view.knows_falling else d.motor.peak_torque - top, torque),
-        "held_nmax": motor.max_speed * d.limits.speed_reserve,
         "held_row": motor.row,
         "held_gear": reducer.row,
-        "held_hub": reducer.hub,
-        "held_reducer_mass": reducer.known_mass,
+        "held_hub": reducer.hub or NO_LIMIT,
+        "held_room": (d.limits.largest_mass or NO_LIMIT) - reducer.known_mass,
     }
     figures = shaft_figures(f"drive{d.number}_", formulas, values)
     return Shaft(
