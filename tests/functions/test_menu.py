@@ -33,7 +33,8 @@ def driven(calc, folder, *books):
         place.write_text(text.replace(repr(sys.executable), repr(str(program))), encoding="utf-8")
     line = [libreoffice_path(), "--headless", "--norestore", f"--accept=pipe,name=motionbook{os.getpid()};urp"]
     line.append(f"-env:UserInstallation={calc.profile.as_uri()}")
-    here = os.environ | {"TMPDIR": str(folder / "temporary")}
+    # LibreOffice's Python takes the library of the first python3 on the path: there it has to be Debian's
+    here = os.environ | {"TMPDIR": str(folder / "temporary"), "PATH": os.defpath}
     (folder / "temporary").mkdir()
     with subprocess.Popen(line, start_new_session=True, stdout=subprocess.DEVNULL, env=here) as office:
         try:

@@ -1,5 +1,6 @@
 """From a verified book to a controller's file of axes or switches, certified by what an independent reader finds."""
 
+import os
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace as replaced
@@ -12,7 +13,7 @@ from workbook.controllers.registry import target as target_named
 from workbook.controllers.tabulation import CertifiedTable, automatic, certify_table, require_count, reread, tabulate
 from workbook.controllers.target import CamExport, Target, header
 from workbook.entries.machine import Machine
-from workbook.errors import AGREES, DISAGREES, TargetError, visible
+from workbook.errors import AGREES, DISAGREES, TargetError, WriteError, visible
 from workbook.reports import cams, page
 from workbook.reports.terminal import ERR, OUT, say, say_json
 from workbook.template_outputs import CamAxis, CamSwitch
@@ -117,7 +118,14 @@ def export(
 
 
 def refuse_any_existing(paths: Sequence[Path], force: bool) -> None:
-    """Raise WriteError for the first of these files that is there already, unless it may be replaced."""
+    """Raise WriteError naming all files that are there already, unless they may be replaced."""
+    there = [path for path in paths if os.path.lexists(path)]
+    if there and not force:
+        verb = "exists" if len(there) == 1 else "exist"
+        raise WriteError(
+            f"{', '.join(map(str, there))}: {verb} already; nothing is written (--force replaces what is "
+            "there, -o names another place)"
+        )
     for path in paths:
         refuse_existing(path, force)
 

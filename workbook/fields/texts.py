@@ -60,9 +60,11 @@ def place_of(name: str, names: Iterable[str]) -> int:
 
 
 def nearest_names(name: str, names: Sequence[str]) -> list[str]:
-    """Return the three of the names that are most like the given name, the likest first."""
-    known = {each.casefold(): each for each in names}
-    return [known[each] for each in get_close_matches(name.casefold(), known, n=3, cutoff=0.0)]
+    """Return the three of the names that are most like the given name, first those of its very letters."""
+    known, given = {each.casefold(): each for each in names}, name.casefold()
+    swapped = [each for each in known if sorted(each) == sorted(given)]
+    alike = dict.fromkeys([*swapped, *get_close_matches(given, known, n=3, cutoff=0.0)])
+    return [known[each] for each in alike][:3]
 
 
 def lookup_key(name: str) -> str:
