@@ -23,6 +23,7 @@ SOURCE = Path(__file__).with_name("formulas.txt")
 LATER = "DROP HSTACK ISOMITTED LAMBDA LET MAKEARRAY MAP REDUCE SCAN SEQUENCE TAKE TOCOL VSTACK".split()
 FUTURE = {name: f"_xlfn.{name}" for name in LATER} | {"FILTER": "_xlfn._xlws.FILTER"}
 HEADING = re.compile(r"(?P<name>[\w.]+)(?:: (?P<note>.*))?\n=(?P<formula>.*)", re.DOTALL)
+PREFIX = re.compile(r"_xl(?:fn|ws|pm|op)\.")
 NUMBERS = 14  # of a piece: its duration, six powers, two sines, and the velocity with which the first begins
 LARGEST = 1000  # denominator of a number of a law
 
@@ -65,6 +66,12 @@ def definitions() -> tuple[Definition, ...]:
         by_name[name] = Definition(name, heading["note"] or helps[name], heading["formula"])
     order = [*helps, *(name for name in by_name if name not in helps)]
     return tuple(by_name[name] for name in order)
+
+
+def meaning(stored: str) -> list[tuple[str, object]]:
+    """Return the words of a stored formula, without what programs write in their own way."""
+    parts = words(PREFIX.sub("", stored.removeprefix("=")))
+    return [(kind, float(part) if kind == "number" else part.upper()) for kind, part in parts]
 
 
 def array(values: Sequence[float]) -> str:

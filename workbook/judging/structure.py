@@ -13,6 +13,9 @@ from workbook.book.declare import Block
 from workbook.book.rows import is_number
 from workbook.book.stamp import TABLE
 from workbook.entries.rules import field_at
+from workbook.errors import listed
+from workbook.functions.declarations import NAMESPACE
+from workbook.functions.names import definitions, meaning
 from workbook.judging.matching import Match
 from workbook.judging.report import Finding, Report
 from workbook.reading.files import LiteralText, is_formula
@@ -63,6 +66,7 @@ ALLOWED = frozenset(
     ).split()
 )
 VOLATILE = frozenset(["NOW", "TODAY", "RAND", "RANDBETWEEN", "OFFSET", "INDIRECT", "CELL", "INFO", "RANDARRAY"])
+MOST = 5  # names that a note lists
 COMPUTED = "how the program computes"
 
 
@@ -99,6 +103,16 @@ def function_findings(match: Match) -> Iterator[Finding]:
         for name in sorted(formula.functions - ALLOWED) if formula else ():
             why = "a function that is not volatile" if name in VOLATILE else "a function that every program has"
             yield Finding(pair.address.sheet, pair.address.a1, "function", name, why)
+
+
+def stale_functions(workbook: Workbook) -> Iterator[str]:
+    """Yield a note where names that define the functions MOTION.*, copied beside a machine, are not today's."""
+    held = {name: held.attr_text or "" for name, held in workbook.defined_names.items() if NAMESPACE in name}
+    if not held:  # as in most books: the definitions need not be read
+        return
+    other = sorted(d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.stored))
+    if other:
+        yield f"names that are not today's definitions: {listed(other, MOST)}; take them from motion-functions.xlsx"
 
 
 def setting_findings(workbook: Workbook) -> Iterator[Finding]:

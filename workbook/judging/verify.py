@@ -21,7 +21,7 @@ from workbook.judging.layout import layout_findings, mark_consequences
 from workbook.judging.matching import Match, Pair
 from workbook.judging.repair import repair_book
 from workbook.judging.report import NOTICE, ORDER, Check, Report, WitnessRun
-from workbook.judging.structure import audit, check_structure
+from workbook.judging.structure import audit, check_structure, stale_functions
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, is_formula, open_book, require_little_work
@@ -85,6 +85,7 @@ def judge(
     match = Match(file, template.declare(machine))
     report.findings += layout_findings(match)
     suspects = check_structure(match, report)
+    report.notes += stale_functions(file.workbook)
     report.findings += audit(match, type(machine))
     own = count_own_cells(match, report, given)
     with evaluation_copy(file, own, given) as bare:
