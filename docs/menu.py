@@ -55,7 +55,8 @@ def main(picture: Path = PICTURE) -> None:
         calc.install(folder / "made" / "motion.oxt")
         book = shutil.copy(book_of(FOLDER / "cutting-machine.toml", folder), folder / "machine.xlsx")
         running.append(subprocess.Popen(["Xvfb", DISPLAY, "-screen", "0", SCREEN, "-fbdir", folder]))
-        shown = os.environ | {"DISPLAY": DISPLAY, "SAL_USE_VCLPLUGIN": "gen"}
+        # the first python3 on the path has to be LibreOffice's
+        shown = os.environ | {"DISPLAY": DISPLAY, "SAL_USE_VCLPLUGIN": "gen", "PATH": os.defpath}
         profile = f"-env:UserInstallation={calc.profile.as_uri()}"
         line = [libreoffice_path(), "--norestore", "--nologo", f"--accept=pipe,name={PIPE};urp", profile]
         running.append(subprocess.Popen(line, env=shown, start_new_session=True))
