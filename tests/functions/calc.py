@@ -91,6 +91,8 @@ class Calc:
                 os.chown(path, nobody.pw_uid, nobody.pw_gid)
         line = [command, *arguments, f"-env:UserInstallation={self.profile.as_uri()}"]
         environment = os.environ | {"HOME": str(self.folder)}
+        if sys.platform != "win32":  # of the first python3 on the path LibreOffice's Python takes the library
+            environment["PATH"] = os.defpath
         with subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=self.folder,
                               env=environment, start_new_session=True, **user) as running:  # fmt: skip
             try:
