@@ -13,6 +13,7 @@ from workbook.entries import rules
 from workbook.entries.design import finished
 from workbook.errors import InputError
 from workbook.judging.verify import verify
+from workbook.laws.named import with_laws_by_code
 from workbook.reading.descriptions import counted_from_1, described
 from workbook.templates import TEMPLATES
 
@@ -20,7 +21,7 @@ from workbook.templates import TEMPLATES
 def machine_of(name):
     data = small(name)
     template = TEMPLATES[data["template"]]
-    return finished(template.model, template.check, data)
+    return finished(template.model, template.check, with_laws_by_code(data, template.laws))
 
 
 def defaulted(name):
