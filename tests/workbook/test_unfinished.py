@@ -54,7 +54,7 @@ CASES = {
         "an own law of 0.7": ([("laws", "OWN", {"pieces": [{"duration": 0.7}]})],
                               "OWN: the durations sum to 1", "they sum to 0.7; expected 1"),
         "a sine without frequency": ([("laws", "OWN", {"pieces": [{"duration": 1.0, "amplitude": 2.0}]})], None,
-                                     "row 1, ω of a sine, expected more than 0: 0"),
+                                     "row 1, ω of a sine, expected more than 0: empty"),
         "a named law": ([("laws", "Soft 1.5", {"family": "MTP", "durations": UNEQUAL}),
                          (*ONLY, 0, "law", "Soft 1.5")],
                         "Soft 1.5: the seven durations sum to 1", "they sum to 1.1; expected 1"),

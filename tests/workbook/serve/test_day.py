@@ -35,7 +35,8 @@ def enter(page, path, value):
 
 
 def press(page, name):
-    """Press a button of the entries, and wait until it is answered."""
+    """Press a button of the entries, once the last change is answered, and wait until this one is."""
+    page.wait_for_load_state("networkidle")
     with page.expect_response("**/change"):
         page.locator("aside").get_by_role("button", name=name, exact=True).last.click()
 
