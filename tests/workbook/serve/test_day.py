@@ -22,7 +22,7 @@ def enter(page, path, value):
         if more.count():
             more.first.click()
         else:
-            where.wait_for()
+            where.or_(more).first.wait_for()
     if where.evaluate("element => element.tagName") == "SELECT":
         with page.expect_response("**/change"):
             where.select_option(str(value))
