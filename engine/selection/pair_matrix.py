@@ -24,7 +24,7 @@ PARTS = 10_000  # of a unit, to which scores are rounded before they are compare
 
 
 class Requirements(NamedTuple):
-    """Requirements of a usable pair, dimensionless where no unit is told."""
+    """Requirements of a usable pair: ratios, and a mass in kg."""
 
     inertia_ratio: float  # largest allowed
     least_margin: float  # continuous torque over RMS torque, at least

@@ -87,7 +87,7 @@ class BookFile:
 
     @property
     def has_results(self) -> bool:
-        """Whether saved values are a program's results: it says so of none that asks for computing at opening."""
+        """Whether saved values are results of the program that saved them, which asks for no computing at opening."""
         if self.inspected is None or self.as_built or all(value is None for value in self.saved.values()):
             return False
         # openpyxl takes an attribute that is not there for true
