@@ -52,8 +52,8 @@ def tops_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive once more where its quantities have their peaks, and these."""
     cell = CELLS["tops"]
     there, each = view.at_peaks, list(view.peaks)
-    values = [shown(way * view.top(name, way), PEAK_UNITS[name]) for name, way in each]
-    formulas = [f"={'MAX' if way > 0 else 'MIN'}([@peaks.y.same],[{name}])" for name, way in each]
+    values = [shown(way * top, PEAK_UNITS[name]) for (name, way, _), top in view.tops.items()]
+    formulas = [f"={'MAX' if way > 0 else 'MIN'}([@peaks.y.same],[{name}])" for name, way, _ in each]
     size = max(view.scales.torque, view.scales.behind, view.scales.power, view.scales.rpm if view.varies else 0.0)
     cell.place(
         sheet,

@@ -153,7 +153,11 @@ def outcome(view: DriveView) -> list[Quantity]:
     inertias = np.array(
         [driven.motor_used.inertia, driven.reducer.inertia, driven.beside_motor, reducer_load.behind_reducer(view)]
     )
-    fastest = "=MAX([@tops.top.7],0-[@tops.top.8])" if view.varies else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
+    fastest = (
+        "=MAX([@tops.top.7],[@tops.top.9],0-[@tops.top.8],0-[@tops.top.10])"
+        if view.varies
+        else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
+    )
     damped = "" if view.varies or driven.by_angle else UNDAMPED
     speed = f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio"
     cell = CELLS["outcome"].sharing(**view.parts, inertia=stages.inertia(driven))

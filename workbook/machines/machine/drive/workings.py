@@ -14,10 +14,11 @@ from workbook.book.declare import Quantity, Sheet
 from workbook.fields.units import DEGREE, shown
 from workbook.machines.machine.drive import brake, stages
 from workbook.machines.machine.drive.entered import on_shaft
-from workbook.machines.machine.drive.view import PEAK_UNITS, PEAKED, DriveView
+from workbook.machines.machine.drive.view import PEAK_UNITS, DriveView
 from workbook.machines.machine.mechanism import BELTED, SCREWS
 
 CELLS = cell_tables(__file__)
+OTHERS = " of the other intervals"
 
 
 def losses(view: DriveView) -> list[Quantity]:
@@ -119,8 +120,8 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
 
 
 def peaks_table(sheet: Sheet, view: DriveView) -> None:
-    """Declare the peaks, a row for the highest and one for the lowest of each quantity."""
-    points, sizes, last = view.points, view.scales, view.rows * POINTS
+    """Declare the peaks, a row for the highest and one for the lowest of each quantity; of speeds, two rows each."""
+    sizes, last = view.scales, view.rows * POINTS
     words = {
         "T": ("motor torque", sizes.torque),
         "S": ("output torque", sizes.behind),
@@ -128,22 +129,29 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
         "n": ("motor speed", sizes.rpm),
     }
     each, found = list(view.peaks), list(view.peaks.values())
-    size = max(words[name][1] for name, _ in each)
-    signs = [sign for _, sign in each]
+    size = max(words[name][1] for name, _, _ in each)
+    signs = [sign for _, sign, _ in each]
 
-    columns = [f"[@pt.{column}]" for column, _ in each]
-    what = [f"{words[name][0]}, {'highest' if sign > 0 else 'lowest'}" for name, sign in each]
-    most = [shown(float((sign * PEAKED[name](points)).max()), PEAK_UNITS[name]) for name, sign in each]
+    columns = [f"[@pt.{column}]" for column, _, _ in each]
+    numbers = {key: number for number, key in enumerate(each, 1)}
+    elsewhere = [f"([@pt.iv]<>[@tops.iv.{numbers[name, sign, 1]}])*" * (rank - 1) for name, sign, rank in each]
+    largest = [
+        f"SUMPRODUCT(MAX({others}[sign]*{column}))" if others else f"IF([sign]=1,MAX({column}),0-MIN({column}))"
+        for others, column in zip(elsewhere, columns, strict=True)
+    ]
+    what = [
+        f"{words[name][0]}, {'highest' if sign > 0 else 'lowest'}{OTHERS * (rank - 1)}" for name, sign, rank in each
+    ]
+    most = [shown(view.largest_at_points(*key), PEAK_UNITS[key[0]]) for key in each]
     neighbours = [
-        [shown(sign * value, PEAK_UNITS[name]) for value in peak.values]
-        for (name, sign), peak in zip(each, found, strict=True)
+        [shown(sign * value, PEAK_UNITS[name]) for value in peak.values] for (name, sign, _), peak in view.peaks.items()
     ]
     gaps = [[shown(peak.before, DEGREE) for peak in found], [shown(peak.after, DEGREE) for peak in found]]
     slopes = [
         [(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)] for k in (0, 1)
     ]
     CELLS["peaks"].begin(sheet)
-    cell = CELLS["peaks"].sharing(column=columns, size=size)
+    cell = CELLS["peaks"].sharing(column=columns, largest=largest, elsewhere=elsewhere, size=size)
     cell.place(
         sheet,
         cell("what", what),
