@@ -25,19 +25,15 @@ class Peak(NamedTuple):
     offset: float = 0.0  # how far behind the point that is; 0 where the point itself is the largest
 
 
-def peak(values: Array, place: Array, left_out: int | None = None) -> Peak:
+def peak(values: Array, place: Array) -> Peak:
     """Return the first of the largest values, with the maximum of the parabola through it and its neighbours.
 
     ``values`` and their abscissae ``place`` have the shape (intervals, 9). At an end of an interval the value itself is
-    the maximum; so is the largest value if the parabola's maximum lies beyond the neighbours. With an interval
-    ``left_out`` it is the largest value above 0 of the other intervals, and the last point if there is none.
+    the maximum; so is the largest value if the parabola's maximum lies beyond the neighbours.
     """
     y, x = values.ravel(), place.ravel()
-    largest = y.max() if left_out is None else np.delete(values, left_out, axis=0).max(initial=0.0)
-    ties = values >= largest - TIED * np.abs(y).max()
-    if left_out is not None:
-        ties[left_out] = False
-    k = int(ties.argmax()) if ties.any() else y.size - 1
+    limit = y.max() - TIED * np.abs(y).max()
+    k = int((y >= limit).argmax())
     low, high = max(k - 1, 0), min(k + 1, y.size - 1)
     three = float(y[low]), float(y[k]), float(y[high])
     if k % values.shape[1] in (0, values.shape[1] - 1):

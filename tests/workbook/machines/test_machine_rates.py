@@ -13,7 +13,8 @@ from tests.workbook.machines.test_machine_drives import small as linked_small
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine import exact
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.drive.view import AT_NO_RATE, DriveView
+from workbook.machines.machine.drive.shown_rates import AT_NO_RATE
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import Master
 from workbook.machines.machine.exact import exact_rates, rate_of
 from workbook.machines.machine.motion_tables import AxisTables

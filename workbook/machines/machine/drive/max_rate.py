@@ -23,7 +23,8 @@ from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import CheckSentence, Sentence
 from workbook.fields.units import PER_MINUTE, RPM, shown
-from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
+from workbook.machines.machine.drive.shown_rates import AT_NO_RATE, NONE_BINDS, Rates
+from workbook.machines.machine.drive.view import DriveView
 
 CELLS = cell_tables(__file__)
 

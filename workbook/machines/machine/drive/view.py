@@ -15,20 +15,18 @@ from engine.drive.limit_use import RateSearch
 from engine.drive.limits import BELOW
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Interpolation, LoadPoints, QuadratureCycle
-from engine.drive.rate_estimates import RateRange
 from engine.drive.results import Energy
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
-from workbook.fields.units import DEGREE, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
+from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.boundary.bends import bend_angles, polynomials
 from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.shown_rates import Rates
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.machines.machine.motion_tables import AxisTables
 
-NONE_BINDS, AT_NO_RATE = "none", "at no rate"
-"""the words for a highest rate where no limit binds, and where none is held"""
 PEAKED: dict[str, Callable[[DrivePoints], Array]] = {
     "T": lambda points: points.torque,
     "S": lambda points: points.load.output_torque,
@@ -50,28 +48,6 @@ class Scales(NamedTuple):
     power: float
     work: float
     turning: float  # the acceleration of the shaft behind the reducer (rad/s²)
-
-
-class Rates(NamedTuple):
-    """The rates (cycles/min) between which a drive holds all limits, or words, and the limits at either end."""
-
-    low: float | str
-    high: float | str
-    low_limit: str
-    high_limit: str
-
-    @classmethod
-    def of(cls, found: RateRange) -> "Rates":
-        """Return a range of rates (1/s)."""
-        if found.high == 0.0:
-            return cls(AT_NO_RATE, AT_NO_RATE, AT_NO_RATE, found.high_limit)
-        low, high = (shown(rate, PER_MINUTE) for rate in found[:2])
-        return cls(
-            low,
-            high if math.isfinite(high) else NONE_BINDS,
-            found.low_limit or NONE_BINDS,
-            found.high_limit or NONE_BINDS,
-        )
 
 
 class DriveView:
@@ -140,25 +116,21 @@ class DriveView:
 
     @cached_property
     def peaks(self) -> dict[tuple[str, int, int], Peak]:
-        """The largest point of each quantity, by its column, 1 for the highest or −1 for the lowest, and its rank.
+        """The largest point of each quantity by its column, 1 for the highest or −1 for the lowest, and its rank.
 
-        The rank is 1, and 2 for the largest point of the other intervals. Only speeds have it: of two peaks nearly
-        alike, the one with the lower point may be the higher, by 1.5 % in drawn drives; a torque's by 0.01 %.
+        Of speeds also the largest point of the other intervals, of rank 2: of two peaks nearly alike, the one with the
+        lower point may be the higher, by 1.5 % in drawn drives; a torque's by 0.01 %.
         """
-        found, x = {}, self.load.x
-        for name in PEAKED if self.varies else [name for name in PEAKED if name != "n"]:
-            for way in (1, -1):
-                found[name, way, 1] = peak(way * PEAKED[name](self.points), x)
+        keys = [(name, way, 1) for name in PEAKED if name != "n" or self.varies for way in (1, -1)]
+        found = {key: peak(self.upward(*key[:2]), self.load.x) for key in keys}
         for way in (1, -1) if self.varies else ():
-            found["n", way, 2] = peak(way * self.points.speed, x, found["n", way, 1].at // POINTS)
+            others = np.where(self.numbers == found["n", way, 1].at // POINTS, 0.0, self.upward("n", way))
+            found["n", way, 2] = peak(others, self.load.x)
         return found
 
-    def largest_at_points(self, name: str, way: int, rank: int) -> float:
-        """Return the largest value of a column at points, or −1 times the least; of rank 2 at least 0."""
-        values = way * PEAKED[name](self.points)
-        if rank == 1:
-            return float(values.max())
-        return float(np.delete(values, self.peaks[name, way, 1].at // POINTS, axis=0).max(initial=0.0))
+    def upward(self, name: str, way: int) -> Array:
+        """Return a column at the points; −1 times it, where its lowest value is sought."""
+        return way * PEAKED[name](self.points)
 
     @cached_property
     def peak_points(self) -> DrivePoints:
@@ -184,10 +156,12 @@ class DriveView:
 
     @cached_property
     def tops(self) -> dict[tuple[str, int, int], float]:
-        """The larger of each of :attr:`peaks` and of the value at the top of its parabola, −1 times of the lowest."""
-        beside = {(name, way): way * PEAKED[name](self.peak_points)[:, 0] for name, way, _ in self.peaks}
-        each = enumerate(self.peaks.items())
-        return {key: max(peak.values[1], float(beside[key[:2]][row])) for row, (key, peak) in each}
+        """The larger of each of :attr:`peaks` and of what is at the top of its parabola; −1 times the lowest."""
+        there = {name: PEAKED[name](self.peak_points)[:, 0] for name, *_ in self.peaks}
+        return {
+            (name, way, rank): float(max(self.upward(name, way).flat[peak.at], way * there[name][row]))
+            for row, ((name, way, rank), peak) in enumerate(self.peaks.items())
+        }
 
     def size(self, name: str) -> float:
         """Return the largest absolute value of a column."""

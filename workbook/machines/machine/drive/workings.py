@@ -5,6 +5,8 @@ worked out once more. Where a piece's acceleration only rises or only falls, tor
 a point itself.
 """
 
+import numpy as np
+
 from engine.drive.chain import held_factor
 from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import STANDSTILL
@@ -18,7 +20,7 @@ from workbook.machines.machine.drive.view import PEAK_UNITS, DriveView
 from workbook.machines.machine.mechanism import BELTED, SCREWS
 
 CELLS = cell_tables(__file__)
-OTHERS = " of the other intervals"
+WAYS, OTHERS = ("", "highest", "lowest"), " of the other intervals"
 
 
 def losses(view: DriveView) -> list[Quantity]:
@@ -121,49 +123,41 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
 
 def peaks_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the peaks, a row for the highest and one for the lowest of each quantity; of speeds, two rows each."""
-    sizes, last = view.scales, view.rows * POINTS
+    sizes, keys, last = view.scales, list(view.peaks), view.rows * POINTS
     words = {
         "T": ("motor torque", sizes.torque),
         "S": ("output torque", sizes.behind),
         "P": ("motor power", sizes.power),
         "n": ("motor speed", sizes.rpm),
     }
-    each, found = list(view.peaks), list(view.peaks.values())
-    size = max(words[name][1] for name, _, _ in each)
-    signs = [sign for _, sign, _ in each]
+    what = [f"{words[name][0]}, {WAYS[way]}{OTHERS * (rank - 1)}" for name, way, rank in keys]
+    columns = [f"[@pt.{name}]" for name, *_ in keys]
+    first = {key: number for number, key in enumerate(keys, 1)}
+    elsewhere = [f"([@pt.iv]<>[@tops.iv.{first[name, way, 1]}])*" * (rank - 1) for name, way, rank in keys]
 
-    columns = [f"[@pt.{column}]" for column, _, _ in each]
-    numbers = {key: number for number, key in enumerate(each, 1)}
-    elsewhere = [f"([@pt.iv]<>[@tops.iv.{numbers[name, sign, 1]}])*" * (rank - 1) for name, sign, rank in each]
-    largest = [
-        f"SUMPRODUCT(MAX({others}[sign]*{column}))" if others else f"IF([sign]=1,MAX({column}),0-MIN({column}))"
-        for others, column in zip(elsewhere, columns, strict=True)
-    ]
-    what = [
-        f"{words[name][0]}, {'highest' if sign > 0 else 'lowest'}{OTHERS * (rank - 1)}" for name, sign, rank in each
-    ]
-    most = [shown(view.largest_at_points(*key), PEAK_UNITS[key[0]]) for key in each]
-    neighbours = [
-        [shown(sign * value, PEAK_UNITS[name]) for value in peak.values] for (name, sign, _), peak in view.peaks.items()
-    ]
-    gaps = [[shown(peak.before, DEGREE) for peak in found], [shown(peak.after, DEGREE) for peak in found]]
-    slopes = [
-        [(n[k + 1] - n[k]) / gap if gap else 0.0 for n, gap in zip(neighbours, gaps[k], strict=True)] for k in (0, 1)
-    ]
+    found = list(view.peaks.values())
+    at = np.array([peak.at for peak in found])
+    near = (at[:, None] + (-1, 0, 1)).clip(0, view.load.x.size - 1)
+    units = [PEAK_UNITS[name] for name, *_ in keys]
+    most = [shown(peak.values[1], unit) for peak, unit in zip(found, units, strict=True)]
+    each = zip(keys, near, units, strict=True)
+    values = np.array([shown(view.upward(name, 1).flat[k], unit) for (name, *_), k, unit in each])
+    gaps = shown(np.array([(peak.before, peak.after) for peak in found]), DEGREE)
+    slopes = np.divide(np.diff(values), gaps, out=np.zeros(gaps.shape), where=gaps > 0.0)
     CELLS["peaks"].begin(sheet)
-    cell = CELLS["peaks"].sharing(column=columns, largest=largest, elsewhere=elsewhere, size=size)
+    cell = CELLS["peaks"].sharing(column=columns, elsewhere=elsewhere, size=max(words[name][1] for name, *_ in keys))
     cell.place(
         sheet,
         cell("what", what),
-        cell("sign", signs),
+        cell("sign", [way for _, way, _ in keys]),
         cell("most", most),
-        cell("at", [peak.at + 1 for peak in found], beyond=last + 1),
-        cell("y0", [n[0] for n in neighbours]),
-        cell("y", [n[1] for n in neighbours]),
-        cell("y1", [n[2] for n in neighbours], last=last),
-        cell("a", gaps[0]),
-        cell("b", gaps[1]),
-        cell("s0", slopes[0]),
-        cell("s1", slopes[1]),
+        cell("at", (at + 1).tolist(), beyond=last + 1),
+        cell("y0", values[:, 0].tolist()),
+        cell("y", values[:, 1].tolist()),
+        cell("y1", values[:, 2].tolist(), last=last),
+        cell("a", gaps[:, 0].tolist()),
+        cell("b", gaps[:, 1].tolist()),
+        cell("s0", slopes[:, 0].tolist()),
+        cell("s1", slopes[:, 1].tolist()),
         cell("place", shown(view.at_peaks.load.x.ravel(), DEGREE).tolist()),
     )
