@@ -25,13 +25,15 @@ class Figure:
     """One printed figure: its section in the document, its digits as printed, the engine's, and its cell.
 
     ``cell`` names the cell of a template's book, or a column and a row of it, as ``actuator-sizing drive1_tmax``; its
-    value times ``factor`` is in the unit of the figure. It is empty where no book has the quantity.
+    value times ``factor`` is in the unit of the figure. It is empty where no book has the quantity. ``exact`` has more
+    digits, worked out from the document's formulas and not by the engine.
     """
 
     section: str
     quantity: str
     unit: str
     printed: str
+    exact: str
     ours: float
     reason: str = ""
     cell: str = ""
@@ -40,14 +42,18 @@ class Figure:
     @property
     def half_digit(self) -> float:
         """Half a unit of the last printed digit."""
-        mantissa, _, exponent = self.printed.partition("e")
-        decimals = len(mantissa.partition(".")[2])
-        return 0.5 * 10.0 ** (int(exponent or 0) - decimals)
+        return half_digit(self.printed)
 
     @property
     def agrees(self) -> bool:
         """Whether ours rounds to the printed digits."""
         return abs(self.ours - float(self.printed)) <= self.half_digit * (1 + 1e-9)
+
+
+def half_digit(figure: str) -> float:
+    """Return half a unit of the last digit of a figure."""
+    mantissa, _, exponent = figure.partition("e")
+    return 0.5 * 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
 
 
 def cutting_machine() -> Iterator[Figure]:
@@ -63,7 +69,7 @@ def cutting_machine() -> Iterator[Figure]:
         ("MC01, velocity, peak", "m/s", "9", rise.v_max, "", "axes.vc.1"),
         ("MC01, acceleration, peak", "m/s²", "270", rise.a_max, "", "axes.ac.1"),
     ):
-        yield Figure(section, quantity, unit, printed, ours, reason, f"cutting-machine {cell}")
+        yield Figure(section, quantity, unit, printed, "", ours, reason, f"cutting-machine {cell}")
     for quantity, unit, printed, ours, reason, cell, factor in (
         ("total inertia J_tot", "kg m²", "1.164", group.inertia(), "", "j1", 1.0),
         ("resisting torque C_r", "Nm", "67", group.load.torque / group.ratio, "", "cr", 1.0),
@@ -73,28 +79,29 @@ def cutting_machine() -> Iterator[Figure]:
         ("speed of the rollers, peak", "rpm", "320.685", feed.speed.peak * to_rpm, "", "ask_speed", to_rpm),
     ):
         place = f"cutting-machine drive1_{cell}" if cell else ""
-        yield Figure("Feeding group", quantity, unit, printed, ours, reason, place, factor)
+        yield Figure("Feeding group", quantity, unit, printed, "", ours, reason, place, factor)
 
 
 def overlapped_motions() -> Iterator[Figure]:
     """S2, Timing Diagram, Part 3."""
     before, after = s2.STATION.one_after_the_other(), s2.STATION.overlapping()
     whole = s2.rounded(after, 125)
+    alone, along = degrees(before.angle_in), degrees(after.angle_in)
     peak, peak_before = whole.peak_acceleration(s2.RATE), before.peak_acceleration(s2.RATE)
     share, reached = 100 * Cycloidal().s(0.1), 100 * inverse(Cycloidal(), 0.38)
     time, tenth = movement_time(whole.angle_in, s2.RATE), "displacement of a cycloid after a tenth of the time"
-    for section, quantity, unit, printed, ours, cell, factor in (
-        ("Mill", tenth, "%", "0.65", share, "inverse_transfer.wanted.1", 100),
-        ("Die", "angle of the stroke without overlap", "°", "55", degrees(before.angle_in), "tool1_schedules.in.1", 1),
-        ("Die", "peak acceleration without overlap", "m/s²", "4.154", peak_before, "tool1_a0", 1),
-        ("Die", "time after which 19 of 50 mm are reached", "%", "44", reached, "tool1_inverse_in.xi.1", 100),
-        ("Die", "angle of the stroke with overlap", "°", "125", degrees(after.angle_in), "tool1_schedules.in.2", 1),
-        ("Die", "time of the stroke at 125°", "s", "0.625", time, "", 1),
-        ("Die", "peak acceleration at 125°", "m/s²", "0.804", peak, "", 1),
-        ("Die", "reduction of the peak acceleration", "", "5.17", peak_before / peak, "", 1),
+    for section, quantity, unit, digits, ours, cell, factor in (
+        ("Mill", tenth, "%", "0.65 0.645107", share, "inverse_transfer.wanted.1", 100),
+        ("Die", "angle of the stroke without overlap", "°", "55 55.000000", alone, "tool1_schedules.in.1", 1),
+        ("Die", "peak acceleration without overlap", "m/s²", "4.154 4.154172", peak_before, "tool1_a0", 1),
+        ("Die", "time after which 19 of 50 mm are reached", "%", "44 43.92684", reached, "tool1_inverse_in.xi.1", 100),
+        ("Die", "angle of the stroke with overlap", "°", "125 124.8369", along, "tool1_schedules.in.2", 1),
+        ("Die", "time of the stroke at 125°", "s", "0.625 0.62500000", time, "", 1),
+        ("Die", "peak acceleration at 125°", "m/s²", "0.804 0.804248", peak, "", 1),
+        ("Die", "reduction of the peak acceleration", "", "5.17 5.1653", peak_before / peak, "", 1),
     ):
         place = f"indexing-overlap {cell}" if cell else ""
-        yield Figure(section, quantity, unit, printed, ours, cell=place, factor=factor)
+        yield Figure(section, quantity, unit, *digits.split(), ours, cell=place, factor=factor)
 
 
 def composed_motion() -> Iterator[Figure]:
@@ -104,7 +111,7 @@ def composed_motion() -> Iterator[Figure]:
         ("coefficient of velocity c_v", "1.5", tvp.cv, "TVP_cv"),
         ("coefficient of acceleration c_a", "4.5", tvp.ca, "TVP_ca_max"),
     ):
-        yield Figure("Function TVP", quantity, "", printed, ours, cell=f"motion-composer {cell}")
+        yield Figure("Function TVP", quantity, "", printed, "", ours, cell=f"motion-composer {cell}")
 
 
 def actuators() -> Iterator[Figure]:
@@ -119,24 +126,25 @@ def lead_screw() -> Iterator[Figure]:
     parts, found = s4.reflected(screw), sizing.torques
     friction, weight = (screw.driving_torque(one) * g for one in (screw.load.friction, screw.load.torque))
     rounded, fast = "from a rounded acceleration (8 mm in 0.033 s)", "divided by 0.033 s, which is rounded"
-    for quantity, unit, printed, ours, row, factor, reason in (
-        ("inertia of the screw", "kg m²", "1.47e-5", parts["screw"], 0, 1.0, ""),
-        ("inertia of the load at the motor", "kg m²", "1.35e-6", parts["load"], 1, 1.0, ""),
-        ("inertia of the machine", "kg m²", "1.65e-5", screw.inertia("document"), 2, 1.0, "misprint for 1.605e-5"),
-        ("total inertia", "kg m²", "2e-5", sizing.drive.total_inertia, 3, 1.0, ""),
-        ("torque of friction, g = 9.8", "Nm", "4.096e-3", friction, 4, g, ""),
-        ("torque of the weight, g = 9.8", "Nm", "7.22e-3", weight, 5, g, ""),
-        ("resisting torque", "Nm", "0.0113", found["uniform"], 6, 1.0, ""),
-        ("speed of the load, peak", "m/s", "0.048", sizing.max_speed / screw.ratio, 7, 1.0, ""),
-        ("speed of the motor, peak, over π", "rad/s", "48", sizing.max_speed / pi, 8, 1 / pi, ""),
-        ("acceleration of the motor over π", "rad/s²", "1460.4", sizing.max_acceleration / pi, 9, 1 / pi, fast),
-        ("torque, accelerating", "Nm", "0.103", found["accelerating"], 10, 1.0, rounded),
-        ("torque, uniform", "Nm", "0.0113", found["uniform"], 11, 1.0, ""),
-        ("torque, decelerating", "Nm", "-0.0805", found["decelerating"], 12, 1.0, rounded),
-        ("RMS torque", "Nm", "0.044", sizing.results.rms_torque, 13, 1.0, ""),
+    slip, pace = "misprint for 1.605e-5", sizing.max_acceleration / pi
+    for quantity, unit, digits, ours, row, factor, reason in (
+        ("inertia of the screw", "kg m²", "1.47e-5 1.470878e-5", parts["screw"], 0, 1.0, ""),
+        ("inertia of the load at the motor", "kg m²", "1.35e-6 1.350949e-6", parts["load"], 1, 1.0, ""),
+        ("inertia of the machine", "kg m²", "1.65e-5 1.605973e-5", screw.inertia("document"), 2, 1.0, slip),
+        ("total inertia", "kg m²", "2e-5 2.007466e-5", sizing.drive.total_inertia, 3, 1.0, ""),
+        ("torque of friction, g = 9.8", "Nm", "4.096e-3 4.09606e-3", friction, 4, g, ""),
+        ("torque of the weight, g = 9.8", "Nm", "7.22e-3 7.22246e-3", weight, 5, g, ""),
+        ("resisting torque", "Nm", "0.0113 0.01133007", found["uniform"], 6, 1.0, ""),
+        ("speed of the load, peak", "m/s", "0.048 0.04800000", sizing.max_speed / screw.ratio, 7, 1.0, ""),
+        ("speed of the motor, peak, over π", "rad/s", "48 48.000000", sizing.max_speed / pi, 8, 1 / pi, ""),
+        ("acceleration of the motor over π", "rad/s²", "1460.4 1440.0000", pace, 9, 1 / pi, fast),
+        ("torque, accelerating", "Nm", "0.103 0.1021457", found["accelerating"], 10, 1.0, rounded),
+        ("torque, uniform", "Nm", "0.0113 0.01133007", found["uniform"], 11, 1.0, ""),
+        ("torque, decelerating", "Nm", "-0.0805 -0.0794856", found["decelerating"], 12, 1.0, rounded),
+        ("RMS torque", "Nm", "0.044 0.0437990", sizing.results.rms_torque, 13, 1.0, ""),
     ):
         cell = f"actuator-sizing drive1_printed.here.{row}" if row else "actuator-sizing drive1_ask_beside"
-        yield Figure("Lead screw", quantity, unit, printed, ours, reason, cell, factor)
+        yield Figure("Lead screw", quantity, unit, *digits.split(), ours, reason, cell, factor)
 
 
 def conveyor() -> Iterator[Figure]:
@@ -146,24 +154,24 @@ def conveyor() -> Iterator[Figure]:
     lighter = found["uniform"] * (1.0 - g)
     added, misprint = "added up from rounded figures", "misprint: the torques that it prints give 1.44"
     ratio = "RMS torque at 35 °C over that at 25 °C (0.142 : 0.147)"
-    for quantity, unit, printed, ours, row, factor, reason in (
-        ("inertia of the rollers at the motor", "kg m²", "4.96e-3", parts["rollers"], 0, 1.0, ""),
-        ("inertia of the belt at the motor", "kg m²", "9e-5", parts["belt"], 0, 1.0, ""),
-        ("inertia of the load at the motor", "kg m²", "1.35e-3", parts["load"], 1, 1.0, ""),
-        ("inertia of the machine", "kg m²", "6.4e-3", belt.inertia(), 2, 1.0, ""),
-        ("total inertia", "kg m²", "0.0128", sizing.drive.total_inertia, 3, 1.0, ""),
-        ("uniform torque, g = 9.8", "Nm", "1.508", found["uniform"] * g, 6, g, ""),
-        ("speed of the load, peak", "m/s", "0.0185", sizing.max_speed / belt.ratio, 7, 1.0, ""),
-        ("speed of the rollers, peak", "rad/s", "0.123", sizing.max_speed / 50, 8, 1 / 50, ""),
-        ("speed of the motor, peak", "rad/s", "6.173", sizing.max_speed, 8, 1.0, ""),
-        ("acceleration of the motor, peak", "rad/s²", "2.058", sizing.max_acceleration, 9, 1.0, ""),
-        ("torque, accelerating, g = 9.8", "Nm", "1.5343", found["accelerating"] - lighter, 0, 1.0, added),
-        ("torque, decelerating, g = 9.8", "Nm", "1.4816", found["decelerating"] - lighter, 0, 1.0, added),
-        ("RMS torque", "Nm", "0.147", sizing.results.rms_torque, 13, 1.0, misprint),
-        (ratio, "", "0.966", derating(35), 14, 1.0, ""),
+    for quantity, unit, digits, ours, row, factor, reason in (
+        ("inertia of the rollers at the motor", "kg m²", "4.96e-3 4.962146e-3", parts["rollers"], 0, 1.0, ""),
+        ("inertia of the belt at the motor", "kg m²", "9e-5 9.000000e-5", parts["belt"], 0, 1.0, ""),
+        ("inertia of the load at the motor", "kg m²", "1.35e-3 1.350000e-3", parts["load"], 1, 1.0, ""),
+        ("inertia of the machine", "kg m²", "6.4e-3 6.402146e-3", belt.inertia(), 2, 1.0, ""),
+        ("total inertia", "kg m²", "0.0128 0.01280429", sizing.drive.total_inertia, 3, 1.0, ""),
+        ("uniform torque, g = 9.8", "Nm", "1.508 1.508309", found["uniform"] * g, 6, g, ""),
+        ("speed of the load, peak", "m/s", "0.0185 0.01851852", sizing.max_speed / belt.ratio, 7, 1.0, ""),
+        ("speed of the rollers, peak", "rad/s", "0.123 0.1234568", sizing.max_speed / 50, 8, 1 / 50, ""),
+        ("speed of the motor, peak", "rad/s", "6.173 6.172840", sizing.max_speed, 8, 1.0, ""),
+        ("acceleration of the motor, peak", "rad/s²", "2.058 2.057613", sizing.max_acceleration, 9, 1.0, ""),
+        ("torque, accelerating, g = 9.8", "Nm", "1.5343 1.534655", found["accelerating"] - lighter, 0, 1.0, added),
+        ("torque, decelerating, g = 9.8", "Nm", "1.4816 1.481963", found["decelerating"] - lighter, 0, 1.0, added),
+        ("RMS torque", "Nm", "0.147 1.439627", sizing.results.rms_torque, 13, 1.0, misprint),
+        (ratio, "", "0.966 0.9660918", derating(35), 14, 1.0, ""),
     ):
         cell = f"actuator-sizing-conveyor drive1_printed.here.{row}" if row else ""
-        yield Figure("Conveyor", quantity, unit, printed, ours, reason, cell, factor)
+        yield Figure("Conveyor", quantity, unit, *digits.split(), ours, reason, cell, factor)
 
 
 DOCUMENTS = {

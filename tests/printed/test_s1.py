@@ -1,7 +1,6 @@
 """S1: the cutting machine's movements, the feeding group's inertia and torque."""
 
 import math
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -19,12 +18,9 @@ from engine.laws.simple import ConstantAcceleration, Cycloidal
 from engine.motion import Motion, Phase
 from engine.timing import shaft_speed
 from tests.engine.motion.junctions import junctions, runs_smoothly
-from workbook.reading.descriptions import read_machine
-from workbook.templates import TEMPLATES
 
 MTP = ModifiedTrapezoidal()
 RADIUS = 0.134  # m
-TEMPLATE = Path(__file__).parents[2] / "templates/cutting-machine.toml"
 
 
 class Movement(NamedTuple):
@@ -152,13 +148,6 @@ def results(law):
     return DriveResults(DriveCycle(train, machine(law)["MC01"], shaft_speed(100 / 60)))
 
 
-def test_inertia_and_resisting_torque():
-    """J_tot = 4 J1 + 4 J2 = 1.164 kg m², C_r = 67 Nm."""
-    group = feeding_group().mechanism
-    assert group.inertia() == pytest.approx(1.164, rel=1e-15)
-    assert group.load.torque / group.ratio == pytest.approx(67.0, rel=1e-15)
-
-
 @pytest.mark.parametrize(
     ("law", "acceleration", "highest", "lowest"),
     [
@@ -181,13 +170,3 @@ def test_exact_rms_torque_over_the_cycle():
     inertial = 1.164 * MTP.coefficients.ca_rms * 0.3 / RADIUS / (0.6 * 80 / 360) ** 2
     exact = math.sqrt(inertial**2 * 80 / 360 + 67.0**2)
     assert results(MTP).rms_torque == pytest.approx(exact, rel=1e-12)
-
-
-def test_the_sheet_of_the_feed_has_s1s_terms():
-    """J_tot = 1.164 kg m² at the rollers, C_r = 67 Nm, τ of mechanism over motor."""
-    given = read_machine(TEMPLATE)
-    declared = TEMPLATES[given.template].declare(given)
-    held = {q.name: q.value for block in declared.blocks.values() if not block.is_table for q in block.quantities}
-    assert held["drive1_j_shaft"] == pytest.approx(1.164, abs=5e-4)
-    assert held["drive1_cr"] == pytest.approx(67.0, rel=1e-12)
-    assert held["drive1_tau"] == pytest.approx(1.0 / held["drive1_i1"], rel=1e-12)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from engine.laws import UnknownLawError, law
+from engine.laws import law
 from engine.motion import Motion, Phase, motionlaw
 from tests.engine.motion.junctions import junctions
 
@@ -99,13 +99,3 @@ def test_example_of_a_simple_motion():
     assert (samples.y2.max(), samples.y2.min()) == pytest.approx(
         (4.5 * math.pi / 360**2, -4.5 * math.pi / 360**2), rel=1e-14
     )
-
-
-def test_lists_of_unequal_length_are_an_error():
-    with pytest.raises(ValueError, match="5 laws, 4 lifts, 5 durations"):
-        motionlaw(EXERCISE, [0, 20, 0, -20], [60, 60, 60, 60, 120], 10)
-
-
-def test_a_law_that_is_not_recognized_is_an_error():
-    with pytest.raises(UnknownLawError, match="'Sine'"):
-        motionlaw(["Sine"], [1.0], [1.0], 10)

@@ -1,6 +1,6 @@
 """Figures of S4, 'Actuator Sizing': lead screw and conveyor, by the document's method and by the physical one.
 
-Figures here were computed from the formulas, not by the engine; those printed stand in ``figures.py``.
+Those printed stand in ``figures.py``, with the digits that the formulas give; figures here are the formulas' too.
 Misprints: J_machine of the screw (1.65e-5), the acceleration from 0.033 s, the conveyor's RMS (0.147).
 """
 
@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import pytest
 
-from engine.drive import KINDS, Drive, Part, Slide, Stage, cylinder, derating
+from engine.drive import KINDS, Drive, Part, Slide, Stage, cylinder
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
@@ -76,7 +76,7 @@ def sized_conveyor():
 
 
 screw, screw_sizing = pytest.fixture(lead_screw, name="screw"), pytest.fixture(sized_screw, name="screw_sizing")
-belt, belt_sizing = pytest.fixture(conveyor, name="belt"), pytest.fixture(sized_conveyor, name="belt_sizing")
+belt_sizing = pytest.fixture(sized_conveyor, name="belt_sizing")
 
 
 def reflected(machine):
@@ -85,35 +85,10 @@ def reflected(machine):
     return parts | {"load": machine.load.inertia / machine.inertia_divisor(machine.last, "document")}
 
 
-def test_screw_inertias(screw, screw_sizing):
-    parts = reflected(screw)
-    assert parts["screw"] == pytest.approx(1.470878e-5, abs=5e-12)
-    assert parts["load"] == pytest.approx(1.350949e-6, abs=5e-13)
-    assert screw.inertia("document") == pytest.approx(1.605973e-5, abs=5e-12)
-    assert screw_sizing.drive.total_inertia == pytest.approx(2.007466e-5, abs=5e-12)
-
-
-def test_screw_resisting_torques(screw, screw_sizing):
-    friction = screw.driving_torque(screw.load.friction)
-    weight = screw.driving_torque(screw.load.torque)
-    assert friction == pytest.approx(4.100240e-3, abs=5e-9)
-    assert weight == pytest.approx(7.229830e-3, abs=5e-9)
-    assert screw_sizing.torques["uniform"] == pytest.approx(0.01133007, abs=5e-9)
-
-
-def test_screw_speed_and_acceleration(screw, screw_sizing):
-    assert screw_sizing.max_speed == pytest.approx(48 * pi, rel=1e-13)
-    assert screw_sizing.max_acceleration == pytest.approx(1440 * pi, rel=1e-13)
-
-
 def test_screw_torques(screw_sizing):
-    found = screw_sizing.torques
-    assert found["accelerating"] == pytest.approx(0.1021457, abs=5e-8)
-    assert found["decelerating"] == pytest.approx(-0.0794856, abs=5e-8)
-    assert found["dwell"] == 0.0
     torque = screw_sizing.results.torque
+    assert screw_sizing.torques["dwell"] == 0.0
     assert (torque.highest.value, torque.lowest.value) == pytest.approx((0.1021457, -0.0794856), abs=5e-8)
-    assert screw_sizing.results.rms_torque == pytest.approx(0.0437990, abs=5e-8)
 
 
 def test_screw_by_the_physical_method_is_the_same_as_long_as_the_load_resists(screw, screw_sizing):
@@ -125,30 +100,5 @@ def test_screw_by_the_physical_method_is_the_same_as_long_as_the_load_resists(sc
     assert physical.torques["decelerating"] == pytest.approx(slowed / 0.45 - front * 1440 * pi, rel=1e-12)
 
 
-def test_conveyor_inertias(belt, belt_sizing):
-    parts = reflected(belt)
-    assert parts["rollers"] == pytest.approx(4.962146e-3, abs=5e-10)
-    assert parts["belt"] == pytest.approx(9e-5, rel=1e-14)
-    assert parts["load"] == pytest.approx(1.35e-3, rel=1e-14)
-    assert belt.inertia() == pytest.approx(6.402146e-3, abs=5e-10)
-    assert belt_sizing.drive.total_inertia == pytest.approx(0.01280429, abs=5e-9)
-
-
-def test_conveyor_speeds(belt, belt_sizing):
-    assert belt_sizing.max_speed / belt.ratio == pytest.approx(0.01851852, abs=5e-9)
-    assert belt_sizing.max_speed / 50 == pytest.approx(0.1234568, abs=5e-8)
-    assert belt_sizing.max_speed == pytest.approx(6.172840, abs=5e-7)
-    assert belt_sizing.max_acceleration == pytest.approx(2.057613, abs=5e-7)
-
-
-def test_conveyor_torques(belt_sizing):
-    found = belt_sizing.torques
-    assert found["uniform"] == pytest.approx(1.509848, abs=5e-7)
-    assert found["accelerating"] == pytest.approx(1.536194, abs=5e-7)
-    assert found["decelerating"] == pytest.approx(1.483502, abs=5e-7)
-    results = belt_sizing.results
-    assert (results.rms_torque, results.torque.lowest.value) == pytest.approx((1.439627, 0.0), abs=5e-7)
-
-
-def test_temperature_lowers_the_torque_by_the_printed_ratio():
-    assert derating(35) == pytest.approx((140 / 150) ** 0.5, rel=1e-14)
+def test_the_conveyor_never_drives_back(belt_sizing):
+    assert belt_sizing.results.torque.lowest.value == pytest.approx(0.0, abs=5e-7)

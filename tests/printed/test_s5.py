@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from engine.drive import Motor
-from engine.flying.cut import Cut, flying_saw, rotary_drum
+from engine.flying.cut import Cut, rotary_drum
 from engine.laws.modified import ModifiedTrapezoidal
 from engine.laws.simple import Cycloidal
 from engine.selection.task import Task, accelerating_factor
@@ -58,13 +58,6 @@ def test_limit_length_brings_the_drum_to_standstill():
     assert Cut(DRUM, limit, LINE, Cycloidal()).speed_range[0] == pytest.approx(0.0, abs=1e-12)
 
 
-def test_the_saw_s_motor_has_no_mean_speed():
-    cut = Cut(flying_saw(0.3, 0.01), 1.0, LINE, Cycloidal())
-    time = np.linspace(0.0, cut.cycle_time, 20001)
-    assert np.trapezoid(cut.at(time).speed, time) == pytest.approx(0.0, abs=1e-9)
-    assert cut.reverses
-
-
 def task_of_the_drum(line=LINE):
     cut = Cut(DRUM, SHORT, line, Cycloidal())
     return inertial_task(INERTIA, cut.rms_angular_acceleration, cut.max_angular_speed)
@@ -76,16 +69,6 @@ def test_equation_19_is_13_in_17():
     beta = 4 * INERTIA * (pi * sqrt(2) * LINE**2 / RADIUS) ** 2 * shape
     assert task_of_the_drum().load_factor == pytest.approx(beta, rel=1e-12)
     assert task_of_the_drum().load_factor == pytest.approx(4 * INERTIA * cut.rms_angular_acceleration**2, rel=1e-14)
-
-
-def test_beta_grows_with_the_fourth_power_of_the_line_speed():
-    one, two = (task_of_the_drum(line).load_factor for line in (LINE, 2 * LINE))
-    assert two / one == pytest.approx(16.0, rel=1e-12)
-
-
-def test_equations_15_and_17_agree_for_an_inertial_load():
-    task = task_of_the_drum()
-    assert task.load_factor == pytest.approx(4 * INERTIA * task.acceleration_rms**2, rel=1e-14)
 
 
 def test_at_both_ends_of_14_the_rms_torque_is_the_rated_one():

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from engine import law
 from engine.cams.certificate import Certificate, certify, equal_steps, spread
-from engine.cams.interpolation import hermite, lines, parabolas, parted_spline, quintics, spline
+from engine.cams.interpolation import lines, parabolas, parted_spline, quintics, spline
 from engine.laws import CATALOGUE, Dwell
 from engine.motion import Motion, Phase
 from engine.motion.profile import CamProfile, profile_of_motion
@@ -82,18 +82,6 @@ def test_a_course_is_the_motion(entry) -> None:
 
 
 # The rules
-
-
-def test_a_spline_reproduces_cubics_and_quintics_reproduce_quintics() -> None:
-    x = np.array([0.0, 0.3, 1.1, 2.0, 2.2])
-    cubic, quintic = np.polynomial.Polynomial([1, -2, 3, 0.5]), np.polynomial.Polynomial([1, -2, 3, 0.5, -1, 2])
-    one = spline(x, cubic(x), (float(cubic.deriv()(0.0)), float(cubic.deriv()(2.2))))
-    other = quintics(x, quintic(x), quintic.deriv()(x), quintic.deriv(2)(x))
-    third = hermite(x, cubic(x), cubic.deriv()(x))
-    at = np.linspace(0.0, 2.2, 300)
-    assert one.at(at).y == pytest.approx(cubic(at), abs=1e-12)
-    assert third.at(at).y2 == pytest.approx(cubic.deriv(2)(at), abs=1e-11)
-    assert other.at(at).y3 == pytest.approx(quintic.deriv(3)(at), abs=1e-9)
 
 
 def test_a_line_in_a_spline_keeps_a_dwell() -> None:

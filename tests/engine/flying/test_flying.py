@@ -10,12 +10,10 @@ from hypothesis import strategies as st
 from engine.flying.cut import Cut, Tool, flying_saw, rotary_drum
 from engine.flying.pieces import cut_joints, cut_pieces, rates_of
 from engine.laws import CATALOGUE, Dwell, Piece, PieceLaw
-from engine.laws.inverse import velocity_extremes
 from engine.laws.modified import ModifiedTrapezoidal
 from engine.laws.ramps import TrapezoidalVelocity
 from engine.laws.simple import Cycloidal
 from engine.motion.pieces import PieceTable
-from tests.engine.integrals import crossings
 
 DRUM = rotary_drum(tools=3, radius=0.1, tool_angle=radians(30))
 SAW = flying_saw(tool_length=0.3, metres_per_radian=0.01)
@@ -144,17 +142,6 @@ def test_at_the_fastest_line_the_shaft_is_at_its_first_limit(limits, length):
     there = Cut(DRUM, length, cut.fastest_line(*limits), ASYMMETRIC)
     reached = there.max_angular_speed / limits[0], there.max_angular_acceleration / limits[1]
     assert max(reached) == pytest.approx(1.0, rel=1e-12)
-
-
-@settings(max_examples=40)
-@given(laws, st.floats(0.31, 3.0))
-def test_at_the_standing_velocity_the_saw_stands(law, length):
-    cut = Cut(SAW, length, 0.8, law)
-    standing = -0.8 * cut.moving_time / cut.superimposed
-    edges = velocity_extremes(law)
-    times = crossings(lambda xi: law.v(xi) - standing, edges) * cut.moving_time
-    assert cut.at(times).speed == pytest.approx(0.0, abs=1e-9)
-    assert cut.stroke == pytest.approx(np.ptp(cut.at(np.array([*times, 0.0])).position), abs=1e-12)
 
 
 UNFINISHED = PieceLaw([Piece(1.0, (1.0, 0.0, 0.0, 0.0))])

@@ -133,14 +133,3 @@ def test_one_rule_of_losses_leaves_192_pairs():
     level = replace(found, motors=replace(found.motors, rated_torque=found.motors.stall))
     assert (level.verdicts == "yes").sum() == 192
     assert (found.verdicts == "yes").sum() == 189
-
-
-def test_without_losses_and_own_inertia_the_pairs_are_those_in_the_ranges_of_14():
-    cut = Cut(DRUM, 0.18, 1.5, law("CIC"))
-    found = grid(cut, efficiency=1.0, inertia=None, max_speed=None, max_torque=None)
-    m, r = found.motors, found.reducers
-    ranges = found.task.ratio_ranges(m)
-    inside = (r.ratio >= ranges.lowest[:, None]) & (r.ratio <= ranges.tau_max[:, None])
-    able = (found.rms <= m.rated_torque[:, None]) & (found.speed <= m.max_speed[:, None])
-    assert (able == inside).all()
-    assert 50 < inside.sum() < inside.size

@@ -4,16 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import strategies as st
 
 from engine.laws import Piece, PieceLaw
-from engine.laws.base import BREAK_TOLERANCE
 from engine.laws.piece import gains
 
-XI = np.linspace(0, 1, 1001)
-HAIR = 2 * BREAK_TOLERANCE
 TURN = 2 * math.pi
-number = st.floats(-10, 10)
 
 
 @pytest.mark.parametrize("omega", [0.0, 1e-12, 1e-6, 1e-3, 0.3, 0.999, 1.0, 1.001, 4.0, 40.0])

@@ -240,16 +240,3 @@ def test_a_spline_takes_the_velocity_of_a_line_unless_its_slope_is_entered():
     assert shortfalls(found((None, None)).motion, "velocity") == ()
     (jump,) = shortfalls(found((None, 1.0)).motion, "velocity")
     assert jump.size == pytest.approx(6.0 - 5.0)
-
-
-@pytest.mark.parametrize("law", [*CURVED, POINTS, OWN, DoubleHarmonic()], ids=lambda law: law.code)
-@pytest.mark.parametrize("lift", [2.5, -2.5])
-def test_extremes_of_a_phase_are_the_largest_of_many_samples(law, lift):
-    one = join_phases([Phase(law, lift, 0.8)]).motion.phases[0]
-    xi = np.linspace(0, 1, 20001)
-    at = one.law.evaluate(xi)
-    for order, (values, (low, high)) in enumerate(zip(at[1:], phase_extremes(one), strict=True), 1):
-        shown = lift * values / 0.8**order
-        room = 3e-3 * (1 + np.abs(shown).max())
-        assert low - 1e-9 * room <= shown.min() <= low + room
-        assert high - room <= shown.max() <= high + 1e-9 * room

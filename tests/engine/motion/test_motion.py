@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.laws import Dwell, Piece, PieceLaw, UnknownLawError, law
+from engine.laws import Dwell, Piece, PieceLaw, UnknownLawError
 from engine.laws.modified import ModifiedTrapezoidal
 from engine.laws.polynomials import Cubic
 from engine.laws.ramps import TrapezoidalVelocity
@@ -99,27 +99,6 @@ def test_nan_is_refused():
 def test_what_cannot_be_is_refused(made, message):
     with pytest.raises(ValueError, match=message):
         made()
-
-
-@given(
-    st.lists(
-        st.tuples(st.sampled_from(["ACS", "TVP", "CIC", "CUB", "MTP"]), st.floats(-5, 5), st.floats(0.1, 5)),
-        min_size=1,
-        max_size=6,
-    ),
-    st.floats(-10, 10),
-)
-def test_any_phases_make_a_continuous_motion(rows, start):
-    motion = Motion([Phase(law(name), lift, duration) for name, lift, duration in rows], start=start)
-    x = np.linspace(motion.edges[0], motion.edges[-1], 401)
-    at = motion.at(x)
-    assert at.y[-1] == pytest.approx(motion.lifts_sum, abs=1e-12)
-    fastest = max(p.law.coefficients.cv * abs(p.lift) / p.duration for p in motion.phases)
-    assert np.abs(np.diff(at.y)).max() <= fastest * motion.total / 400 * (1 + 1e-9) + 1e-12
-    assert np.abs(at.y1).max() <= fastest * (1 + 1e-12)
-    edges = motion.at(motion.edges)
-    assert edges.y == pytest.approx([0, *np.cumsum([p.lift for p in motion.phases])], abs=1e-11)
-    assert edges.y1 == pytest.approx(np.zeros(len(rows) + 1), abs=1e-9 * (1 + fastest))
 
 
 def test_motionlaw_hands_parameters_to_their_phase():
