@@ -23,8 +23,6 @@ CHECKS = (
     "mypy",
     "lint-imports",
     "motionbook templates --check",
-    "python -m docs.description --check",
-    "python -m docs.laws --check",
     "python .ci/commits.py",
 )
 OVER_CORES = ("-n", "auto", "--dist", "worksteal")  # neighbours stay together: they share their books

@@ -34,7 +34,7 @@ Machines that nobody printed are drawn: all mechanisms, laws that turn back, han
 running, falling curves, brakes. Each drive is computed at the points of its sheet, by the exact engine and, apart from
 both, by fine quadrature of the equation of motion. This is the worst deviation of each result from the exact
 engine's, as `python -m tests.workbook.machines.test_drawn_drives COUNT WORD` prints it, of other machines for each
-word; CI draws 100 machines with every change. RMS and mean torques are shares of the peak, powers and energies of the
+word; CI draws 40 machines with every change. RMS and mean torques are shares of the peak, powers and energies of the
 larger of what drives and what comes back.
 
 """

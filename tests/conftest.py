@@ -27,7 +27,7 @@ QUICK = [
 """Folders and files of the quick tests."""
 
 # A test's verdict must not hang on the speed of the machine, nor, by day, on luck: the same examples each time.
-settings.register_profile("day", settings.default, deadline=None, derandomize=True, max_examples=50)
+settings.register_profile("day", settings.default, deadline=None, derandomize=True, max_examples=25)
 settings.register_profile("night", settings.default, deadline=None, max_examples=300, print_blob=True)
 
 

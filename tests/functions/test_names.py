@@ -32,8 +32,8 @@ def answers(folder):
 
 
 def by_day(cases):
-    """Every third case of what there are a thousand of; by night each."""
-    return [case for k, case in enumerate(cases) if tiers.night or k % 3 == 0 or not often(case)]
+    """Every eighth case of what there are a thousand of; by night each."""
+    return [case for k, case in enumerate(cases) if tiers.night or k % 8 == 0 or not often(case)]
 
 
 def often(case):

@@ -4,7 +4,7 @@ from math import inf, pi, radians, sqrt
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.flying.cut import Cut, Tool, flying_saw, rotary_drum
@@ -33,7 +33,6 @@ def samples(cut, n=20001):
     return time, step, cut.at(time)
 
 
-@settings(max_examples=40)
 @given(laws, lengths, beyond)
 def test_the_motion_has_the_closed_figures(law, length, way):
     cut = Cut(DRUM, length, 1.2, law, way)
@@ -46,7 +45,6 @@ def test_the_motion_has_the_closed_figures(law, length, way):
     )
 
 
-@settings(max_examples=60)
 @given(laws, lengths, beyond)
 def test_what_jumps_at_the_joints_is_what_the_motion_shows_on_either_side(law, length, way):
     """A wait interrupts the law in the middle of a piece; from the closed forms, just before and just behind."""
@@ -78,7 +76,6 @@ def test_the_tool_is_as_smooth_as_its_law(length, way):
     assert least(septic)[:2] == [0, 0]
 
 
-@settings(max_examples=40)
 @given(laws, lengths, beyond)
 def test_the_tool_works_at_line_speed(law, length, way):
     cut = Cut(DRUM, length, 1.2, law, way)
@@ -107,7 +104,6 @@ def test_standstill_takes_over_from_the_plain_motion_without_a_jump():
     assert above.rms_acceleration == pytest.approx(below.rms_acceleration, rel=1e-7)
 
 
-@settings(max_examples=40)
 @given(laws, st.floats(0.31, 3.0))
 def test_the_saw_comes_back_and_its_stroke_is_what_it_covers(law, length):
     cut = Cut(SAW, length, 0.8, law)
@@ -175,7 +171,6 @@ def test_one_tool_that_works_for_an_instant():
     assert Cut(drum, 0.5, 1.0, Cycloidal()).tool_time == 0.0
 
 
-@settings(max_examples=60)
 @given(laws, lengths, beyond, st.sampled_from([DRUM, SAW]))
 def test_pieces_give_the_same_motion(law, length, way, tool):
     cut = Cut(tool, length + tool.tool_length, 1.2, law, way)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from engine.laws import Dwell, Piece, PieceLaw
@@ -79,7 +79,6 @@ def straight(one):
     return isinstance(one.law, StraightLine | Dwell)
 
 
-@settings(max_examples=200)
 @given(st.lists(phase, min_size=1, max_size=7), st.booleans(), st.data())
 def test_random_phases_join_without_a_jump_that_was_not_asked_for(phases, periodic, data):
     """Velocity jumps exactly between two straight lines of different slope; position never."""
@@ -109,7 +108,6 @@ def test_random_phases_join_without_a_jump_that_was_not_asked_for(phases, period
         assert begin.scale * begin.law.start.v / begin.duration == pytest.approx(rates.v, abs=1e-11 * size)
 
 
-@settings(max_examples=100)
 @given(
     st.lists(st.tuples(st.sampled_from([Polynomial345(), Polynomial4567()]), lift, duration), min_size=2, max_size=5),
     st.data(),

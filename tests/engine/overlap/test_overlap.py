@@ -4,7 +4,7 @@ from math import inf, pi, radians
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from engine.laws import CATALOGUE
@@ -221,7 +221,6 @@ def test_a_larger_margin_never_gains(one, other):
 
 
 @given(laws, st.lists(st.floats(0, 1), min_size=1, max_size=20))
-@settings(max_examples=200)
 def test_points_of_a_law_give_its_inverse_within_what_is_stated(law, heights):
     wanted = np.array(heights)
     found, exact = inverse_by_points(law, wanted), inverse(law, wanted)

@@ -69,7 +69,7 @@ EDITS = (other_rate, other_holding, other_motor, other_lift, other_formula, numb
 def test_each_of_many_saves_has_the_verdict_on_values_that_verify_has(book, tmp_path):
     draw, path, warm, judged = random.Random(8), tmp_path / "press.xlsx", WarmBook(), 0
     workbook = load_workbook(book)
-    for edit in draw.choices(EDITS, k=12):
+    for edit in draw.choices(EDITS, k=8):
         edit(workbook, draw)
         workbook.save(path)
         try:
@@ -81,7 +81,7 @@ def test_each_of_many_saves_has_the_verdict_on_values_that_verify_has(book, tmp_
         assert told(report) == told(whole), edit.__name__
         assert warm._model.evaluate() == Pycel().model(open_book(path), warm._cells).evaluate(), edit.__name__
         assert [check.line for check in report.checks] == [check.line for check in whole.checks]
-    assert judged >= 6
+    assert judged >= 4
 
 
 def test_a_save_of_another_entry_works_out_only_what_depends_on_it(book, tmp_path, monkeypatch):

@@ -32,7 +32,7 @@ def test_every_cell_of_every_family_computes_what_the_engine_has(turn):
 
 @pytest.mark.parametrize("turn", range(2))
 @pytest.mark.parametrize("witness", ["formulon", "libreoffice"])
-@pytest.mark.sample(1)
+@pytest.mark.nightly
 def test_and_so_say_the_other_witnesses(witness, turn, tmp_path):
     found = WITNESSES[witness]()
     if found.version() is None:

@@ -94,7 +94,7 @@ def test_no_torque_of_a_listed_pair_comes_nearer_to_its_motors_curve_than_is_sai
         assert value("sel_own_spare") == pytest.approx(left.min(), rel=1e-9, abs=1e-9 * motor["peak_torque"])
 
 
-@pytest.mark.parametrize(("axes", "row", "name"), [(None, 1, "b2"), ([driven(*RISE)], 0, "a1")], ids=["two", "one"])
+@pytest.mark.parametrize(("axes", "row", "name"), [([driven(*RISE)], 0, "a1"), (None, 1, "b2")], ids=["one", "two"])
 @pytest.mark.sample(1)
 def test_an_axis_that_is_renamed_while_selection_names_it_fails_by_the_name(axes, row, name, tmp_path):
     """Its book is one of an unfinished design: nothing is refused, and what was entered stays."""
