@@ -167,34 +167,29 @@ def test_a_share_of_a_night_hangs_on_the_commit_alone(start: ModuleType, monkeyp
     assert re.fullmatch("[0-9a-f]{40}", start.commit())  # without a repository too
 
 
-def test_a_missing_environment_is_made_and_a_finished_one_left_alone(start: ModuleType) -> None:
-    assert sets_up(start, "run")
-    assert not sets_up(start, "run")
+CHANGES = {
+    "nothing": lambda start, patch: None,
+    "pyproject.toml": lambda start, patch: (start.ROOT / "pyproject.toml").write_text("changed", encoding="utf-8"),
+    "requirements.lock": lambda start, patch: start.LOCKS["run"].write_text("changed", encoding="utf-8"),
+    "requirements-dev.lock": lambda start, patch: start.LOCKS["dev"].write_text("changed", encoding="utf-8"),
+    "another Python": lambda start, patch: patch.setattr(sys, "version", "3.99.0 (made up)"),
+    "no Python any more": lambda start, patch: Path(start.program("python")).unlink(),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_an_environment_is_made_and_made_anew_where_what_it_was_made_of_is_another(
+    start: ModuleType, monkeypatch: pytest.MonkeyPatch, change: str
+) -> None:
+    assert sets_up(start, "dev")
+    CHANGES[change](start, monkeypatch)
+    assert sets_up(start, "dev") == (change != "nothing")
 
 
 def test_the_tests_environment_serves_the_commands_but_not_the_other_way_round(start: ModuleType) -> None:
     assert sets_up(start, "run")
     assert sets_up(start, "dev")
     assert not sets_up(start, "run")
-
-
-@pytest.mark.parametrize("name", ["pyproject.toml", "requirements.lock", "requirements-dev.lock"])
-def test_an_environment_of_another_lock_or_metadata_is_made_anew(start: ModuleType, name: str) -> None:
-    sets_up(start, "dev")
-    (start.ROOT / name).write_text("changed", encoding="utf-8")
-    assert sets_up(start, "dev")
-
-
-def test_an_environment_of_another_python_is_made_anew(start: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:
-    sets_up(start, "run")
-    monkeypatch.setattr(sys, "version", "3.99.0 (made up)")
-    assert sets_up(start, "run")
-
-
-def test_an_environment_whose_python_is_gone_is_made_anew(start: ModuleType) -> None:
-    sets_up(start, "run")
-    Path(start.program("python")).unlink()
-    assert sets_up(start, "run")
 
 
 def test_an_interrupted_set_up_is_repaired_by_the_next_run(start: ModuleType, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -163,36 +163,6 @@ def cell_of(workbook, declared, block, quantity, row):
     return workbook[place.sheet.title].cell(place.row + row, place.columns[quantity])
 
 
-def other_kind(folder, book):
-    """Files that are no workbook of motionbook, with what must be said of each."""
-    openpyxl.Workbook().save(folder / "foreign.xlsx")
-    (folder / "text.xlsx").write_text("no workbook", encoding="utf-8")
-    (folder / "empty.xlsx").write_bytes(b"")
-    (folder / "short.xlsx").write_bytes(book.read_bytes()[:20_000])
-    (folder / "book.ods").write_bytes(book.read_bytes())
-    (folder / "folder.xlsx").mkdir()
-    return {
-        "missing.xlsx": "there is no such file",
-        "foreign.xlsx": "not a workbook of motionbook",
-        "text.xlsx": ".xlsx",
-        "empty.xlsx": "workbook",
-        "short.xlsx": "workbook",
-        "book.ods": "expected a workbook ending in .xlsx",
-        "folder.xlsx": "folder",
-    }
-
-
-@pytest.mark.parametrize("command", ["inputs", "regenerate", "verify"])
-def test_file_of_another_kind_is_refused(command, refused, book, tmp_path):
-    kinds = other_kind(tmp_path, book)
-    if command == "verify":  # which takes folders of workbooks
-        del kinds["folder.xlsx"]
-    for name, part in kinds.items():
-        said = refused(command, name, *(["-o", "new.xlsx"] if command == "regenerate" else []))
-        assert name in said
-        assert part in said
-
-
 @pytest.mark.parametrize(
     ("name", "part"), [("missing.toml", "no such file"), ("folder", "folder"), ("book.xlsx", "TOML|toml")]
 )

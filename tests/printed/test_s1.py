@@ -17,7 +17,6 @@ from engine.laws.ramps import TrapezoidalVelocity
 from engine.laws.simple import ConstantAcceleration, Cycloidal
 from engine.motion import Motion, Phase
 from engine.timing import shaft_speed
-from tests.engine.motion.junctions import junctions, runs_smoothly
 
 MTP = ModifiedTrapezoidal()
 RADIUS = 0.134  # m
@@ -71,19 +70,6 @@ def test_asymmetric_trapezoidal_heights(av, aw):
     assert a * av * (1 - av + aw) / 2 == pytest.approx(1.0, rel=1e-14)
 
 
-def test_asymmetric_trapezoidal_integrated():
-    """The three systems of equations for y'', y', y."""
-    law, av, aw = TrapezoidalVelocity(0.25, 0.6), 0.25, 0.6
-    a, b = law.coefficients.ca_max, -law.coefficients.ca_min
-    for x in (0.1, 0.2):
-        assert law.evaluate(x)[:3] == pytest.approx((a * x**2 / 2, a * x, a), rel=1e-13)
-    for x in (0.3, 0.5):
-        assert law.evaluate(x)[:3] == pytest.approx((a * av * (x - av / 2), a * av, 0.0), rel=1e-13)
-    for x in (0.7, 0.95, 1.0):
-        y = a * av * (x - av / 2) - b / 2 * (x - aw) ** 2
-        assert law.evaluate(x)[:3] == pytest.approx((y, a * av - b * (x - aw), -b), rel=1e-13, abs=1e-14)
-
-
 # --- Timing diagram for a cutting machine ---------------------------------------------------------
 
 
@@ -120,17 +106,6 @@ def test_movements_with_the_modified_trapezoidal_law(number, name, y1, y2, v, a)
     assert (movement.of.y1_max, movement.of.y2_max) == pytest.approx((y1, y2), abs=5e-6)
     assert movement.v_max == pytest.approx(v, abs=5e-5)
     assert movement.a_max == pytest.approx(a, abs=5e-4)
-
-
-def test_the_cycles_close_the_feed_in_velocity():
-    axes = machine()
-    assert all(runs_smoothly(one) and one.closes == (name != "MC01") for name, one in axes.items())
-    assert junctions(axes["MC01"])[-1].jump_y == pytest.approx(0.3, rel=1e-15)
-
-
-def test_positions_over_the_cycle():
-    at = machine()["MC03"].at(np.deg2rad([0, 145, 185, 225, 230, 235, 265, 295, 360]))
-    assert at.y == pytest.approx([0, 0, 0.04, 0.08, 0.08, 0.08, 0.04, 0, 0], abs=1e-16)
 
 
 # --- Feeding group --------------------------------------------------------------------------------

@@ -6,17 +6,9 @@ import numpy as np
 import pytest
 
 from engine.laws import law
-from engine.motion import Motion, Phase, motionlaw
-from tests.engine.motion.junctions import junctions
+from engine.motion import motionlaw
 
 NAMES = ("ACS", "TVP", "CIC", "CUB", "ModTVP")
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_laws_run_from_rest_at_0_to_rest_at_1(name):
-    """Boundary conditions y(0) = 0, ẏ(0) = 0, y(t_a) = h, ẏ(t_a) = 0, adimensional."""
-    made = law(name)
-    assert (made.start.s, made.start.v, made.end.s, made.end.v) == pytest.approx((0, 0, 1, 0), abs=1e-14)
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -24,15 +16,6 @@ def test_laws_change_the_sign_of_the_acceleration_once(name):
     a = law(name).a(np.linspace(0.001, 0.999, 999))
     signs = np.sign(np.round(a, 9))
     assert np.count_nonzero(np.diff(signs[signs != 0])) == 1
-
-
-def test_tvp_with_a_third():
-    """Function TVP: e_v = 1/3, c_v = 1/(1 − e_v) = 3/2, c_a = 1/(e_v (1 − e_v)) = 9/2."""
-    made = law("TVP")
-    assert (made.coefficients.cv, made.coefficients.ca) == pytest.approx((1.5, 4.5), rel=1e-15)
-    assert made.evaluate(1 / 6)[:3] == pytest.approx((1 / 16, 0.75, 4.5), rel=1e-14)
-    assert made.evaluate(1 / 2)[:3] == pytest.approx((1 / 2, 1.5, 0.0), rel=1e-14)
-    assert made.evaluate(5 / 6)[:3] == pytest.approx((15 / 16, 0.75, -4.5), rel=1e-14)
 
 
 # --- The exercise: 20° cycloidal rise, modified trapezoidal return ---------------------------------
@@ -66,13 +49,6 @@ def test_exercise_peaks_of_velocity_and_acceleration():
     assert (rise.max(), rise.min()) == pytest.approx((2 * math.pi / 180, -2 * math.pi / 180), rel=1e-9)
     height = 8 * math.pi / (2 + math.pi) * 20 / 60**2
     assert (back.max(), back.min()) == pytest.approx((height, -height), rel=1e-12)
-
-
-def test_exercise_joins_without_jumps_and_closes():
-    lifts, durations = (0, 20, 0, -20, 0), (60, 60, 60, 60, 120)
-    phases = [Phase(law(name), h, d) for name, h, d in zip(EXERCISE, lifts, durations, strict=True)]
-    for junction in junctions(Motion(phases)):
-        assert (junction.jump_y, junction.jump_v, junction.jump_a) == pytest.approx((0, 0, 0), abs=1e-15)
 
 
 # --- The script's own examples --------------------------------------------------------------------

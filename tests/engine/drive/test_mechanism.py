@@ -79,6 +79,7 @@ def test_power_through_every_mechanism_is_kept_where_nothing_is_lost(kind):
         (lambda: Mechanism("m", (), (), LOAD.load), "no stages"),
         (lambda: Mechanism("m", (Stage("gear", 3.0),), (Part("b", 1.0, 2),), LOAD.load), "shaft is 2; expected 0 to 1"),
         (lambda: Slide(1.0, friction=-1.0), "friction is -1"),
+        (lambda: Slide(1.0, bed=-1.0), "bed"),
     ],
 )
 def test_what_cannot_be_is_refused(make, message):

@@ -55,12 +55,6 @@ def test_the_first_sheet_shows_the_figures_of_s2_beside_ours():
     assert beside == {"a0": "S2: 4.154 m/s²", "a1": "S2: 0.804 m/s²", "ratio": "S2: 5.17"}
 
 
-def test_the_margin_is_what_stays_free_at_the_longest_angle():
-    value = computed(TEMPLATE, described(passage__allowance=0.0))
-    assert value("tool1_least") == pytest.approx(1.0, abs=1e-9)
-    assert value("overall") == "OK"
-
-
 def test_parts_that_collide_fail_the_book():
     value = computed(TEMPLATE, described(tool__angle_in=160.0, tool__angle_out=95.0, view=134.0))
     assert value("tool1_least") < 0

@@ -2,13 +2,10 @@
 
 import math
 
-import openpyxl
 import pytest
 from pydantic import ValidationError
 
 from tests.workbook.cells import computed, disagreeing, entered
-from workbook.build import build, read_inputs
-from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine
 from workbook.templates import TEMPLATES
 
@@ -82,21 +79,6 @@ def test_a_feed_goes_on_from_where_its_cycle_ends():
     assert (y[0], y[6], y[-1]) == pytest.approx((150.0, 300.0, 450.0))
     assert min(value("cycle1", "lane")) >= 0.0
     assert max(value("cycle1", "lane")) <= 0.8 + 1e-12
-
-
-def test_other_names_are_no_finding(tmp_path):
-    build(described([axis(n, (0, 90 * n, 1.0, "CIC")) for n in (1, 2, 3)]), tmp_path / "book.xlsx")
-    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
-    sheet, place = book.defined_names["axis_name"].attr_text.replace("$", "").replace("'", "").split("!")
-    cells = [row[0] for row in book[sheet][place]]
-    names = [cell.value for cell in cells]
-    for cell, name in zip(cells, [*names[1:], "Cam & punch"], strict=True):
-        cell.value = name
-    book.save(tmp_path / "other.xlsx")
-    report = verify(tmp_path / "other.xlsx")
-    assert report.findings == []
-    assert report.notices == []
-    assert [a.name for a in read_inputs(tmp_path / "other.xlsx")[0].axes] == [*names[1:], "Cam & punch"]
 
 
 def test_axes_are_told_apart_whatever_the_case_of_their_names():

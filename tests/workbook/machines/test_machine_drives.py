@@ -2,7 +2,6 @@
 
 import pytest
 
-from engine.drive import Slide
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.in_seconds import convert_to_seconds
 from tests.workbook.machines.test_machine import RATIO, RISE, TEMPLATE, axis, described, driven
@@ -223,11 +222,6 @@ def test_a_part_of_a_drive_that_cannot_be_makes_an_unfinished_design(one, entry,
     data = small(one).model_dump()
     put(data["axes"][0], split(entry), content)
     assert [words in str(fault) for fault in validated(TEMPLATE, data, str).design.faults] == [True]
-
-
-def test_the_engine_refuses_a_negative_mass_on_the_bed():
-    with pytest.raises(ValueError, match="bed"):
-        Slide(1.0, bed=-1.0)
 
 
 @pytest.mark.parametrize(("torque", "verdict"), [(1.001, "OK"), (0.999, "FAIL")])

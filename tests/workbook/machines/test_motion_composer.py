@@ -55,36 +55,6 @@ def test_dwells_told_as_phases_are_the_rests_between_them():
     assert value("overall") == "OK"
 
 
-def test_s3_complex_example():
-    """{Dwell CIC Dwell CIC Dwell}, lifts 0 20 0 −20 0, durations 60 45 75 90 90."""
-    value = computed(MACHINE, described(EXAMPLES[0], cycle=24))  # every 15°
-    found = (value("cycle1", column) for column in ("time", "y", "v"))
-    at = {round(x, 6): (y, y1) for x, y, y1 in zip(*found, strict=True)}
-    assert at[75.0] == pytest.approx((20 * (1 / 3 - math.sin(2 * math.pi / 3) / 2 / math.pi), 20 / 45 * 1.5), rel=1e-12)
-    assert at[135.0] == pytest.approx((20, 0), abs=1e-12)
-    assert at[225.0] == pytest.approx((10, -2 * 20 / 90), rel=1e-12)
-    assert at[315.0] == pytest.approx((0, 0), abs=1e-12)
-
-
-def test_s3_simple_example():
-    """{TVP}, h = π, here 180°, over 360: e_v = 1/3, c_v = 3/2, c_a = 9/2."""
-    value = computed(MACHINE, described(EXAMPLES[1], cycle=6))
-    expected = [0, 1 / 16, 1 / 4, 1 / 2, 3 / 4, 15 / 16, 1]
-    assert [math.radians(y) for y in value("cycle1", "y")] == pytest.approx([s * math.pi for s in expected], abs=1e-12)
-    assert math.radians(value("axes", "v")[0]) == pytest.approx(1.5 * math.pi / 360, rel=1e-13)
-    assert math.radians(value("axes", "a")[0]) == pytest.approx(4.5 * math.pi / 360**2, rel=1e-13)
-    assert value("axis1_closes") == "OK"
-
-
-def test_in_step_with_the_line():
-    """Over the travel of the product the pusher goes 1 mm/mm for 40 mm, and nothing jumps."""
-    value = computed(MACHINE, described(EXAMPLES[2], cycle=36))  # every 10 mm
-    assert value("cycle1", "v")[9:14] == pytest.approx([1.0] * 5, rel=1e-12)
-    assert value("cycle1", "y")[9:14] == pytest.approx([48.0, 58.0, 68.0, 78.0, 88.0], rel=1e-12)
-    assert value("cycle1", "a")[9:14] == pytest.approx([0.0] * 5, abs=1e-12)
-    assert value("overall") == "OK"
-
-
 # --- Junctions and closure ------------------------------------------------------------------------
 
 
