@@ -2,12 +2,10 @@
 
 import math
 from dataclasses import replace
-from itertools import pairwise
 from math import pi, radians
 
 import numpy as np
 import pytest
-from numpy.polynomial.chebyshev import chebinterpolate
 
 from engine.drive import KINDS, Drive, Load, Part, Stage
 from engine.drive.cycle import DriveCycle, MotionPieces
@@ -95,19 +93,6 @@ def test_s5_drum(length, name):
 
 
 # Another route
-
-
-@machines(4)
-def test_rms_torque_by_another_rule(request, number):
-    """Clenshaw–Curtis in eight panels of each stretch, where the engine has Gauss–Legendre."""
-    one = drawn(request, number)
-    square = 0.0
-    for stretch in one.torque_intervals:
-        for low, high in pairwise(np.linspace(stretch.low, stretch.high, 9)):
-            middle, half = (low + high) / 2, (high - low) / 2
-            squares = chebinterpolate(lambda x, m=middle, h=half, s=stretch: s.torque(m + h * x) ** 2, 40)
-            square += half * float(squares[::2] @ (2 / (1 - np.arange(0, 41, 2) ** 2)))
-    assert DriveResults(one).rms_torque == pytest.approx(math.sqrt(square / one.motion.total), rel=1e-10)
 
 
 @machines(4)

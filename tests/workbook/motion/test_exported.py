@@ -5,9 +5,8 @@ import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import axis, described
-from workbook.build import build, committed_descriptions
+from workbook.build import committed_descriptions
 from workbook.errors import InputError
-from workbook.judging.verify import verify
 from workbook.reading.descriptions import read_machine, validated
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -103,12 +102,3 @@ def test_one_interval_and_an_axis_at_rest(unit):
     template, machine = exporting(data, 1, export=1)
     assert disagreeing(template, machine)[0] == []
     assert table(template, machine)[1].tolist() == [0.0, 0.0]
-
-
-def test_a_book_with_it_is_verified(tmp_path):
-    data = described([axis(1, (0, 120, 300.0, "CIC"), (130, 200, -300.0, "MTP"))], phases=2).model_dump()
-    _, machine = exporting(data, 1)
-    build(machine, tmp_path / "book.xlsx")
-    report = verify(tmp_path / "book.xlsx")
-    assert report.findings == []
-    assert report.notices == []
