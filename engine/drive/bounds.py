@@ -17,7 +17,7 @@ class Bounds(NamedTuple):
     mean_torque: float = 2e-3  # cubic mean behind the reducer
     speed: float = 5e-3  # the largest
     mean_speed: float = 1e-3
-    peak_power: float = 0.05  # highest and lowest
+    peak_power: float = 0.08  # highest and lowest
     mean_power: float = 0.01
     energy: float = 0.03  # driven, and regenerated, of both together
 

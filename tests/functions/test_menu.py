@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.scale import of_axes
 from tests import cutting
 from tests.workbook import press
 from workbook.build import build
@@ -131,3 +132,14 @@ def test_insert_opens_the_list_of_functions(came):
 def test_nothing_is_left_of_the_work(came, books):
     assert came["left"] == []
     assert {path.suffix for path in books[0].parent.iterdir() if path.is_file()} == {"", ".xlsx", ".ods", ".csv"}
+
+
+@pytest.mark.nightly
+def test_a_machine_of_24_axes_is_verified_in_memory_while_calc_stays_free(calc, tmp_path):
+    build(of_axes(24), tmp_path / "large.xlsx")
+    came = driven(calc, tmp_path, tmp_path / "large.xlsx")
+    assert any(line.startswith("Verifying") for line in came["meanwhile"])
+    assert came["clean"][1].startswith("Agrees")
+    sentence, finding, *_ = came["damaged"][1:]
+    assert sentence.startswith("Disagrees: 1 finding")
+    assert "Cycle time: 1; expected " in finding

@@ -71,9 +71,10 @@ def description(dice, number):
 
 
 def drawn_laws(dice):
-    """The laws of a book: every family, by parameters of its own, and a quadratic one that turns back."""
+    """The laws of a book: every family, by parameters of its own; a spline and a quadratic one that may turn back."""
     found = {code: {"family": code, **blended(code, dice)} for code in ("LIN", *SMOOTH)}
-    found["SPL"] = {"family": "SPL", **dice.choice(FAMILY["SPL"].variations)}
+    inside = [(dice.uniform(0.2, 0.45), dice.uniform(-0.1, 0.5)), (dice.uniform(0.55, 0.8), dice.uniform(0.5, 1.2))]
+    found["SPL"] = {"family": "SPL", "points": [{"at": at, "s": s} for at, s in ((0, 0), *inside, (1, 1))]}
     bend = dice.choice((-1, 1)) * dice.uniform(12, 40)  # v = A u (1 − u) + B u² (1 − u): from rest to rest
     level = 6.0 - bend / 2.0
     piece = {"duration": 1.0, "c0": level, "c1": 2.0 * (bend - level), "c2": -3.0 * bend}
