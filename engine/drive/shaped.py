@@ -19,6 +19,9 @@ from engine.motion import Motion
 PEAKS = 129  # points at which peaks are taken
 NODES, LEAST_NODES = 64, 16  # of Gauss and Legendre over a law, and at least on each piece
 MOST = 13  # the highest degree: of a higher one the powers lose digits
+HULL = 33  # points at which knots are inserted, so that the hull lies near the law
+JERK = 3  # the derivative of the position
+NEAR = 1e-9  # of a bound: by so little a law may miss it
 RESTS = (1, 2, 3)  # the highest derivative that is 0 at both ends: of velocity, acceleration, jerk
 Torque = Callable[[Array, Array, Array], Array]
 
@@ -39,13 +42,22 @@ class ShapedLaw(NamedTuple):
         return PieceLaw([Piece(duration, (*row, 0.0, 0.0)[: max(4, len(row))]) for duration, row in pieces])
 
 
-def shape(torque: Torque, lift: float, time: float, degree: int = 9, rest: int = 2, pieces: int = 1) -> ShapedLaw:
-    """Return the law from rest to rest, of pieces of a degree, that takes the least RMS torque.
+def shape(
+    torque: Torque,
+    lift: float,
+    time: float,
+    degree: int = 9,
+    rest: int = 2,
+    pieces: int = 1,
+    jerk: float = math.inf,
+) -> ShapedLaw:
+    """Return the law from rest to rest, of pieces of a degree, that takes the least RMS torque and does not overshoot.
 
     The position is a B-spline: as many of its first coefficients are 0, and of its last 1, as derivatives rest at the
     ends, the others are those of the least squares of √w T at Gauss points w. A single piece is a polynomial. Pieces
-    meet where Chebyshev polynomials are extreme, with all derivatives but the highest. Of a torque that is no linear
-    function of the motion it is a local minimum.
+    meet where Chebyshev polynomials are extreme, with all derivatives but the highest. A spline lies within the hull of
+    its coefficients: those of the position are within 0 and 1, those of the jerk within its bound. Of a torque that is
+    no linear function of the motion it is a local minimum.
     Source: F. Van Oosterwyck et al., CAD based trajectory optimization of PTP motions using Chebyshev polynomials,
     Mech. Mach. Theory 145 (2020); C. de Boor, A Practical Guide to Splines.
 
@@ -62,6 +74,8 @@ def shape(torque: Torque, lift: float, time: float, degree: int = 9, rest: int =
         The highest derivative that is 0 at both ends: 1 the velocity, 2 the acceleration, 3 the jerk.
     pieces : int
         Their number.
+    jerk : float
+        What the law's d³s/dξ³ is at most, as c_j.
 
     Returns
     -------
@@ -70,21 +84,26 @@ def shape(torque: Torque, lift: float, time: float, degree: int = 9, rest: int =
     Raises
     ------
     ValueError
-        For a degree or an order of rest that leaves nothing to choose, or is too high.
+        For a degree or an order of rest that leaves nothing to choose, or is too high; for a jerk that no such law has.
     """
-    family = Splines(degree, rest, pieces)
+    family = Splines(degree, rest, pieces, jerk)
     tables = family.tables(family.inner, (lift, lift / time, lift / time**2))
-    chosen = family.least_squares(torque, tables)
-    return family.law(chosen, family.torque_over(torque, tables, chosen))
+
+    def rms(chosen: Array) -> float:
+        return family.torque_over(torque, tables, chosen)
+
+    chosen = family.least_torque(torque, tables)
+    return family.law(chosen, rms(chosen))
 
 
 class Splines:
     """The laws from rest to rest of pieces of a degree, by the coefficients of a B-spline that are free.
 
-    Raises ValueError for a degree or an order of rest that leaves nothing to choose, or is too high.
+    None overshoots, nor has more than a ``jerk`` d³s/dξ³. Raises ValueError for a degree or an order of rest that leaves
+    nothing to choose, or is too high.
     """
 
-    def __init__(self, degree: int, rest: int, pieces: int) -> None:
+    def __init__(self, degree: int, rest: int, pieces: int, jerk: float = math.inf) -> None:
         from scipy.interpolate import BSpline  # slow to import
 
         if rest not in RESTS:
@@ -96,6 +115,11 @@ class Splines:
         self.even = np.linspace(0.0, 1.0, free + 2)[1:-1]  # coefficients to begin with
         knots = np.concatenate([np.zeros(degree), self.edges, np.ones(degree)])
         self.basis = BSpline(knots, np.eye(pieces + degree), degree)
+        hull = self.basis
+        for at in np.linspace(0.0, 1.0, HULL)[1:-1].tolist():
+            hull = hull.insert_knot(at)
+        self.hull = hull.c
+        self.jerk, self.jerks = jerk, hull.derivative(JERK).c
         nodes, weights = gauss_legendre(max(LEAST_NODES, NODES // pieces))
         halves = 0.5 * np.diff(self.edges)[:, None]
         self.inner = (self.edges[:-1, None] + halves * (1.0 + nodes)).ravel()
@@ -118,8 +142,11 @@ class Splines:
         """Return the RMS torque over a law, by its tables at the inner points."""
         return math.sqrt(float(self.weights @ torque(*self.moved(tables, chosen)) ** 2))
 
-    def least_squares(self, torque: Torque, tables: Sequence[Array]) -> Array:
-        """Return the coefficients of the law with the least RMS torque, by its tables at the inner points."""
+    def least_torque(self, torque: Torque, tables: Sequence[Array]) -> Array:
+        """Return the coefficients of the law with the least RMS torque, by its tables at the inner points.
+
+        Raises ValueError where no law has so little jerk.
+        """
         from scipy.optimize import least_squares  # slow to import
 
         roots = np.sqrt(self.weights)
@@ -127,8 +154,27 @@ class Splines:
         def weighted(chosen: Array) -> Array:
             return np.asarray(roots * torque(*self.moved(tables, chosen)))
 
-        solved = least_squares(weighted, self.even, jac="3-point", method="lm", ftol=1e-14, xtol=1e-14)
-        return np.asarray(solved.x)
+        chosen = least_squares(weighted, self.even, jac="3-point", method="lm", ftol=1e-14, xtol=1e-14).x
+        if self.margins(chosen).min() < -NEAR:
+            within = np.clip(chosen, 0.0, 1.0)
+            least = self.torque_over(torque, tables, within)
+            chosen = least_use(
+                lambda each: np.array([self.torque_over(torque, tables, each) / least]), within, self.margins
+            )
+        if self.margins(chosen).min() < -NEAR:
+            raise ValueError(f"jerk is {self.jerk:g}; no law of these pieces has so little, expected more")
+        return np.asarray(chosen)
+
+    def margins(self, chosen: Array) -> Array:
+        """Return by how much a law stays within its bounds: not below 0 where it neither overshoots nor jerks more."""
+        position, share = (table @ self.controls(chosen) for table in (self.hull, self.jerks / self.jerk))
+        return np.concatenate([position, 1.0 - position, 1.0 - NEAR - share, 1.0 - NEAR + share])
+
+    def least_use(self, uses: Callable[[Array], Array], start: Array) -> Array:
+        """Return the coefficients near some at which the largest of several uses is least; these if none is less."""
+        chosen = least_use(uses, start, self.margins)
+        is_less = uses(chosen).max() < uses(start).max() and self.margins(chosen).min() >= -NEAR
+        return chosen if is_less else start
 
     def law(self, chosen: Array, rms_torque: float) -> ShapedLaw:
         """Return a law by its pieces."""
@@ -179,6 +225,7 @@ def shape_phase(
     rest: int = 2,
     pieces: int = 8,
     least_torque: bool = False,
+    jerk: float = math.inf,
 ) -> ShapedLaw:
     """Return the law of a phase from rest to rest with which the drive uses its limits least at the rate of its cycle.
 
@@ -198,6 +245,8 @@ def shape_phase(
         As :func:`shape` takes them.
     least_torque : bool
         Whether only the RMS torque over the phase is to be least.
+    jerk : float
+        As :func:`shape` takes it.
 
     Returns
     -------
@@ -207,9 +256,11 @@ def shape_phase(
     ------
     OutOfReachError
         If the mechanism cannot reach a position.
+    ValueError
+        As :func:`shape` does.
     """
     cycle, motor = checks.drive_cycle, checks.motor
-    family, even = Splines(degree, rest, pieces), np.linspace(0.0, 1.0, PEAKS)
+    family, even = Splines(degree, rest, pieces, jerk), np.linspace(0.0, 1.0, PEAKS)
     inner, spread = (PhaseLoad(cycle, motion, number, xi) for xi in (family.inner, even))
     tables = family.tables(family.inner, inner.rates)
     tables_of_peaks = family.tables(even, spread.rates)
@@ -226,18 +277,18 @@ def shape_phase(
         lasting = math.sqrt(others + share * rms(chosen) ** 2) / checks.continuous
         return np.concatenate([[lasting], peaks, -peaks, at.speed / fastest, -at.speed / fastest])
 
-    start = family.least_squares(inner.torque_at, tables)
-    chosen = start if least_torque else least_use(uses, start)
+    start = family.least_torque(inner.torque_at, tables)
+    chosen = start if least_torque else family.least_use(uses, start)
     return family.law(chosen, rms(chosen))
 
 
 def least_use(
     uses: Callable[[Array], Array],
     start: Array,
-    margins: Callable[[Array], Array] | None = None,
+    margins: Callable[[Array], Array],
     slope: float = 1.5e-8,
 ) -> Array:
-    """Return variables near some at which the largest of several uses is least; these if there is none less.
+    """Return variables near some at which the largest of several uses is least; they may miss the margins.
 
     Parameters
     ----------
@@ -245,8 +296,8 @@ def least_use(
         From variables (n,) to an array of uses.
     start : array
         Of the variables (n,).
-    margins : callable, optional
-        From variables between 0 and 1 to an array of what is not to be below 0. What is returned may miss that.
+    margins : callable
+        From variables between 0 and 1 to an array of what is not to be below 0.
     slope : float
         By how much a variable changes where a slope is worked out.
 
@@ -256,17 +307,16 @@ def least_use(
     """
     from scipy.optimize import minimize  # slow to import
 
-    most = float(uses(start).max())
-    held = [{"type": "ineq", "fun": lambda both: both[-1] - uses(both[:-1])}]
-    held += [{"type": "ineq", "fun": lambda both: margins(both[:-1])}] if margins else []
     solved = minimize(
         lambda both: both[-1],
-        np.append(start, most),
+        np.append(start, float(uses(start).max())),
         jac=lambda both: np.append(np.zeros(start.size), 1.0),
-        bounds=[*[(0.0, 1.0)] * start.size, (None, None)] if margins else None,
-        constraints=held,
+        bounds=[*[(0.0, 1.0)] * start.size, (None, None)],
+        constraints=[
+            {"type": "ineq", "fun": lambda both: both[-1] - uses(both[:-1])},
+            {"type": "ineq", "fun": lambda both: margins(both[:-1])},
+        ],
         method="SLSQP",
         options={"maxiter": 60, "ftol": 1e-7, "eps": slope},
     )
-    chosen = np.asarray(solved.x[:-1])
-    return chosen if margins or float(uses(chosen).max()) < most else start
+    return np.asarray(solved.x[:-1])

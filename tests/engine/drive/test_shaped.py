@@ -1,6 +1,7 @@
 """Laws shaped for their drive: a measured machine, a constant inertia, and a drive with losses and process forces."""
 
 import math
+import time
 from itertools import pairwise
 
 import numpy as np
@@ -52,6 +53,38 @@ def test_a_law_shaped_for_the_measured_machine_takes_the_printed_torque(degree: 
     assert s(1.0) == pytest.approx(1.0, abs=1e-9)
     for k in range(1, rest + 1):
         assert [s.deriv(k)(0.0), s.deriv(k)(1.0)] == pytest.approx([0.0, 0.0], abs=1e-7)
+
+
+@pytest.mark.parametrize("degree", [7, 9, 11, 13])
+def test_eight_pieces_of_degree_5_take_less_torque_than_one_of_a_higher_degree(degree: int) -> None:
+    begin = time.process_time()
+    shaped = shape(bolt_torque, LIFT, TIME, degree)
+    assert time.process_time() - begin < 0.3
+    assert shape(bolt_torque, LIFT, TIME, 5, pieces=8).rms_torque < shaped.rms_torque
+
+
+@pytest.mark.parametrize(("degree", "pieces"), [(5, 8), (9, 1)])
+@pytest.mark.parametrize("jerk", [math.inf, 200.0, 60.0])
+def test_a_shaped_law_neither_overshoots_nor_has_more_jerk_than_its_bound(
+    degree: int, pieces: int, jerk: float
+) -> None:
+    def pulling(y, v, a):
+        """The torque of a spring that swings faster than the law: without a bound the law would overshoot."""
+        return a + 12000.0 * (y - 1.0)
+
+    for torque in (bolt_torque, pulling):
+        shaped, free = (shape(torque, 1.0, TIME, degree, pieces=pieces, jerk=each) for each in (jerk, math.inf))
+        assert shaped.rms_torque >= free.rms_torque * (1.0 - 1e-9)
+        for duration, powers in zip(shaped.durations, shaped.powers, strict=True):
+            s = Polynomial(powers)
+            at = np.linspace(0.0, duration, 301)
+            assert -1e-9 <= s(at).min() <= s(at).max() <= 1.0 + 1e-9
+            assert np.abs(s.deriv(3)(at)).max() <= jerk * (1.0 + 1e-9)
+
+
+def test_less_jerk_than_any_law_has_is_refused() -> None:
+    with pytest.raises(ValueError, match="jerk is 31; no law"):  # c_j of a law whose a is 0 at both ends is at least 32
+        shape(bolt_torque, LIFT, TIME, 5, pieces=8, jerk=31.0)
 
 
 @pytest.mark.parametrize(("degree", "pieces"), [(7, 1), (5, 4), (7, 2)])

@@ -8,6 +8,7 @@ import pytest
 
 from engine.drive.limits import at_speed
 from engine.drive.rate_range import rate_range
+from engine.laws import PieceLaw
 from tests.tiers import seed
 from tests.workbook.machines.drawn_drives import drawn_machine
 from tests.workbook.studies.studied import base
@@ -174,8 +175,18 @@ def test_a_law_is_frozen_and_fits_until_the_drive_changes(aim: str, tmp_path, ca
     assert command.freeze(frozen, None, False) == FAILS
 
 
+def test_a_law_is_shaped_with_no_more_jerk_than_its_bound(tmp_path, capsys) -> None:
+    path, frozen = shaped_feed(tmp_path, 'shaped = "torque"\nmax_jerk = 70.0'), tmp_path / "frozen.toml"
+    assert command.freeze(path, frozen, False) == AGREES
+    law = read_machine(frozen).laws["OPT"]
+    assert 69.0 < PieceLaw([piece.engine_piece for piece in law.pieces]).coefficients.cj <= 70.0
+    assert law.max_jerk == 70.0
+    assert command.freeze(frozen, None, False) == AGREES
+
+
 def test_a_book_keeps_what_its_law_is_shaped_for(tmp_path) -> None:
-    write_book(machine := read_machine(path := shaped_feed(tmp_path)), tmp_path / "feed.xlsx")
+    path = shaped_feed(tmp_path, 'shaped = "torque"\nmax_jerk = 70.0')
+    write_book(machine := read_machine(path), tmp_path / "feed.xlsx")
     _, read, _ = read_entered(tmp_path / "feed.xlsx")
     assert read.laws["OPT"] == machine.laws["OPT"]
     text = path.read_text("utf-8").replace("[laws.OWN]", '[laws.OWN]\nshaped = "rate"')
@@ -190,6 +201,8 @@ def test_a_book_keeps_what_its_law_is_shaped_for(tmp_path) -> None:
         ("", "velocity", "no law is shaped"),
         ('[laws.X]\nfamily = "opt"\nshaped = "rate"', "velocity", r"laws.X.shaped: 0 phases"),
         ('shaped = "torque"', "jerk", r"laws.OPT.shaped: degree"),
+        ('shaped = "torque"\nmax_jerk = 10.0', "velocity", r"laws.OPT.shaped: jerk is 10; no law"),
+        ("max_jerk = 20.0", "velocity", r"laws.OPT.max_jerk: bounds laws that are shaped"),
     ],
 )
 def test_a_law_that_cannot_be_shaped_says_why(of: str, smoothness: str, match: str, tmp_path) -> None:

@@ -3,10 +3,10 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
-from pydantic import AfterValidator, Field
+from pydantic import AfterValidator, Field, model_validator
 
 from engine import laws as engine
 from engine.laws import Law, PieceLaw
@@ -18,7 +18,7 @@ from workbook.book.declare import Quantity, RowRule, Sheet, given
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, figure
 from workbook.fields.texts import Text
-from workbook.fields.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number
+from workbook.fields.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number, Positive
 from workbook.laws import sampling
 from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page
 from workbook.laws.own import OWN_ENTRIES, extremes, missing, points_table
@@ -62,6 +62,7 @@ TURNING = RowRule("turning", "OR([P]+0=0,[omega]+0<>0)", "omega", "ω of a sine,
 
 
 SHAPED = "What `motionbook improve --freeze` shapes its pieces for: least RMS torque of its drive, or its highest rate"
+MOST_JERK = "Its coefficient of jerk, c_j, is at most that, of a law that is shaped"
 
 
 class OwnLaw(LawSheet):
@@ -70,6 +71,13 @@ class OwnLaw(LawSheet):
     name: Text = "Polynomial 3-4-5"
     pieces: list[Piece] = Field(default=[Piece(duration=1.0, c1=60.0, c2=-180.0, c3=120.0)])
     shaped: Literal["torque", "rate"] | None = Field(default=None, description=SHAPED, examples=["torque"])
+    max_jerk: Positive | None = Field(default=None, description=MOST_JERK, examples=[200.0])
+
+    @model_validator(mode="after")
+    def _shaped_if_bounded(self) -> Self:
+        if self.max_jerk and not self.shaped:
+            raise EntryError("max_jerk", 'bounds laws that are shaped; expected shaped = "torque", or "rate", with it')
+        return self
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield pieces that do not fill the rise."""

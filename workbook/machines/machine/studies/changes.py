@@ -95,8 +95,8 @@ def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[
         begin = f"{axis.name} phase {k + 1}: {known[phase.law].words}"
         with suppress(ValueError, ArithmeticError):  # too few pieces, or what the engine refuses
             if driven:
-                most, of = min(PIECES, machine.sizes.pieces), "rate" if aim.is_rate else "torque"
-                yield shaped(driven, rate, k, begin, free_name(machine, i, k), most, of)
+                of = "rate" if aim.is_rate else "torque"
+                yield shaped(machine, driven, rate, k, begin, free_name(machine, i, k), of)
         for law in known.values():
             new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
             if law.name != phase.law and not getattr(law.entered, "shaped", None):  # for the drive of another phase
@@ -126,16 +126,18 @@ def free_name(machine: AnyMachine, i: int, k: int) -> str:
     return next(name for n in count(1) if (name := f"{begin} {n}") not in machine.laws.names)
 
 
-def shaped(driven: Driven, rate: float, k: int, begin: str, name: str, most: int, aim: str) -> Change:
-    """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into ``most`` pieces."""
-    axis, least_torque = driven.axis, aim == "torque"
+def shaped(machine: AnyMachine, driven: Driven, rate: float, k: int, begin: str, name: str, aim: str) -> Change:
+    """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into its pieces."""
+    axis, least_torque, most = driven.axis, aim == "torque", min(PIECES, machine.sizes.pieces)
     rest, checks = RESTS[axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau)
-    law = shape_phase(checks, axis.motion, axis.entered[k], rest=rest, pieces=most, least_torque=least_torque).law
+    jerk = getattr(machine.laws[axis.given.phases[k].law], "max_jerk", None)
+    law = shape_phase(checks, axis.motion, axis.entered[k], 5, rest, most, least_torque, jerk or math.inf).law
     pieces = [
         {"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c[:4])} for piece in law.as_pieces()
     ]
     words = f"Shaped for its drive at {shown(1.0 / checks.drive_cycle.time, PER_MINUTE):.1f} cycles/min"
-    entries: dict[Place, Any] = {("laws", name): {"family": "OWN", "name": words, "pieces": pieces, "shaped": aim}}
+    own = {"family": "OWN", "name": words, "pieces": pieces, "shaped": aim} | ({"max_jerk": jerk} if jerk else {})
+    entries: dict[Place, Any] = {("laws", name): own}
     path = ("axes", str(axis.number - 1), "phases", str(k), "law")
     return Change(f"{begin} → shaped for its drive", entries | {path: name}, "law")
 
@@ -156,8 +158,7 @@ def reshaped(machine: AnyMachine, name: str) -> tuple[str, Change]:
     driven, aim = drives(machine)[axis.name](), machine.laws[name].shaped
     high = at_points(driven.limit_checks).range.high if aim == "rate" else 0.0
     rate = high if 0.0 < high < math.inf else si(machine.per_minute, PER_MINUTE)
-    most = min(PIECES, machine.sizes.pieces)
-    return axis.name, shaped(driven, rate, k, f"{axis.name} phase {k + 1}", name, most, aim)
+    return axis.name, shaped(machine, driven, rate, k, f"{axis.name} phase {k + 1}", name, aim)
 
 
 def passes(axis: Axis, k: int) -> bool:
