@@ -146,3 +146,43 @@ def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
 def largest_size(curve: Curve, d: float) -> float:
     """Return the largest absolute value of a curve from 0 to d."""
     return max(abs(curve(u)) for u in (0.0, *zeros(curve.slope, d), d))
+
+
+def least_use(
+    uses: Callable[[Array], Array],
+    start: Array,
+    margins: Callable[[Array], Array],
+    slope: float = 1.5e-8,
+) -> Array:
+    """Return variables near some at which the largest of several uses is least; they may miss the margins.
+
+    Parameters
+    ----------
+    uses : callable
+        From variables (n,) to an array of uses.
+    start : array
+        Of the variables (n,).
+    margins : callable
+        From variables between 0 and 1 to an array of what is not to be below 0.
+    slope : float
+        By how much a variable changes where a slope is worked out.
+
+    Returns
+    -------
+    array of the shape of ``start``
+    """
+    from scipy.optimize import minimize  # slow to import
+
+    solved = minimize(
+        lambda both: both[-1],
+        np.append(start, float(uses(start).max())),
+        jac=lambda both: np.append(np.zeros(start.size), 1.0),
+        bounds=[*[(0.0, 1.0)] * start.size, (None, None)],
+        constraints=[
+            {"type": "ineq", "fun": lambda both: both[-1] - uses(both[:-1])},
+            {"type": "ineq", "fun": lambda both: margins(both[:-1])},
+        ],
+        method="SLSQP",
+        options={"maxiter": 60, "ftol": 1e-7, "eps": slope},
+    )
+    return np.asarray(solved.x[:-1])

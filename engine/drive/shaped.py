@@ -11,7 +11,7 @@ from engine.drive.drive_points import DrivePoints
 from engine.drive.highest_rate import shares_of_phases
 from engine.drive.limits import LimitChecks
 from engine.drive.quadrature import LoadPoints
-from engine.drive.search import gauss_legendre
+from engine.drive.search import gauss_legendre, least_use
 from engine.laws import Piece, PieceLaw
 from engine.laws.base import Array
 from engine.motion import Motion
@@ -99,7 +99,7 @@ def shape(
 class Splines:
     """The laws from rest to rest of pieces of a degree, by the coefficients of a B-spline that are free.
 
-    None overshoots, nor has more than a ``jerk`` d³s/dξ³. Raises ValueError for a degree or an order of rest that leaves
+    None overshoots, nor has more jerk than a bound. Raises ValueError for a degree or an order of rest that leaves
     nothing to choose, or is too high.
     """
 
@@ -241,12 +241,10 @@ def shape_phase(
         Its motion by phases.
     number : int
         Of the phase, from 0.
-    degree, rest, pieces : int
+    degree, rest, pieces, jerk : int, float
         As :func:`shape` takes them.
     least_torque : bool
         Whether only the RMS torque over the phase is to be least.
-    jerk : float
-        As :func:`shape` takes it.
 
     Returns
     -------
@@ -254,10 +252,8 @@ def shape_phase(
 
     Raises
     ------
-    OutOfReachError
-        If the mechanism cannot reach a position.
-    ValueError
-        As :func:`shape` does.
+    OutOfReachError, ValueError
+        If the mechanism cannot reach a position; as :func:`shape` does.
     """
     cycle, motor = checks.drive_cycle, checks.motor
     family, even = Splines(degree, rest, pieces, jerk), np.linspace(0.0, 1.0, PEAKS)
@@ -280,43 +276,3 @@ def shape_phase(
     start = family.least_torque(inner.torque_at, tables)
     chosen = start if least_torque else family.least_use(uses, start)
     return family.law(chosen, rms(chosen))
-
-
-def least_use(
-    uses: Callable[[Array], Array],
-    start: Array,
-    margins: Callable[[Array], Array],
-    slope: float = 1.5e-8,
-) -> Array:
-    """Return variables near some at which the largest of several uses is least; they may miss the margins.
-
-    Parameters
-    ----------
-    uses : callable
-        From variables (n,) to an array of uses.
-    start : array
-        Of the variables (n,).
-    margins : callable
-        From variables between 0 and 1 to an array of what is not to be below 0.
-    slope : float
-        By how much a variable changes where a slope is worked out.
-
-    Returns
-    -------
-    array of the shape of ``start``
-    """
-    from scipy.optimize import minimize  # slow to import
-
-    solved = minimize(
-        lambda both: both[-1],
-        np.append(start, float(uses(start).max())),
-        jac=lambda both: np.append(np.zeros(start.size), 1.0),
-        bounds=[*[(0.0, 1.0)] * start.size, (None, None)],
-        constraints=[
-            {"type": "ineq", "fun": lambda both: both[-1] - uses(both[:-1])},
-            {"type": "ineq", "fun": lambda both: margins(both[:-1])},
-        ],
-        method="SLSQP",
-        options={"maxiter": 60, "ftol": 1e-7, "eps": slope},
-    )
-    return np.asarray(solved.x[:-1])

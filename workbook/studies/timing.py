@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from engine.drive.shaped import least_use
+from engine.drive.search import least_use
 from engine.laws.base import Array
 from workbook.fields.paths import Place, get
 from workbook.improving import Change, Room
