@@ -5,13 +5,14 @@ time T it swings at ω_d = ω √(1 − ζ²) with the amplitude A = e^(−ζωT
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
 from engine.laws.base import Real, unwrap
-from engine.laws.extremes import NODES, WEIGHTS
+from engine.laws.extremes import NODES, WEIGHTS, Curve
 from engine.laws.family import Law
 from engine.laws.piece import gains, placed_pieces
 
@@ -59,6 +60,32 @@ def residual(law: Law, periods: Real, damping: float = 0.0) -> Real:
     amplitude = np.abs(moment) / (omega * math.sqrt(1.0 - damping**2))
     (value,) = unwrap(periods, [amplitude.reshape(ratios.shape)])
     return value  # type: ignore[no-any-return]
+
+
+def left_by(velocities: Sequence[tuple[Curve, float, float]], omega: float, damping: float = 0.0) -> float:
+    """Return the amplitude of the vibration at the end of a move of several pieces, in the units of its position.
+
+    By parts A = ω |∫ ṡ e^((ζω + iω_d) (t − T)) dt| / ω_d, in which a jump of the velocity needs no term of its own.
+
+    Parameters
+    ----------
+    velocities : sequence of (Curve, float, float)
+        The velocity of each piece over the time from its begin, how long it lasts, and the time from its begin to the
+        end of the move; in any unit of time.
+    omega : float, in rad over this unit
+        Natural angular frequency without damping.
+    damping : float, dimensionless
+        Damping ratio ζ, from 0 to below 1.
+    """
+    _require_damping(damping)
+    damped, total = math.sqrt(1.0 - damping**2), 0.0 + 0.0j
+    for velocity, lasts, until in velocities:
+        turned = lasts * (omega + math.fsum(abs(rate) for _, rate, _ in velocity.sines))
+        parts = 1 + int(turned / math.pi)
+        u = ((np.arange(parts)[:, None] + (NODES + 1.0) / 2.0) * (lasts / parts)).ravel()
+        weights = np.tile(WEIGHTS, parts) * (0.5 * lasts / parts)
+        total += np.exp(-omega * (damping + 1j * damped) * (until - u)) @ (weights * velocity(u))
+    return float(abs(total)) / damped
 
 
 def _require_damping(damping: float, below: float = 1.0) -> None:

@@ -156,7 +156,7 @@ def improve(
         "AIM", "What is better: rate|torque|power|energy|acceleration|vibration.", "--for", default="rate"
     ),
     axis: str = option("NAME", "The axis that has less of it; else the one that has most.", "--axis", default=""),
-    frequency: float = option("HZ", "Natural frequency of the load of --for vibration.", min=0.0, default=0.0),
+    frequency: float = option("HZ", "Natural frequency of --for vibration, if not as described.", min=0.0, default=0.0),
     damping: float = option("ZETA", "Its damping ratio.", min=0.0, max=0.99, default=0.0),
     freeze: bool = flag("--freeze", "Only shape the laws anew that the description has shaped for their drives."),
     jobs: int | None = option("N", "Processes at once; else this process alone.", "--jobs", min=1),
@@ -177,8 +177,8 @@ def improve(
 
     if freeze:
         raise typer.Exit(improving.freeze(machine, output, force))
-    if (aim == "vibration") != (frequency > 0.0):
-        raise typer.BadParameter("expected --frequency with --for vibration, and only with it")
+    if aim != "vibration" and frequency > 0.0:
+        raise typer.BadParameter("expected --frequency with --for vibration alone")
     raise typer.Exit(improving.improve(machine, output, change, (aim, frequency, damping), axis, jobs, force))
 
 

@@ -144,6 +144,10 @@ def aimed(design: Design, axis: str, rates: Mapping[str, float]) -> Design:
     """Return a design with the costs of its aim; ``rates`` are the highest (1/s) of the axes with drives."""
     kinematic = design.aim.name in ("acceleration", "vibration")
     names = [each.name for each in design.machine.axes if kinematic or each.name in rates]
+    if design.aim.name == "vibration" and not design.aim.frequency:
+        names = [each.name for each in design.machine.axes if each.vibration]
+        if not names:
+            raise InputError(["no axis has a table vibration; expected --frequency of a load, or axes.N.vibration"])
     if not names:
         raise InputError([f"no axis has a drive; expected one, of which the {design.aim.words} is to be less"])
     if axis and axis not in names:

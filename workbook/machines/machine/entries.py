@@ -53,6 +53,7 @@ class Axis(beside.NamedPart):
     shift: Number = 0.0
     position: Number = 0.0
     stops: beside.HardStops | None = None
+    vibration: beside.Vibration | None = None
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
     rate: Positive | None = None
     printed: Literal["S4"] | None = None
@@ -146,6 +147,8 @@ class AnyMachine(Exporting):
         for i, axis in enumerate(self.axes):
             if axis.motor is not None and not self.over.timed:
                 raise EntryError(f"axes.{i}.motor", NO_TIME.format(self.over.unit))
+            if axis.vibration is not None and not self.over.timed:
+                raise EntryError(f"axes.{i}.vibration", NO_TIME.format(self.over.unit).replace("drive", "vibration"))
         beside.require_axes(self.clearances, [axis.name for axis in self.axes])
         self._require_drives()
         require_room(self.selection, self.sizes)

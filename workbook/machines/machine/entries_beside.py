@@ -1,5 +1,6 @@
 """Entries of a machine beside its axes: switches, clearances, hard stops, the room of its timing."""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Annotated, Any, Literal
@@ -84,6 +85,31 @@ class HardStops(Model):
     def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """Take [low, high] too, as editors see it."""
         return {"anyOf": [TWO_NUMBERS, handler(core)]}
+
+
+UNTUNED = "neither a natural frequency, nor both stiffness and inertia"
+
+
+class Vibration(Model):
+    """A load that swings behind its axis: its natural frequency, or stiffness and inertia; what may be left of it."""
+
+    frequency: Positive | None = None
+    stiffness: Positive | None = None
+    inertia: Positive | None = None
+    damping: Annotated[float, Field(ge=0, le=0.99)] = 0.0
+    settled: Positive | None = None
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield an oscillator of which no frequency follows."""
+        if self.frequency is None and None in (self.stiffness, self.inertia):
+            yield DesignError("", UNTUNED, "tuned", self.model_dump() | {"frequency": 10.0})
+
+    def natural(self, unit: str) -> float:
+        """Return the natural frequency without damping (Hz) of a load of an axis in mm or °; 0 where none follows."""
+        if self.frequency is not None or self.stiffness is None or self.inertia is None:
+            return self.frequency or 0.0
+        stiff, heavy = (1e3, 1.0) if unit == "mm" else (1.0, 1e-4)  # to N/m and kg, or Nm/rad and kg m²
+        return math.sqrt(self.stiffness * stiff / (self.inertia * heavy)) / math.tau
 
 
 class FreePosition(Model):

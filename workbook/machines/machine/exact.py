@@ -21,6 +21,7 @@ from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.timing.stops import HardStop, stops_of
+from workbook.machines.machine.vibration import swings_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.template_outputs import ExactJudgement, JudgedLimit, deviations, judged_limits
 
@@ -94,7 +95,10 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     lines = [line for view in views for line in (*results_of(view), *rate_of(view))]
     gaps = [ClearanceView(clearance, k, rows) for k, clearance in enumerate(machine.clearances, 1)]
     lines += [*filter(None, map(gap_of, gaps)), *(line for row in rows for line in extremes_of(row.axis))]
-    stops = [limit_of_stop(stop) for row in rows for stop in stops_of(row.axis)]
+    swings = swings_of(rows)
+    lines += filter(None, (swing.deviation for swing in swings))
+    stops = [swing.limit for swing in swings if swing.entered.settled is not None]
+    stops += [limit_of_stop(stop) for row in rows for stop in stops_of(row.axis)]
     limits = [list(limits_of(view)) for view in views]
     rates = [limit_of_rate(*both, machine.per_minute) for both in zip(views, limits, strict=True)]
     rates = [max(rates, key=lambda limit: limit.exact.use)] if rates else []

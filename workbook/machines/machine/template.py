@@ -39,6 +39,7 @@ from workbook.machines.machine.switches import switches_sheet
 from workbook.machines.machine.timing.cycle import cycle_sheet, exportable
 from workbook.machines.machine.timing.sheet import timing_sheet
 from workbook.machines.machine.variations import variants
+from workbook.machines.machine.vibration import swings_of, vibration_sheet
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.exported import export_sheet
 from workbook.selection.page import catalogue_sheet, selection_sheet
@@ -77,6 +78,7 @@ def declare(given: AnyMachine) -> Book:
     for view in drives.values():
         named_drive_sheet(book, view)
     clearances_sheet(book, [ClearanceView(clearance, k, rows) for k, clearance in enumerate(given.clearances, 1)])
+    vibration_sheet(book, swings_of(rows))
     if bus:
         power_sheet(book, bus)
     if given.selection.axis is not None:

@@ -10,7 +10,7 @@ from workbook.machines.machine import drive_entries
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops
+from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops, Vibration
 from workbook.machines.machine.mechanism import MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units
 from workbook.motion.requirements import dwells_for_room, smoothness_for
@@ -61,6 +61,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             "phases": dwells_for_room(rows, laws, sizes["motion_pieces"] - len(rows) - 1 - cuts),
         }
         vary(axis["stops"] or {}, HardStops, i + k)
+        vary(axis["vibration"] or {}, Vibration, i + k)
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])

@@ -28,10 +28,11 @@ from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
-from workbook.machines.machine.exact import drives_of
+from workbook.machines.machine.exact import axes_of, drives_of
 from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.studies import timing
 from workbook.machines.machine.studies.results import results
+from workbook.machines.machine.vibration import swings_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.template_outputs import LIMITS
 
@@ -243,6 +244,9 @@ def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
     axis = MachineView(machine, laws(machine.laws)).axes[timing.number_of(machine, name)].sized
     if aim.name == "acceleration":
         return Figure(axis.max_acceleration, axis.over.rates(axis.given.unit)[1])
+    if aim.name == "vibration" and not aim.frequency:
+        (swing,) = swings_of([row for row in axes_of(machine) if row.axis.given.name == name])
+        return Figure(max(swing.exact), axis.given.unit)
     if aim.name == "vibration":
         left = max((vibration(axis, phase, aim) for phase in axis.moves.values()), default=0.0)
         return Figure(left, axis.given.unit)

@@ -23,6 +23,7 @@ from workbook.machines.machine.studies import drive_results, limits
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles
 from workbook.machines.machine.studies.limits import ok_texts
 from workbook.machines.machine.timing.stops import stops_of
+from workbook.machines.machine.vibration import MOST, Swing
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.selection.pair_selection import PairSelection
 from workbook.template_outputs import Column, Computations, Results, Scaling
@@ -57,6 +58,9 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
             figures |= drive_results.results(drives[-1])
             checks |= limits.checks(drives[-1])
     add_clearances(machine, rows, figures, checks)
+    for i, axis_given in enumerate(machine.axes):
+        if axis_given.vibration:
+            add_vibration(partial(lambda i: rows()[i], i), i + 1, faster, figures, checks)
     if not drives:
         return Results(figures | checks, list(checks), set(), {})
     figures |= of_drives(machine, drives)
@@ -94,6 +98,19 @@ def add_clearances(machine: AnyMachine, rows: Callable[[], Any], figures: Comput
         figures[f"clearances.gap.{k}"] = partial(lambda apart: apart().least, apart)
         figures[f"clearances.at.{k}"] = partial(lambda apart: apart().over.shown(apart().place), apart)
         checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(limit_of_gap(apart()).ok), apart)
+
+
+def add_vibration(row: Callable[[], Any], i: int, faster: Any, figures: Computations, checks: Computations) -> None:
+    """Add what the moves of an axis leave in the load that swings behind it, at many rates, and its checks."""
+    each = cache(lambda: [Swing(row(), row().axis.typed.vibration, float(times)) for times in np.ravel(faster)])
+
+    def of_each(figure: Callable[[Swing], Any]) -> Any:
+        return np.array([figure(swing) for swing in each()]).reshape(np.shape(faster))
+
+    figures[f"vib{i}_left"] = lambda: of_each(lambda swing: max(swing.left))
+    figures[f"vib{i}_next"] = lambda: of_each(lambda swing: max(swing.later(swing.left)))
+    checks[f"vib{i}_settles"] = lambda: ok_texts(of_each(lambda swing: swing.is_settled(swing.exact)))
+    checks[f"vib{i}_reached"] = lambda: ok_texts(of_each(lambda swing: swing.periods <= MOST))
 
 
 def all_hold(judged: Sequence[Callable[[], Any]]) -> Any:
