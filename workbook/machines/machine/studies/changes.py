@@ -14,8 +14,6 @@ from engine.drive.limits import at_speed
 from engine.drive.rate_range import at_points
 from engine.drive.shaped import shape_phase
 from engine.laws.base import Kinematics
-from engine.laws.vibration import residual
-from engine.motion import Phase
 from workbook.book.checks import ZERO
 from workbook.book.quantity import OK
 from workbook.book.sentence import figure
@@ -28,12 +26,13 @@ from workbook.laws.entries import ENTRIES, Laws, references
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.entries_beside import Vibration
 from workbook.machines.machine.exact import axes_of, drives_of
 from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.studies import timing
 from workbook.machines.machine.studies.results import results
-from workbook.machines.machine.vibration import swings_of
-from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.machines.machine.vibration import Swing
+from workbook.machines.machine.view import MachineView
 from workbook.template_outputs import LIMITS
 
 FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
@@ -244,22 +243,15 @@ def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
     axis = MachineView(machine, laws(machine.laws)).axes[timing.number_of(machine, name)].sized
     if aim.name == "acceleration":
         return Figure(axis.max_acceleration, axis.over.rates(axis.given.unit)[1])
-    if aim.name == "vibration" and not aim.frequency:
-        (swing,) = swings_of([row for row in axes_of(machine) if row.axis.given.name == name])
-        return Figure(max(swing.exact), axis.given.unit)
     if aim.name == "vibration":
-        left = max((vibration(axis, phase, aim) for phase in axis.moves.values()), default=0.0)
-        return Figure(left, axis.given.unit)
+        (row,) = (row for row in axes_of(machine) if row.axis.given.name == name)
+        described = row.axis.typed.vibration
+        swings = Vibration(frequency=aim.frequency, damping=aim.damping) if aim.frequency else described
+        return Figure(float(Swing(row, swings).exact.max()), axis.given.unit)
     results = drives(machine)[name]().results
     if aim.name == "power":
         return Figure(shown(results.power.peak, KW), aim.unit)
     return Figure(results.energy.driving if aim.name == "energy" else results.rms_torque, aim.unit)
-
-
-def vibration(axis: MovingAxis, phase: Phase, aim: Aim) -> float:
-    """Return the amplitude that a move from rest to rest leaves in an oscillator behind it, in the axis' unit."""
-    periods = phase.duration / axis.speed * aim.frequency
-    return float(shown(abs(phase.lift), axis.unit) * residual(phase.law, periods, aim.damping))
 
 
 def sheet_rate(machine: AnyMachine) -> float:

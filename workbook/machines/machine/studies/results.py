@@ -107,9 +107,9 @@ def add_vibration(row: Callable[[], Any], i: int, faster: Any, figures: Computat
     def of_each(figure: Callable[[Swing], Any]) -> Any:
         return np.array([figure(swing) for swing in each()]).reshape(np.shape(faster))
 
-    figures[f"vib{i}_left"] = lambda: of_each(lambda swing: max(swing.left))
-    figures[f"vib{i}_next"] = lambda: of_each(lambda swing: max(swing.later(swing.left)))
-    checks[f"vib{i}_settles"] = lambda: ok_texts(of_each(lambda swing: swing.is_settled(swing.exact)))
+    figures[f"vib{i}_left"] = lambda: of_each(lambda swing: float(swing.left.max()))
+    figures[f"vib{i}_next"] = lambda: of_each(lambda swing: float(swing.later(swing.left).max()))
+    checks[f"vib{i}_settles"] = lambda: ok_texts(of_each(lambda swing: swing.limit.ok))
     checks[f"vib{i}_reached"] = lambda: ok_texts(of_each(lambda swing: swing.periods <= MOST))
 
 

@@ -1,0 +1,144 @@
+"""What moves leave in a load that swings behind its axis: printed figures, cells, the exact engine, and odd loads."""
+
+import math
+
+import numpy as np
+import pytest
+
+from engine.laws import law
+from engine.laws.vibration import residual
+from tests.engine.laws.test_vibration import PERCENT, PERIODS
+from tests.workbook.cells import computed, disagreeing
+from tests.workbook.machines.test_machine import TEMPLATE, axis, described
+from workbook.build import build, read_inputs
+from workbook.errors import InputError
+from workbook.improving import AIMS
+from workbook.machines.machine.entries_beside import UNTUNED
+from workbook.machines.machine.exact import axes_of, judgement
+from workbook.machines.machine.studies.results import results
+from workbook.machines.machine.vibration import MOST, swings_of
+from workbook.reading.descriptions import validated
+from workbook.studies.design import first_design
+from workbook.template_outputs import Column
+
+MOVES = ((30, 90, 20.0, "MTP"), (180, 300, -20.0, "CIC"))
+CODES = {"constant acceleration": "ACS", "cycloidal": "CIC", "modified trapezoid": "MTP"}
+LOAD = {"frequency": 12.0, "damping": 0.02, "settled": 15.0}
+
+
+def swinging(load, *phases, laws=(), **entries):
+    """Return a machine of an axis, behind which a load swings."""
+    data = described([axis(1, *((*phase[:3], "CIC") for phase in phases or MOVES), **entries)], phases=4).model_dump()
+    for told, phase in zip(data["axes"][0]["phases"], phases or MOVES, strict=True):
+        told["law"] = phase[3]
+    data["laws"] |= {name: {"family": name} for name in laws}
+    data["axes"][0]["vibration"] = load
+    return TEMPLATE.model.model_validate(data)
+
+
+def swing(load, *phases, **entries):
+    return swings_of(axes_of(swinging(load, *phases, **entries)))[0]
+
+
+def tuned(machine_rate, periods, turned=60.0):
+    """Return the natural frequency of which a move over an angle lasts so many periods."""
+    return periods * machine_rate / 60.0 * 360.0 / turned
+
+
+@pytest.mark.parametrize("name", CODES)
+def test_moves_leave_what_is_printed_of_their_laws(name):
+    rate = swinging(LOAD).per_minute
+    for periods, percent in zip(PERIODS, PERCENT[name], strict=True):
+        load = swing({"frequency": tuned(rate, periods)}, (30, 90, 20.0, CODES[name]))
+        assert float(load.shares[0]) == pytest.approx(percent, abs=6e-4)
+        assert float(load.exact[0]) == pytest.approx(float(load.left[0]), abs=20e-9)
+
+
+ODD = {
+    "it never settles": ({"frequency": 0.01}, MOVES, {}),
+    "no damping, and a limit": ({"frequency": 12.0, "settled": 1.0}, MOVES, {}),
+    "stiffer than the points tell": ({"frequency": 4000.0, "damping": 0.99, "settled": 1e-9}, MOVES, {}),
+    "stiffness": ({"stiffness": 40.0, "inertia": 8.0}, MOVES, {}),
+    "it turns": ({"stiffness": 40.0, "inertia": 8.0, "damping": 0.1}, MOVES, {"unit": "°", "shift": 30.0}),
+    "no rest at all": (LOAD, ((0, 120, 20.0, "MTP"), (120, 360, -20.0, "CIC")), {}),
+    "a move across the end": (LOAD, ((0, 120, 20.0, "MTP"), (200, 360, -20.0, "CIC")), {}),
+    "an open cycle": (LOAD, ((0, 120, 20.0, "MTP"), (200, 360, 20.0, "CIC")), {"closes": "open"}),
+    "a dwell among the phases": (LOAD, ((0, 120, 20.0, "MTP"), (120, 200, 0.0, "DWL"), (200, 340, -20.0, "CIC")), {}),
+    "in step": (LOAD, ((0, 120, 20.0, "MTP"), (120, 200, 30.0, "LIN"), (200, 300, -50.0, "CIC")), {"laws": ("LIN",)}),
+}
+
+
+@pytest.mark.parametrize("name", ODD)
+@pytest.mark.sample(3)
+def test_cells_and_engine_agree_on_odd_loads(name):
+    load, phases, entries = ODD[name]
+    machine = swinging(load, *phases, **entries)
+    assert disagreeing(TEMPLATE, machine)[0] == []
+    assert judgement(machine).deviations == []
+
+
+def test_what_is_odd_is_told():
+    slow, stiff = swing({"frequency": 0.01}), swing(*ODD["stiffer than the points tell"][:1])
+    assert slow.shares[:2] == pytest.approx([100.0, 100.0], abs=0.01)
+    assert stiff.periods > MOST
+    undamped = swing({"frequency": 12.0, "settled": 1.0})
+    assert undamped.settling(2.0) == "never"
+    assert undamped.later(undamped.left) == pytest.approx(undamped.left)
+    assert swing({"stiffness": 40.0, "inertia": 8.0}).natural == pytest.approx(math.sqrt(40e3 / 8.0) / math.tau)
+    assert swing({"stiffness": 40.0, "inertia": 8.0}, unit="°").natural == pytest.approx(math.sqrt(40e4 / 8) / math.tau)
+    assert not swing(LOAD, *ODD["no rest at all"][1]).lift.any()
+    in_step = swing(*ODD["in step"][:1], *ODD["in step"][1], laws=("LIN",))
+    assert [lift > 0.0 for lift in in_step.lift] == [False, False, True, False]  # one move over three phases
+    wraps = swing(LOAD, *ODD["a move across the end"][1])
+    assert wraps.turned == pytest.approx([math.radians(280.0), 0.0, 0.0, 0.0])
+
+
+def test_a_load_settles_as_its_damping_lets_it():
+    """It falls by e^(−ζω t) over the rest; an oscillator that is integrated over the move begins there."""
+    load, machine = swing(LOAD), swinging(LOAD)
+    move, pause = load.ms(load.turned) / 1e3, load.ms(np.radians(load.rests)) / 1e3
+    assert load.shares[0] == pytest.approx(100.0 * residual(law("MTP"), 12.0 * move[0], 0.02), abs=1e-6)
+    assert load.later(load.left)[0] == pytest.approx(load.left[0] * math.exp(-0.02 * 12.0 * math.tau * pause[0]))
+    value = computed(TEMPLATE, machine)
+    assert value("vib1_settles") == "OK"
+    tight = swinging(LOAD | {"settled": 0.1})
+    value = computed(TEMPLATE, tight)
+    assert value("vib1_settles") == "FAIL"
+    assert value("vib1_settles_says").endswith("mm; expected at most 0.1 mm")
+    assert [limit.ok for limit in judgement(tight).limits if limit.check == "vib1_settles"] == [False]
+
+
+def test_only_axes_that_ask_for_it_get_cells_and_they_come_back(tmp_path):
+    def cells(load):
+        return {(cell.block.sheet.title, cell.quantity.name) for cell in TEMPLATE.declare(swinging(load)).cells()}
+
+    assert not {name for title, name in cells(None) if title == "Vibration" or name.startswith("vib")}
+    assert ("Vibration", "vib1_settled") in cells(LOAD)
+    build(swinging(LOAD), tmp_path / "book.xlsx")
+    assert read_inputs(tmp_path / "book.xlsx") == (swinging(LOAD), [])
+
+
+def test_a_load_without_a_frequency_is_told_and_over_no_time_refused(tmp_path):
+    data = swinging(LOAD).model_dump()
+    data["axes"][0]["vibration"] = {"damping": 0.1}
+    untold = validated(TEMPLATE, data, str)
+    assert [fault.key for fault in untold.design.faults] == ["axes.0.vibration"]
+    (line,) = (line for line in build(untold, tmp_path / "book.xlsx") if "natural frequency" in line)
+    assert line.endswith(UNTUNED)
+    assert read_inputs(tmp_path / "book.xlsx") == (untold, [])
+    data["master"] = {"cycle": 300.0, "unit": "mm"}
+    with pytest.raises(InputError, match="does not tell how time passes, which a vibration needs"):
+        validated(TEMPLATE, data, str)
+
+
+def test_studies_and_improve_know_it():
+    machine = swinging(LOAD)
+    rates = Column([machine.per_minute, 0.5 * machine.per_minute], np.array([0, 1]))
+    found = results(machine, {"master.rate": rates})
+    slower = machine.model_copy(update={"master": machine.master.model_copy(update={"rate": 0.5 * machine.per_minute})})
+    expected = [swings_of(axes_of(each))[0].left.max() for each in (machine, slower)]
+    assert found.named["vib1_left"]() == pytest.approx(expected)
+    assert found.named["vib1_settles"]().tolist() == ["OK", "OK"]
+    assert first_design(machine, False, AIMS["vibration"]).cost == pytest.approx(expected[0])
+    with pytest.raises(InputError, match="expected --frequency of a load"):
+        first_design(swinging(None), False, AIMS["vibration"])
