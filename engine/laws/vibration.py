@@ -76,6 +76,10 @@ def left_by(velocities: Sequence[tuple[Curve, float, float]], omega: float, damp
         Natural angular frequency without damping.
     damping : float, dimensionless
         Damping ratio ζ, from 0 to below 1.
+
+    Returns
+    -------
+    float
     """
     _require_damping(damping)
     damped, total = math.sqrt(1.0 - damping**2), 0.0 + 0.0j

@@ -87,7 +87,7 @@ class Swing:
     @cached_property
     def integrals(self) -> Array:
         """The integral over each move."""
-        return self.here @ np.sum(list(self.parts.values()), axis=0)
+        return np.asarray(self.here @ np.sum(list(self.parts.values()), axis=0))
 
     @cached_property
     def left(self) -> Array:

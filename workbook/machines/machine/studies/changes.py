@@ -245,9 +245,9 @@ def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
         return Figure(axis.max_acceleration, axis.over.rates(axis.given.unit)[1])
     if aim.name == "vibration":
         (row,) = (row for row in axes_of(machine) if row.axis.given.name == name)
-        described = row.axis.typed.vibration
-        swings = Vibration(frequency=aim.frequency, damping=aim.damping) if aim.frequency else described
-        return Figure(float(Swing(row, swings).exact.max()), axis.given.unit)
+        described = None if aim.frequency else row.axis.typed.vibration
+        load = described or Vibration(frequency=aim.frequency, damping=aim.damping)
+        return Figure(float(Swing(row, load).exact.max()), axis.given.unit)
     results = drives(machine)[name]().results
     if aim.name == "power":
         return Figure(shown(results.power.peak, KW), aim.unit)
