@@ -60,8 +60,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
             "phases": dwells_for_room(rows, laws, sizes["motion_pieces"] - len(rows) - 1 - cuts),
         }
-        vary(axis["stops"] or {}, HardStops, i + k)
-        vary(axis["vibration"] or {}, Vibration, i + k)
+        vary_beside(axis, i + k)
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])
@@ -77,6 +76,12 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     if pace == "cycle":
         to_units(data, master["unit"], master[pace])
     return data
+
+
+def vary_beside(axis: dict[str, Any], turn: int) -> None:
+    """Give an axis other hard stops, and another load that swings behind it, where it has some."""
+    vary(axis["stops"] or {}, HardStops, turn)
+    vary(axis["vibration"] or {}, Vibration, turn)
 
 
 def vary_drives_together(data: dict[str, Any], k: int) -> None:

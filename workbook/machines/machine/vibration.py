@@ -85,7 +85,7 @@ class Swing:
 
     @cached_property
     def parts(self) -> dict[str, Array]:
-        """What each piece adds to the integral by its points, real and imaginary: its polynomial, and its sines."""
+        """Parts of the integral over each piece by its points, real and imaginary: of its polynomial and its sines."""
         u = self.lasts[:, None] * (NODES + 0.5)
         curves = [piece.curves[1] for piece in self.pieces]
         velocities = {"": np.array([Curve(curve.c)(x) for curve, x in zip(curves, u, strict=True)])}
@@ -129,7 +129,7 @@ class Swing:
         return 1000.0 * turned / self.speed
 
     def later(self, left: Array) -> Array:
-        """Return what is left of the vibration when the next move begins."""
+        """Return the vibration that is left when the next move begins."""
         return left * np.exp(-self.fade * si(self.rests, DEGREE))
 
     def settling(self, left: float) -> float | str:
@@ -141,7 +141,7 @@ class Swing:
 
     @property
     def limit(self) -> JudgedLimit:
-        """What is left when the next move begins, as its sheet and as the exact engine have it."""
+        """The vibration left when the next move begins, as its sheet and as the exact engine have it."""
         most, given, what = self.entered.settled or math.inf, self.axis.given, "vibration left"
         both = (float(self.later(left).max()) for left in (self.left, self.exact))
         sheet, exact = (LimitCheck(what, left, most) for left in both)

@@ -58,9 +58,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
             figures |= drive_results.results(drives[-1])
             checks |= limits.checks(drives[-1])
     add_clearances(machine, rows, figures, checks)
-    for i, axis_given in enumerate(machine.axes):
-        if axis_given.vibration:
-            add_vibration(partial(lambda i: rows()[i], i), i + 1, faster, figures, checks)
+    add_vibration(machine, rows, faster, figures, checks)
     if not drives:
         return Results(figures | checks, list(checks), set(), {})
     figures |= of_drives(machine, drives)
@@ -100,17 +98,19 @@ def add_clearances(machine: AnyMachine, rows: Callable[[], Any], figures: Comput
         checks[f"clear{k}_kept"] = partial(lambda apart: ok_texts(limit_of_gap(apart()).ok), apart)
 
 
-def add_vibration(row: Callable[[], Any], i: int, faster: Any, figures: Computations, checks: Computations) -> None:
-    """Add what the moves of an axis leave in the load that swings behind it, at many rates, and its checks."""
-    each = cache(lambda: [Swing(row(), row().axis.typed.vibration, float(times)) for times in np.ravel(faster)])
-
-    def of_each(figure: Callable[[Swing], Any]) -> Any:
-        return np.array([figure(swing) for swing in each()]).reshape(np.shape(faster))
-
-    figures[f"vib{i}_left"] = lambda: of_each(lambda swing: float(swing.left.max()))
-    figures[f"vib{i}_next"] = lambda: of_each(lambda swing: float(swing.later(swing.left).max()))
-    checks[f"vib{i}_settles"] = lambda: ok_texts(of_each(lambda swing: swing.limit.ok))
-    checks[f"vib{i}_reached"] = lambda: ok_texts(of_each(lambda swing: swing.periods <= MOST))
+def add_vibration(
+    machine: AnyMachine, rows: Callable[[], Any], faster: Any, figures: Computations, checks: Computations
+) -> None:
+    """Add the vibration that moves leave in the loads behind their axes, at many rates, and its checks."""
+    for i, entered in ((i, axis.vibration) for i, axis in enumerate(machine.axes, 1) if axis.vibration):
+        make = partial(
+            lambda i, entered: [Swing(rows()[i - 1], entered, float(x)) for x in np.ravel(faster)], i, entered
+        )
+        of = partial(lambda each, figure: np.reshape([figure(s) for s in each()], np.shape(faster)), cache(make))
+        figures[f"vib{i}_left"] = partial(of, lambda swing: float(swing.left.max()))
+        figures[f"vib{i}_next"] = partial(of, lambda swing: float(swing.later(swing.left).max()))
+        checks[f"vib{i}_settles"] = partial(lambda of: ok_texts(of(lambda swing: swing.limit.ok)), of)
+        checks[f"vib{i}_reached"] = partial(lambda of: ok_texts(of(lambda swing: swing.periods <= MOST)), of)
 
 
 def all_hold(judged: Sequence[Callable[[], Any]]) -> Any:
