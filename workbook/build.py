@@ -118,7 +118,9 @@ class BookVerdict(NamedTuple):
 
 
 def judge_book(machine: Machine, book: Book) -> BookVerdict:
-    """Return the verdict of a machine's book and the exact engine; of an unfinished design that of the book alone."""
+    """Return the verdict of a machine's book and the exact engine; of an unfinished design its faults."""
+    if faults := machine.design.faults:
+        return BookVerdict([f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults], [])
     exact = TEMPLATES[machine.template].judge(machine)
     return BookVerdict(failing_checks(book, exact), exact.notes)
 
@@ -134,18 +136,16 @@ def require_readable(draft: Path) -> None:
 
 
 def failing_checks(book: Book, exact: ExactJudgement = NOTHING_JUDGED) -> list[str]:
-    """Return a line for each check of a book that fails, axes by their names; last all that depends on these."""
+    """Return a line for each check of a book that fails, axes by their names."""
     named = [(q, block.size) for block in book.blocks.values() if block.name == "axes" for q in block.quantities]
     names = [str(name) for q, rows in named if q.name == "name" for name in as_rows(q.value, rows, q.name)]
-    lines, open_ = [], []
+    lines = []
     for _, check in book.checks:
         verdict, message = exact.judge(check.name, check.value, book.blocks[f"{check.name}{SAYS}"].quantities[0].value)
         label = NUMBERED.sub(lambda match: names[int(match[1]) - 1] if names else match[0], check.label)
-        if verdict != OK and message:
+        if verdict != OK:
             lines.append(f"{label}: {message}")
-        elif verdict != OK:
-            open_.append(label)
-    return [*lines, *([f"Without a result yet: {'; '.join(open_)}"] if open_ else [])]
+    return lines
 
 
 def read_description(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:

@@ -14,7 +14,7 @@ from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine
 from workbook.template_outputs import NOTHING_JUDGED, CamAxis, CamSwitch, ExactJudgement, Scaling
 from workbook.text_files import FOLDER as FOLDER  # known by this module to many
-from workbook.unfinished_book import with_entries
+from workbook.unfinished_book import enter_unfinished
 
 M = TypeVar("M", bound=Machine)
 
@@ -50,11 +50,13 @@ class Template(Generic[M]):
         return NOTHING_JUDGED if machine.design.replaced else self.judgement(machine)
 
     def declare(self, machine: M) -> Book:
-        """Declare the book of a machine, with its layout, and with what was entered of an unfinished design."""
+        """Declare the book of a machine, with its layout; of an unfinished design with what was entered."""
         book = self.finished(machine)
         layout = book.blocks[LAYOUT]
         layout.quantities = tuple(q._replace(value=layout_text(machine, book)) for q in layout.quantities)
-        return with_entries(book, machine)
+        if machine.design.replaced:
+            enter_unfinished(book, machine)
+        return book
 
     @property
     def description(self) -> Path:

@@ -25,7 +25,7 @@ from typing import Any
 from openpyxl.utils import get_column_letter, quote_sheetname
 
 from workbook.book.formula import Area
-from workbook.book.limits import Guard, Limit, RowRule
+from workbook.book.limits import Limit, RowRule
 from workbook.book.quantity import Block, Cell, Quantity, calc, check, constant, given, result
 from workbook.book.rows import as_rows
 from workbook.book.sheet import FIRST, Sheet
@@ -55,9 +55,6 @@ class Book:
     sizes: Mapping[str, float] = field(default_factory=dict)
     print_also: Sequence[str] = ()  # what is printed besides: catalogue, laws, parts, workings
     stamp: float | None = None  # the fingerprint of the entries at which it was last verified
-    guards: list[Guard] = field(default_factory=list)
-    summed: dict[str, list[list[int]]] = field(default_factory=dict)
-    """columns ``table.column`` that sum up some checks: of each row the places of these among all"""
     public: dict[str, str] = field(default_factory=dict)
     """names for an engineer's own formulas, each with that of its cell; where there are any, all others are hidden"""
 

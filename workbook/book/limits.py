@@ -4,11 +4,10 @@ Programs enforce validations on what is typed alone: what is pasted, or written 
 """
 
 from collections.abc import Iterator, Sequence
-from math import inf
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from workbook.book.quantity import WANTED, Quantity, calc, check
-from workbook.book.sentence import Sentence, figure, first_text, quoted
+from workbook.book.sentence import first_text, quoted
 
 MESSAGES, MESSAGE, USED = "_messages", "message", "used"
 """suffix of the block of a table's messages; its columns of the first message in a row, of rows in use"""
@@ -49,23 +48,13 @@ class RowRule(NamedTuple):
 
 
 class Guard(NamedTuple):
-    """The check of a block of inputs: its entries and rules, in the order in which it reports them."""
+    """The check of a table of inputs: its entries and rules, in the order in which it reports them."""
 
-    check: str
+    table: str
+    rows: int
     entries: tuple[tuple[Quantity, Limit], ...]
-    rules: tuple[RowRule, ...] = ()
-    table: str = ""
-    rows: int = 1
-    each: int = 1  # of a table: entries that share a column of messages
-
-    def message(self, place: int, value: Any) -> Sentence:
-        """Return the message on an entry, by its place among those that are watched, from 0."""
-        shown = figure(value, inf) if isinstance(value, int | float) else "empty"
-        if place < len(self.entries):
-            q, limit = self.entries[place]
-            return Sentence(f"{q.label}: {shown}; expected {limit.expected}")
-        rule = self.rules[place - len(self.entries)]
-        return Sentence(f"{rule.words}: {shown}" if rule.column else rule.words)
+    rules: tuple[RowRule, ...]
+    each: int  # entries that share a column of messages
 
     @property
     def columns(self) -> list[str]:
@@ -76,11 +65,6 @@ class Guard(NamedTuple):
     def runs(self) -> list[tuple[tuple[Quantity, Limit], ...]]:
         """The entries that share a column of messages."""
         return [self.entries[i : i + self.each] for i in range(0, len(self.entries), self.each)]
-
-    def column(self, place: int) -> str:
-        """Return the column of a message, by the place of its entry or rule among those that are watched."""
-        behind = place - len(self.entries)
-        return self.columns[len(self.runs) + behind if behind >= 0 else place // self.each]
 
 
 def column_of(name: str) -> str:
@@ -107,9 +91,8 @@ def message_beside(q: Quantity, limit: Limit) -> Quantity:
     return Quantity(f"{q.name}{EXPECTED}", label, "", "", "sentence", formula, q.source, align="left")
 
 
-def guard_cells(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]) -> tuple[Guard, Quantity]:
-    """Return the guard of single cells, and the check that counts their messages."""
-    guard = Guard(name, tuple(entries))
+def cells_check(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]) -> Quantity:
+    """Return the check that counts the messages beside single cells."""
     first, last = (f"[{q.name}{EXPECTED}.{q.name}{EXPECTED}]" for q in (entries[0][0], entries[-1][0]))
     messages = f"{first}:{last}"
     if len(entries) > 1:
@@ -118,7 +101,7 @@ def guard_cells(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]
     else:  # no program looks up in a single cell alike
         q, limit = entries[0]
         condition, says = limit.holds(f"[{q.name}.{q.name}]"), first
-    return guard, check(name, label, condition, True, says=says)
+    return check(name, label, condition, True, says=says)
 
 
 def all_empty(inputs: Sequence[Quantity]) -> str:
@@ -156,7 +139,7 @@ def guard_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: boo
     if filled and required:
         says = f"IF({condition},{quoted(EMPTY)},{says})"
         condition = f"AND(SUM([{table}.{USED}])>0,{condition})"
-    return columns, check(guard.check, label, condition, True, says=says)
+    return columns, check(f"{guard.table}_entries", label, condition, True, says=says)
 
 
 def room_cell(guard: Guard, rows: Sequence[int]) -> Quantity:

@@ -58,8 +58,6 @@ class Quantity(NamedTuple):
     align: str = ""
     # whether its texts take several lines, and their column need hold their words alone
     wrap: bool = False
-    rule: str = ""
-    """of a check: the rule of the entries that it mirrors, behind the place of these in the description and a colon"""
     upper_limit: float = inf  # of an input: its largest value, where that depends on other entries
     # of figures beside a limit: above it they are shown as beyond it; none by default
     limit: float = 0.0
@@ -117,12 +115,12 @@ def constant(name: str, label: str, symbol: str, unit: str, value: Any, source: 
 
 
 def check(
-    name: str, label: str, condition: str, ok: bool, source: str = "", rule: str = "", says: str | CheckSentence = ""
+    name: str, label: str, condition: str, ok: bool, source: str = "", says: str | CheckSentence = ""
 ) -> Quantity:
     """Return a check: a cell that says OK where ``condition``, a formula without =, is TRUE, and FAIL where it is not.
 
     Whether it is ``ok`` comes by other means. Where it fails, the cell beside it ``says`` why: a formula without =,
-    with what it gives where the check mirrors no ``rule`` of the entries.
+    with what it gives where the design breaks no rule of the entries.
     """
     text, more = says if isinstance(says, CheckSentence) else (says, "")
     return Quantity(
@@ -134,7 +132,6 @@ def check(
         f'=IF({condition},"OK","FAIL")',
         "OK" if ok else "FAIL",
         source=source,
-        rule=rule,
         says=text,
         sentence=more,
     )

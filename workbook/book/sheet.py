@@ -115,9 +115,7 @@ class Sheet:
             self._row(q, messages.get(q.name))
         if watched:
             name = f"{watched[0][0].name}_entries"
-            guard, verdict = limits.guard_cells(name, f"{self.called or self.title}: entries within limits", watched)
-            self.book.guards.append(guard)
-            self.checks(verdict)
+            self.checks(limits.cells_check(name, f"{self.called or self.title}: entries within limits", watched))
 
     def limited(self, quantities: Sequence[Quantity]) -> list[tuple[Quantity, Limit]]:
         """Return the inputs that have limits, with these."""
@@ -203,11 +201,10 @@ class Sheet:
         """Give a table of inputs its messages, and below it the check that counts them."""
         last = max(block.columns.values()) + len(watched) + len(rules) + 2
         each = 1 if last <= MOST_COLUMNS else 2
-        guard = Guard(f"{block.name}_entries", tuple(watched), tuple(rules), block.name, block.size, each)
+        guard = Guard(block.name, block.size, tuple(watched), tuple(rules), each)
         label = f"{self.called or self.title}, {re.split(r'[:;(]', block.title)[0].strip()}: entries within limits"
         some = self.book.limit(inputs[0].key.partition(".*")[0], inf)
         columns, verdict = limits.guard_rows(guard, label, inputs, some is not None and some.required)
-        self.book.guards.append(guard)
         self.messages.append((block, tuple(columns)))  # until all of the sheet is placed
         if columns[0].name == limits.USED:
             room = limits.room_cell(guard, as_rows(columns[0].value, block.size, limits.USED))

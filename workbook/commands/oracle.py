@@ -35,6 +35,9 @@ def diff(old: Path, new: Path, as_json: bool, html: Path | None, force: bool, ev
         kinds = f"{old} is of the template {before.machine.template}, {new} of {after.machine.template}"
         raise InputError([f"{kinds}; expected two of one template"])
     differences = compare(before, after)
+    for design in (before, after):
+        if faults := design.machine.design.faults:
+            say(ERR, f"{design.path}: unfinished ({faults[0].message}): results and checks are not compared", "yellow")
     page.write(html, lambda: difference_reports.page(before, after, differences), force)
     if as_json:
         say_json(difference_reports.data(differences))

@@ -189,11 +189,21 @@ def compare(old: Design, new: Design) -> Differences:
     """Return the differences of two designs of the same template."""
     return Differences(
         changes(old.entries(), new.entries()),
-        changes(old.results(), new.results()),
-        changes(old.checks(), new.checks()),
+        changed_results(old, new),
+        [] if is_unfinished(old, new) else changes(old.checks(), new.checks()),
         one_sided(old.edited, new.edited),
         one_sided(old.own, new.own),
     )
+
+
+def is_unfinished(*designs: Design) -> bool:
+    """Whether any design is unfinished, and so has no results."""
+    return any(design.machine.design.faults for design in designs)
+
+
+def changed_results(old: Design, new: Design) -> list[Change]:
+    """Return the results that differ, where both designs have any."""
+    return [] if is_unfinished(old, new) else changes(old.results(), new.results())
 
 
 def one_sided(old: list[str], new: list[str]) -> dict[str, list[str]]:

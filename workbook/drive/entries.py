@@ -32,15 +32,15 @@ class RotatingParts(Model):
         missing = [name for name, value in size.items() if value is None]
         if self.inertia is None and missing:
             entry, fits = ("inertia", 0.0) if len(missing) == len(size) else (missing[0], 1.0)
-            yield DesignError(entry, SIZED.words, SIZED.rule, fits)
+            yield DesignError(entry, SIZED.words, fits)
         if self.inertia is not None and (len(missing) < len(size) or self.bore is not None):
             alone = self.model_dump() | dict.fromkeys([*size, "bore"])
-            yield DesignError("", ALONE.words, ALONE.rule, alone)
+            yield DesignError("", ALONE.words, alone)
         if self.bore and self.bore >= (self.diameter or 0.0):
-            yield DesignError("bore", BORED.words, BORED.rule, 0.0)
+            yield DesignError("bore", BORED.words, 0.0)
         if (self.teeth_driver is None) != (self.teeth_driven is None):
             entry = "teeth_driver" if self.teeth_driver is None else "teeth_driven"
-            yield DesignError(entry, GEARED.words, GEARED.rule, 1.0)
+            yield DesignError(entry, GEARED.words, 1.0)
 
 
 SIZED = RowRule(

@@ -8,7 +8,7 @@ from annotated_types import Ge
 from pydantic import BaseModel, ValidationError
 
 from workbook.entries import rules
-from workbook.entries.machine import Design, Fault, Machine, Replaced
+from workbook.entries.machine import Design, Fault, Machine
 from workbook.errors import LONGEST, quoted
 from workbook.fields.paths import get, join, leaves, put, split
 from workbook.fields.types import LARGEST, SMALLEST, DesignError, DesignFaultsError, EntryError
@@ -29,25 +29,32 @@ class RefusedError(Exception):
 
 def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> M:
     """Return a machine, with numbers that do in place of faulty ones; raise RefusedError for other faults."""
-    replaced: dict[str, int] = {}  # the turn in which each place was
+    replaced: list[str] = []
     faults: list[Fault] = []
     data = model.spelled(data)
     tried = deepcopy(data)
-    for turn in range(MOST_ROUNDS):
+    for _ in range(MOST_ROUNDS):
         machine, refused = validated(model, check, tried)
         if machine is not None:
             changed = differing(model, data, machine.model_dump(), replaced)
             machine._design = Design(changed, tuple(faults))
             return machine
         not_entered = tuple(f"{place}." for place in replaced)
+        faulty = {part_of(fault.key) for fault in faults}  # what lacks an entry of a part is no fault of its own
         for fault in refused:
             if not fault.key:
                 raise RefusedError(refused)
             put(tried, split(fault.key), deepcopy(fault.fits))
             if not f"{fault.key}.".startswith(not_entered):
-                replaced.setdefault(fault.key, turn)
-                faults.append(fault._replace(turn=turn))
+                replaced.append(fault.key)
+            if part_of(fault.key) not in faulty:
+                faults.append(fault)
     raise RefusedError(refused)
+
+
+def part_of(key: str) -> str:
+    """Return the part of a machine in which an entry is: ``axes.1`` of all entries of its second axis."""
+    return ".".join(key.split(".")[:2])
 
 
 def validated(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> tuple[M | None, list[Fault]]:
@@ -80,7 +87,7 @@ def numbers_of(fault: Any, model: type[BaseModel]) -> list[Fault] | None:
     is_read_as_0 = not beyond and kind is float and Ge(0) in constraints  # as an empty cell is
     fits = 0.0 if is_read_as_0 else rules.within(kind, constraints)
     message = f"expected {rules.expectation(kind, constraints)}"
-    return [Fault(key, key, "", message, value if beyond else None, fits)]
+    return [Fault(key, message, fits, value if beyond else None, is_missing=not beyond)]
 
 
 def is_mendable(fault: Any, kind: Any, constraints: list[Any]) -> bool:
@@ -128,9 +135,8 @@ def unknown_line(loc: Sequence[Any], key: str, rule: str, model: type[BaseModel]
 
 
 def of_rule(where: str, error: DesignError) -> Fault:
-    """Return the fault of a rule, of the entries at ``where``; of an entry's own limits, of itself."""
-    key = f"{where}.{error.field}".strip(".")
-    return Fault(key, where if error.rule else key, error.rule, str(error), error.value, error.fits)
+    """Return the fault of a rule of the entries at ``where``."""
+    return Fault(f"{where}.{error.field}".strip("."), str(error), error.fits, error.value)
 
 
 def keys_of(model: type[BaseModel], loc: tuple[int | str, ...]) -> tuple[str, str]:
@@ -152,12 +158,11 @@ def ruled(path: str, data: dict[str, Any]) -> str:
 
 
 def differing(
-    model: type[BaseModel], entered: dict[str, Any], whole: dict[str, Any], replaced: dict[str, int]
-) -> dict[str, Replaced]:
+    model: type[BaseModel], entered: dict[str, Any], whole: dict[str, Any], replaced: Sequence[str]
+) -> dict[str, Any]:
     """Return by key the entries below the places that were replaced, where they differ."""
-    by_path: dict[str, Replaced] = {}
-    for path, turn in sorted(replaced.items(), key=lambda item: item[1]):
-        place = split(path)
+    by_path: dict[str, Any] = {}
+    for place in map(split, replaced):
         old, new = ({join(way): value for way, value in leaves(get(data, place), place)} for data in (entered, whole))
         for key in new | old:
             absent = old.get(key, {}) == {}
@@ -165,7 +170,7 @@ def differing(
             if absent and key in new and get(entered, split(key)[:-1]):
                 was = rules.default_at(model, ruled(key, entered))
             if was != new.get(key):
-                by_path.setdefault(key, Replaced(plain(was), turn))
+                by_path.setdefault(key, plain(was))
     return by_path
 
 
@@ -178,7 +183,7 @@ def as_entered(machine: Machine) -> dict[str, Any]:
     """Return the description of a machine with what was entered, finished or not."""
     data = machine.model_dump(exclude_none=True)
     for key, old in machine.design.replaced.items():
-        put(data, split(key), old.value)
+        put(data, split(key), old)
     return dict(emptied(data))
 
 

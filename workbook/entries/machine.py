@@ -28,29 +28,19 @@ class Sizes(Model):
 
 
 class Fault(NamedTuple):
-    """A fault in the numbers of a design: the entry to blame, and the rule that it breaks."""
+    """A fault in the numbers of a design: the entry to blame, and what is wrong with it."""
 
     key: str
-    # the place of the entries that the rule is about; the entry itself for its own limits
-    where: str
-    rule: str  # empty for its own limits
     message: str
-    value: Any = None
     fits: Any = None  # what would do
-    turn: int = 0  # what had been replaced before it was seen
-
-
-class Replaced(NamedTuple):
-    """An entry where the engine is given another, and the turn in which that was replaced."""
-
-    value: Any
-    turn: int
+    value: Any = None  # what was entered, if it is beyond the entry's own limits
+    is_missing: bool = False
 
 
 class Design(NamedTuple):
-    """The entries of an unfinished design, by key, and its faults; nothing of a finished design."""
+    """The entries of an unfinished design where the engine is given others, by key, and its faults."""
 
-    replaced: dict[str, Replaced]
+    replaced: dict[str, Any]
     faults: tuple[Fault, ...] = ()
 
 

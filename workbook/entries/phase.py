@@ -50,7 +50,7 @@ class TurnPhase(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a dwell that is to lift."""
         if self.law == "DWL" and self.lift != 0:
-            yield DesignError("lift", AT_REST.words, AT_REST.rule, 0.0)
+            yield DesignError("lift", AT_REST.words, 0.0)
 
 
 def forward(name: str, phases: Sequence[TurnPhase], unit: str = "°", length: float = TURN) -> Iterator[DesignError]:
@@ -59,7 +59,7 @@ def forward(name: str, phases: Sequence[TurnPhase], unit: str = "°", length: fl
         if phase.stop <= phase.start:
             short = phase.start - phase.stop
             message = f"{name} row {row} ends at {figure(phase.stop)}{unit}, {figure(short)}{unit} before it begins"
-            yield DesignError("phases", message, "forward", filling(phases, length))
+            yield DesignError("phases", message, filling(phases, length))
             return
 
 

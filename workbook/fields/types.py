@@ -58,14 +58,11 @@ class CountsAs:
 
 
 class DesignError(EntryError):
-    """Numbers that do not go together: the check of this ``rule`` says FAIL, and the engine is given what ``fits``.
+    """Numbers that do not go together, though ``fits`` would do; or a ``value`` beyond the limits of its own cell."""
 
-    Without a rule it is a ``value`` beyond the limits of its own cell.
-    """
-
-    def __init__(self, field: str, message: str, rule: str, fits: Any = None, value: Any = None) -> None:
+    def __init__(self, field: str, message: str, fits: Any = None, value: Any = None) -> None:
         super().__init__(field, message)
-        self.rule, self.fits, self.value = rule, fits, value
+        self.fits, self.value = fits, value
 
 
 class DesignFaultsError(ValueError):

@@ -154,8 +154,8 @@ def check_results(match: Match, computed: Cells) -> list[Check]:
 
 
 def cell_text(pair: Pair | None, computed: Cells) -> str:
-    """Return the text that a cell computes, or that the engine has for it; nothing of an unfinished cell."""
-    if pair is None or (pair.declared_formula and pair.cell.expected is None):
-        return ""
-    value = computed.get(pair.address)
-    return value if isinstance(value, str) and not is_error(value) else str(pair.cell.expected)
+    """Return the text that a cell computes, or that the engine has for it; nothing where neither has any."""
+    value = computed.get(pair.address) if pair else None
+    if isinstance(value, str) and not is_error(value):
+        return value
+    return str(pair.cell.expected or "") if pair else ""

@@ -64,7 +64,6 @@ class LawCheck(NamedTuple):
     name: str
     label: str
     condition: str
-    rule: str = ""  # of the family's entries, which it mirrors
     says: str = ""  # the formula of where it fails, and by how much
 
 
@@ -164,12 +163,7 @@ class Page:
         s = amount("[@samples.s.last]", end.s, "s(1) = ", ", ")
         v = amount("[@samples.v.last]", end.v, "v(1) = ", "")
         return [
-            *(
-                check(
-                    each.name, f"{name}: {each.label}", each.condition, True, "", f"{named.key}:{each.rule}", each.says
-                )
-                for each in self.checks
-            ),
+            *(check(each.name, f"{name}: {each.label}", each.condition, True, says=each.says) for each in self.checks),
             check("@ends", ends, RESTS if self.rests else REACHES, True, says=s.then(v)),
         ]
 
@@ -237,7 +231,6 @@ BRIEF = LawCheck(
     "@brief",
     "each stage lasts, or is none",
     "SUMPRODUCT(([@pieces.d]>break_eps)*([@pieces.d]<stage_least))=0",
-    "brief",
     '"a stage lasts less than "&ROUND(stage_least,9)&" of the rise; expected that, or none"',
 )
 
@@ -246,7 +239,7 @@ def too_brief(durations: Sequence[float], entry: str, fits: Any) -> Iterator[Des
     """Yield the fault of a stage that is shorter than the least that cells work out exactly, but not left out."""
     if any(BREAK_TOLERANCE < d < LEAST_STAGE for d in durations):
         text = f"a stage lasts less than {figure(LEAST_STAGE)} of the rise; expected that, or none"
-        yield DesignError(entry, text, "brief", fits)
+        yield DesignError(entry, text, fits)
 
 
 class Staged(LawSheet):

@@ -28,9 +28,9 @@ class SevenDurations(LawSheet):
         """Yield durations that do not fill the rise, and a law that cannot start or stop."""
         total = math.fsum(self.durations)
         if abs(total - 1) > SUM_TOLERANCE:
-            yield DesignError("durations", f"they sum to {figure(total)}; expected 1", "sum", list(CLASSIC))
+            yield DesignError("durations", f"they sum to {figure(total)}; expected 1", list(CLASSIC))
         if not (max(self.durations[:3]) and max(self.durations[4:])):
-            yield DesignError("durations", "stages 1 to 3, or 5 to 7, are all 0", "lasts", list(CLASSIC))
+            yield DesignError("durations", "stages 1 to 3, or 5 to 7, are all 0", list(CLASSIC))
         yield from family.too_brief(self.durations, "durations", list(CLASSIC))
 
 

@@ -17,7 +17,7 @@ from workbook.book.rows import LEAST, filled, polynomial
 from workbook.book.sentence import spelled
 from workbook.fields.units import DEGREE, shown
 from workbook.motion.cells import FIRST, Cells, PieceRows, last_before, of_law
-from workbook.motion.requirements import CROWDED, ROOM_RULE
+from workbook.motion.requirements import CROWDED
 
 CELLS = cell_tables(__file__)
 
@@ -60,10 +60,10 @@ def pieces_in_all(rows: PieceRows) -> Quantity:
     return CELLS["pieces_in_all"]("{at.count}", len(rows.pieces), at=rows.at)
 
 
-def room_check(name: str, at: Cells, number: int, of: str, cuts: str) -> Quantity:
-    """Return the check that the table of pieces has room for all ``of`` the axis of a number, with ``cuts`` in them."""
+def room_check(name: str, at: Cells, of: str, cuts: str) -> Quantity:
+    """Return the check that the table of pieces has room for all ``of`` an axis, with ``cuts`` in them."""
     rows, count = f"[{at.pieces}.r.last]", f"{at.count}+{cuts}" if cuts else at.count
-    texts = {"name": name, "of": of, "count": count, "rows": rows, "room": ROOM_RULE.format(number)}
+    texts = {"name": name, "of": of, "count": count, "rows": rows}
     return CELLS["room_check"]("{name}", True, says=spelled(CROWDED, count, rows), **texts)
 
 

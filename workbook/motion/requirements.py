@@ -79,7 +79,6 @@ def rate_columns(
 
 
 FEW = 8  # rows more than are used, where a description does not say how many
-ROOM_RULE = "room{}"  # the rule that the pieces of a motion find room, by its number from 1
 KNOWN = 256  # laws whose number of pieces is remembered: a study asks for each many times
 AT_REST = {"law": "DWL", "lift": 0.0}  # the entries of a phase that does not move
 CROWDED = "{} pieces do not fit into {} rows; build it with larger sizes.motion_pieces"

@@ -44,10 +44,10 @@ class MotorRow(Model):
         if (self.full_torque_to is None) != (self.end_torque is None):
             missing = "full_torque_to" if self.full_torque_to is None else "end_torque"
             problem = "half of the torque–speed curve is empty; expected both figures, or neither"
-            yield DesignError(missing, problem, HALF.rule, 0.0)
+            yield DesignError(missing, problem, 0.0)
         if self.full_torque_to is not None and self.full_torque_to >= self.max_speed:
             problem = f"the torque falls from {self.full_torque_to:g} rpm; expected less than the largest speed"
-            yield DesignError("full_torque_to", problem, FALLING.rule, 0.0)
+            yield DesignError("full_torque_to", problem, 0.0)
 
 
 HALF = RowRule("half", "COUNT([knee],[end])<>1", "knee", "half of the curve is empty: peak torque up to")

@@ -52,7 +52,7 @@ def judged(template: AnyTemplate, data: dict[str, Any]) -> Judged:
             numbers: list[Any] = [*(numbers_of(fault, model) or ())] or [fault]
             for each in numbers:
                 key, _, line = fault_line(each, model, lambda key: f"{key}{MARK}").partition(f"{MARK}: ")
-                is_missing = isinstance(each, Fault) and not each.rule and each.value is None
+                is_missing = isinstance(each, Fault) and each.is_missing
                 faults.setdefault(key, f"missing: {line}" if is_missing else line)
             if not faults:  # of the description as a whole
                 faults[keys_of(model, fault["loc"])[0]] = str(fault["msg"])

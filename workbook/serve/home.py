@@ -100,8 +100,9 @@ def summary(name: str, text: str) -> dict[str, Any]:
     results = [f"{result.label} {shown.short(result.value)} {result.unit}".rstrip()
                for result in design.summary.values() if not result.place and is_number(result.value)]  # fmt: skip
     fails, checks = len(shown.failing(design)), len(design.checks())
-    verdict = f"{fails} of {checks} checks FAIL" if fails else f"{checks} checks OK"
-    state = "fails" if fails else "agrees"
+    verdict, state = (f"{fails} of {checks} checks FAIL", "fails") if fails else (f"{checks} checks OK", "agrees")
+    if design.machine.design.faults:
+        verdict, state = f"{fails} to complete", "unfinished"
     return {"results": "; ".join(results[:FIRST]), "state": state, "verdict": verdict, "lines": lines_of(design)}
 
 

@@ -14,7 +14,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from workbook.differences.design import Change, Design, changes
+from workbook.differences.design import Change, Design, changed_results, changes
 from workbook.errors import MotionbookError
 from workbook.judging.batch import Outcome, SentBook, Target, file_state, judge, no_report, verify_sent
 from workbook.judging.warm import WarmBook
@@ -95,8 +95,8 @@ def changed(before: Design | None, design: Design) -> Changes:
     """Return the differences between two saves of a book."""
     if before is None or before.machine.template != design.machine.template:
         return Changes()
-    results = changes(before.results(), design.results())
-    return Changes(changes(before.entries(), design.entries()), [change for change in results if change.is_shown])
+    results = [change for change in changed_results(before, design) if change.is_shown]
+    return Changes(changes(before.entries(), design.entries()), results)
 
 
 def verify_whole(path: Path, data: bytes) -> Outcome:

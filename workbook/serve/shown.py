@@ -55,7 +55,9 @@ def design(name: str, text: str) -> ShownDesign:
 
 
 def failing(new: ShownDesign) -> list[list[str]]:
-    """Return a row for each check that fails: its sheet, what it is, where and by how much."""
+    """Return a row for each check that fails: its sheet, what it is, why; of an unfinished design for each fault."""
+    if faults := new.machine.design.faults:
+        return [["to complete", counted_from_1(fault.key), fault.message] for fault in faults]
     return [[check.place, check.label, check.says] for check in new.checks().values() if check.value == "FAIL"]
 
 

@@ -100,10 +100,8 @@ def changed_machine(base: Machine, data: dict[str, Any], changes: Mapping[Place,
     except RefusedError as error:
         sentences = (fault.message if isinstance(fault, Fault) else str(fault["msg"]) for fault in error.faults)
         return Impossible("; ".join(line.removeprefix("Value error, ") for line in sentences))
-    if machine is None:  # a rule's sentence, or the entry and its limits
-        keys = ["" if fault.rule else f"{counted_from_1(fault.key)}: " for fault in faults]
-        sentences = (f"{key}{fault.message}" for key, fault in zip(keys, faults, strict=True))
-        return "; ".join(dict.fromkeys(sentences))
+    if machine is None:
+        return "; ".join(dict.fromkeys(f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults))
     return machine
 
 

@@ -71,11 +71,10 @@ def test_a_motor_neither_named_nor_entered_makes_an_unfinished_design():
 def test_selection_finds_a_motor_for_a_drive_that_has_none_yet():
     data = small([driven(*PHASES)]).model_dump() | {"selection": {"axis": "A1"}}
     del data["axes"][0]["motor"]
-    said = failing_checks(TEMPLATE.declare(validated(TEMPLATE, data, str)))
-    assert said[0] == "Drive A1: a motor is named or entered: " + UNTOLD
-    assert said[1].startswith("Without a result yet: ")
-    assert "Drive A1: RMS torque within" in said[1]
-    assert not any("Selection" in line for line in said)
+    machine = validated(TEMPLATE, data, str)
+    assert {fault.message for fault in machine.design.faults} == {UNTOLD}
+    value = computed(TEMPLATE, machine, by_cells=True)
+    assert (value("drive1_ok_told"), value("sel_ok"), value("sel_motor") != "none") == ("FAIL", "OK", True)
 
 
 @pytest.mark.parametrize(("limit", "value"), [("peak_torque", "drive1_smax"), ("max_speed", "drive1_speed")])

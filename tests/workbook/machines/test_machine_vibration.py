@@ -123,7 +123,7 @@ def test_a_load_without_a_frequency_is_told_and_over_no_time_refused(tmp_path):
     data["axes"][0]["vibration"] = {"damping": 0.1}
     untold = validated(TEMPLATE, data, str)
     assert [fault.key for fault in untold.design.faults] == ["axes.0.vibration"]
-    (line,) = (line for line in build(untold, tmp_path / "book.xlsx") if "natural frequency" in line)
+    (line,) = build(untold, tmp_path / "book.xlsx")
     assert line.endswith(UNTUNED)
     assert read_inputs(tmp_path / "book.xlsx") == (untold, [])
     data["master"] = {"cycle": 300.0, "unit": "mm"}

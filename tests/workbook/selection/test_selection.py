@@ -223,9 +223,15 @@ def test_every_fault_of_a_catalogue_is_told_at_once(tmp_path):
 @pytest.mark.parametrize(
     ("lines", "said"),
     [
-        ([MOTOR_HEAD, "A,0.02,180,600,3000", "B,-1,2,3,3000"], "row 2, inertia: -1; expected a number greater than 0"),
-        ([MOTOR_HEAD, "A,0.02,180,600,3000", "B,0.01,2,3,"], "row 2, largest speed: empty"),
-        ([HALF_HEAD, "A,0.02,180,600,3000,1"], "half of the curve is empty"),
+        (
+            [MOTOR_HEAD, "A,0.02,180,600,3000", "B,-1,2,3,3000"],
+            "motors[2].inertia (counted from 1): expected a number",
+        ),
+        (
+            [MOTOR_HEAD, "A,0.02,180,600,3000", "B,0.01,2,3,"],
+            "motors[2].max_speed (counted from 1): expected",
+        ),
+        ([HALF_HEAD, "A,0.02,180,600,3000,1"], "half of the torque–speed curve is empty"),
     ],
 )
 @pytest.mark.sample(1)
@@ -237,7 +243,7 @@ def test_a_catalogue_with_figures_that_cannot_be_is_built_and_fails(lines, said,
     whole = CliRunner().invoke(app, ["build", str(TEMPLATE.description), *rest, str(out)])
     assert (whole.exit_code, said in " ".join(whole.output.split())) == (3, True), whole.output
     both = CliRunner().invoke(app, ["build", str(gap), *rest, str(out)])
-    assert "0; expected a number greater than 0" in " ".join(both.output.split())
+    assert "cutter.drum.radius: expected a number greater than 0" in " ".join(both.output.split())
     assert CliRunner().invoke(app, ["verify", str(out)]).exit_code == 3
 
 

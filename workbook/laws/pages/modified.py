@@ -64,9 +64,9 @@ class Parts(family.Staged):
         total = math.fsum([*curved, straight])
         fits = self.model_dump() | {part: self.usual[part] for part in PARTS}
         if abs(total - 1) > SUM_TOLERANCE:
-            yield DesignError("", f"they sum to {figure(total)}; expected 1", "sum", fits)
+            yield DesignError("", f"they sum to {figure(total)}; expected 1", fits)
         if not max(curved):
-            yield DesignError("", "all of the time is straight", "lasts", fits)
+            yield DesignError("", "all of the time is straight", fits)
         if abs(total - 1) <= SUM_TOLERANCE and max(curved):
             yield from super().design_faults()
 

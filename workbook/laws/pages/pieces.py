@@ -49,7 +49,7 @@ class Piece(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a sine without a frequency."""
         if self.amplitude and not self.omega:
-            yield DesignError("omega", TURNING.words, TURNING.rule, 1.0)
+            yield DesignError("omega", TURNING.words, 1.0)
 
     @property
     def engine_piece(self) -> engine.Piece:
@@ -83,7 +83,7 @@ class OwnLaw(LawSheet):
         """Yield pieces that do not fill the rise."""
         total = math.fsum(piece.duration for piece in self.pieces)
         if abs(total - 1) > SUM_TOLERANCE:
-            yield DesignError("pieces", f"they sum to {figure(total)}; expected 1", "sum", [POLYNOMIAL_345])
+            yield DesignError("pieces", f"they sum to {figure(total)}; expected 1", [POLYNOMIAL_345])
 
 
 POLYNOMIAL_345 = {"duration": 1.0, "c1": 60.0, "c2": -180.0, "c3": 120.0}

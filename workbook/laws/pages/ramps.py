@@ -31,7 +31,7 @@ class BreakPoints(LawSheet):
         fits = self.model_dump() | {name: getattr(TrapezoidalVelocity, name) for name in ("rise_end", "fall_start")}
         if self.fall_start < self.rise_end:
             problem = f"brakes from {figure(self.fall_start)}, before {figure(self.rise_end)}"
-            yield DesignError("", problem, "order", fits)
+            yield DesignError("", problem, fits)
         stages = (self.rise_end, self.fall_start - self.rise_end, 1 - self.fall_start)
         yield from family.too_brief(stages, "", fits)
 

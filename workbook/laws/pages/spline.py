@@ -48,15 +48,15 @@ class Points(LawSheet):
         """Yield points that do not lead from (0, 0) to (1, 1), or do not follow each other."""
         fits = [point.model_dump() for point in ORIGINAL]
         if len(self.points) < 2:
-            yield DesignError("points", FEW.format(len(self.points)), "enough", fits)
+            yield DesignError("points", FEW.format(len(self.points)), fits)
             return
         first, last = self.points[0], self.points[-1]
         if (first.at, first.s, last.at, last.s) != (0.0, 0.0, 1.0, 1.0):
             ends = (figure(value) for value in (first.at, first.s, last.at, last.s))
-            yield DesignError("points", LEAD.format(*ends), "lead", fits)
+            yield DesignError("points", LEAD.format(*ends), fits)
         for k, (point, after) in enumerate(pairwise(self.points), 2):
             if not after.at - point.at >= NARROWEST:
-                yield DesignError("points", RISE.format(k, figure(after.at), figure(point.at)), "rise", fits)
+                yield DesignError("points", RISE.format(k, figure(after.at), figure(point.at)), fits)
                 return
 
 
@@ -190,9 +190,9 @@ PAGE = SplinePage(
     rests=False,
     single=False,
     checks=(
-        LawCheck("@enough", "there are points", "@used>1", "enough", spelled(FEW, "@used")),
-        LawCheck("@lead", "the points lead from 0 to 1", LEADS, "lead", spelled(LEAD, *OUTER)),
-        LawCheck("@rise", "the points follow each other", "SUM([@solved.narrow])=0", "rise", spelled(RISE, *PLACES)),
+        LawCheck("@enough", "there are points", "@used>1", spelled(FEW, "@used")),
+        LawCheck("@lead", "the points lead from 0 to 1", LEADS, spelled(LEAD, *OUTER)),
+        LawCheck("@rise", "the points follow each other", "SUM([@solved.narrow])=0", spelled(RISE, *PLACES)),
     ),
     variations=VARIATIONS,
     functions=False,

@@ -43,7 +43,7 @@ class LoadEntry(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a load that nothing has to move."""
         if not (self.inertia or self.mass):
-            yield DesignError("inertia", "inertia and mass are 0; expected one of them above", "heavy", 1.0)
+            yield DesignError("inertia", "inertia and mass are 0; expected one of them above", 1.0)
 
 
 class LimitEntry(Model):
@@ -64,7 +64,7 @@ class LengthsEntry(Model):
         if self.longest <= self.shortest:
             low, high = figure(self.shortest), figure(self.longest)
             problem = f"from {low} mm to {high} mm; expected a longest above the shortest"
-            yield DesignError("longest", problem, "ordered", 2 * self.shortest)
+            yield DesignError("longest", problem, 2 * self.shortest)
 
 
 class CutterEntry(Model):
@@ -88,10 +88,10 @@ class CutterEntry(Model):
         if self.kind != DRUM:
             return
         if drum.tools != int(drum.tools):
-            yield DesignError("drum.tools", f"{figure(drum.tools)} tools; expected a whole number", "whole", 1.0)
+            yield DesignError("drum.tools", f"{figure(drum.tools)} tools; expected a whole number", 1.0)
         if drum.tool_angle * drum.tools >= TURN:
             problem = f"{figure(drum.tools)} tools in step over {figure(drum.tool_angle)}° each take more than 360°"
-            yield DesignError("drum.tool_angle", problem, "angle", 0.0)
+            yield DesignError("drum.tool_angle", problem, 0.0)
 
 
 class FlyingSizes(SelectionSizes):

@@ -283,9 +283,10 @@ def check(machine: FlyingCutter) -> None:
     rests = max(abs(law.start.v), abs(law.end.v)) <= REST and abs(law.end.s - 1) <= END_TOLERANCE
     once = min(falls[:top].min(initial=0.0), -falls[top:].max(initial=0.0)) >= -REST
     if not (is_monotone(law) and rests and once and law.coefficients.cv >= LEAST_CV):
-        raise DesignError("cutter.law", f"the law {cutter.law} does not: see its sheet, or Laws", "law", RISING[0])
+        problem = f"expected to speed up once, then to slow down; the law {cutter.law} does not: see its sheet, or Laws"
+        raise DesignError("cutter.law", problem, RISING[0])
     least = shown(LONGER * tool_of(cutter).tool_length, MM)
     for entry, length in (("product_length", cutter.product_length), ("lengths.shortest", cutter.lengths.shortest)):
         if length < least:
             problem = f"a product of {figure(length)} mm; expected at least {figure(least)} mm"
-            raise DesignError(f"cutter.{entry}", problem, "length", least + least)
+            raise DesignError(f"cutter.{entry}", problem, least + least)

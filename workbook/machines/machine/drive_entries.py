@@ -101,12 +101,12 @@ class AxisMotor(Model):
         """Yield a figure that is missing of a motor without a name, and a temperature above its limit."""
         for name in NEEDED:
             if not self.name and getattr(self, name) is None:
-                yield DesignError(name, UNTOLD, "told", 1.0)
+                yield DesignError(name, UNTOLD, 1.0)
         hottest = figure(max(self.temperature or 0.0, self.rated_at))
         for name in ("temperature", "rated_at"):
             if (getattr(self, name) or 0.0) >= self.limit:
                 problem = f"{hottest} °C; expected less than the limit, {figure(self.limit)} °C"
-                yield DesignError(name, problem, "cool", self.limit - 1.0)
+                yield DesignError(name, problem, self.limit - 1.0)
 
 
 class Reducer(Model):
@@ -151,7 +151,7 @@ class StageEntry(Model):
         teeth = [self.teeth_driver, self.teeth_driven]
         if (self.ratio is None and None in teeth) or (self.ratio is not None and any(teeth)):
             settled = self.model_dump() | {"ratio": self.reduction, "teeth_driver": None, "teeth_driven": None}
-            yield DesignError("", STAGED, "staged", settled)
+            yield DesignError("", STAGED, settled)
 
 
 class AxisPart(RotatingParts):

@@ -25,7 +25,7 @@ from workbook.machines.machine import entries_beside as beside
 from workbook.machines.machine.cycle_entries import Cycle, Master, by_rate_or_length
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.machines.machine.places import place_faults
-from workbook.motion.requirements import AT_REST, CROWDED, ROOM_RULE, Smoothness, piece_counts, settle_room
+from workbook.motion.requirements import AT_REST, CROWDED, Smoothness, piece_counts, settle_room
 from workbook.selection.entries import UNCHOSEN, Limits, OwnLimits, SelectionSizes, require_known, require_room
 
 MOST_AXES = 24
@@ -106,7 +106,7 @@ class Axis(beside.NamedPart):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield phases that run backwards, or begin before the phase above ends, and an open cycle with a drive."""
         if self.motor is not None and not self.repeats:
-            yield DesignError("closes", f"{self.name} {OPEN_DRIVE}", "repeats", "position")
+            yield DesignError("closes", f"{self.name} {OPEN_DRIVE}", "position")
 
 
 class MachineSizes(SelectionSizes):
@@ -172,7 +172,7 @@ class AnyMachine(Exporting):
         if name is not None and not driven:
             raise EntryError("selection.axis", f"{UNCHOSEN}{name}; expected none: no axis has a drive")
         if name is not None and place_of(name, driven) < 0:
-            raise DesignFaultsError([DesignError("selection.axis", f"{UNCHOSEN}{name}", "chosen", driven[0])])
+            raise DesignFaultsError([DesignError("selection.axis", f"{UNCHOSEN}{name}", driven[0])])
 
     def _require_rows(self) -> None:
         """Raise EntryError for a product that no catalogue has, and for more rows than a table has."""
@@ -203,8 +203,7 @@ class AnyMachine(Exporting):
         for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
             if count > space:
                 still = [phase.model_dump() | AT_REST for phase in axis.phases]
-                problem, rule = CROWDED.format(count, space), ROOM_RULE.format(i + 1)
-                faults.append(DesignError(f"axes.{i}.phases", problem, rule, still))
+                faults.append(DesignError(f"axes.{i}.phases", CROWDED.format(count, space), still))
         if faults:
             raise DesignFaultsError(faults)
 

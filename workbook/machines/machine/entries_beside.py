@@ -72,7 +72,7 @@ class SwitchEntry(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield the first time that lacks an end."""
         half = (k for k, time in enumerate(self.on) if time.ends is None and time != type(time)())
-        yield from (DesignError(f"on.{k}", HALF.words, HALF.rule, UNUSED) for k in [*half][:1])
+        yield from (DesignError(f"on.{k}", HALF.words, UNUSED) for k in [*half][:1])
 
 
 class HardStops(Model):
@@ -102,7 +102,7 @@ class Vibration(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield an oscillator of which no frequency follows."""
         if self.frequency is None and None in (self.stiffness, self.inertia):
-            yield DesignError("", UNTUNED, "tuned", self.model_dump() | {"frequency": 10.0})
+            yield DesignError("", UNTUNED, self.model_dump() | {"frequency": 10.0})
 
     def natural(self, unit: str) -> float:
         """Return the natural frequency without damping (Hz) of a load of an axis in mm or °; 0 where none follows."""

@@ -38,7 +38,7 @@ class MechanismEntry(Model):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield the sizes that are missing of a mechanism whose ratio changes."""
         missing = (name for name in self.NEEDED if getattr(self, name) is None)
-        yield from (DesignError(name, UNSIZED, "sized", 1.0) for name in missing)
+        yield from (DesignError(name, UNSIZED, 1.0) for name in missing)
 
 
 class Belted(MechanismEntry):
@@ -51,7 +51,7 @@ class Belted(MechanismEntry):
         """Yield more of the belt on the bed than there is of it."""
         yield from super().design_faults()
         if (self.belt_on_bed or 0.0) > (self.belt_mass or 0.0):
-            yield DesignError("belt_on_bed", ON_BED, "on_bed", self.belt_mass or 0.0)
+            yield DesignError("belt_on_bed", ON_BED, self.belt_mass or 0.0)
 
 
 class LeadScrew(MechanismEntry):
@@ -172,7 +172,7 @@ class Table(MechanismEntry):
     def design_faults(self) -> Iterator[DesignError]:
         """Yield points of which there are too few."""
         if len(self.points) < LEAST_POINTS:
-            yield DesignError("points", UNSIZED, "sized", self.LARGE["points"])
+            yield DesignError("points", UNSIZED, self.LARGE["points"])
 
 
 Turned = LeadScrew | Conveyor | RackAndPinion | Belt | FeedRollers | RotaryTable | GearTrain

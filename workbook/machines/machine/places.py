@@ -27,7 +27,7 @@ def place_faults(machine: "AnyMachine") -> Iterator[DesignError]:
     located += [("switches", i, switch_faults(switch, over)) for i, switch in enumerate(machine.switches)]
     for table, i, errors in located:
         for error in errors:
-            yield DesignError(f"{table}.{i}.{error.field}", str(error), f"{error.rule}{i + 1}", error.fits)
+            yield DesignError(f"{table}.{i}.{error.field}", str(error), error.fits)
 
 
 def places_beyond_turn(machine: "AnyMachine") -> Iterator[DesignError]:
@@ -41,16 +41,16 @@ def places_beyond_turn(machine: "AnyMachine") -> Iterator[DesignError]:
             for name in KEYS:
                 if (getattr(row, name) or 0.0) > TURN:
                     message = f"expected a number from 0 to {TURN:g}"
-                    yield DesignError(f"{key}.{k}.{name}", message, "", TURN, getattr(row, name))
+                    yield DesignError(f"{key}.{k}.{name}", message, TURN, getattr(row, name))
 
 
 def axis_faults(axis: "Axis", over: Abscissa) -> list[DesignError]:
     """Return the faults of an axis' phases, their order first, and of its process forces."""
     phases, windows = axis.phases, axis.load.windows
     wrong = [*forward(axis.name, phases, over.after, over.length), *following(axis.name, phases, over)]
-    beyond = within(f"{axis.name} row", phases, over, "phases", "within", filling(phases, over.length))
+    beyond = within(f"{axis.name} row", phases, over, "phases", filling(phases, over.length))
     inside = [window.model_dump() | {end: min(getattr(window, end), over.length) for end in KEYS} for window in windows]
-    forces = within(f"{axis.name} process force", windows, over, "load.windows", "forces", inside)
+    forces = within(f"{axis.name} process force", windows, over, "load.windows", inside)
     return [*(wrong or beyond), *forces]
 
 
@@ -61,14 +61,14 @@ def following(name: str, phases: Sequence[TurnPhase], over: Abscissa) -> Iterato
         early = over.degrees(reached) - over.degrees(phase.start)
         if early > ANGLE_TOLERANCE:
             problem = f"begins at {figure(phase.start)}{over.after}, {over.text(early)} before row {i} ends"
-            yield DesignError(f"phases.{i}.start", f"{name} row {i + 1} {problem}", "follows", reached)
+            yield DesignError(f"phases.{i}.start", f"{name} row {i + 1} {problem}", reached)
             return
         reached = phase.stop
 
 
 def switch_faults(switch: SwitchEntry, over: Abscissa) -> list[DesignError]:
     """Return the first time of a switch beyond the cycle, or that does not last or meets another."""
-    beyond = within(f"{switch.name} time", switch.on, over, "on", "ends", [UNUSED for _ in switch.on])
+    beyond = within(f"{switch.name} time", switch.on, over, "on", [UNUSED for _ in switch.on])
     return [*beyond] or [*meeting(switch, over)]
 
 
@@ -83,16 +83,16 @@ def meeting(switch: SwitchEntry, over: Abscissa) -> Iterator[DesignError]:
         if more > ANGLE_TOLERANCE:
             problems.append(f"time {k} is on {over.text(more)} beyond the begin of another")
     if problems:
-        yield DesignError("on", f"{switch.name} {problems[0]}", "apart", [UNUSED for _ in switch.on])
+        yield DesignError("on", f"{switch.name} {problems[0]}", [UNUSED for _ in switch.on])
 
 
-def within(name: str, rows: Sequence[Any], over: Abscissa, key: str, rule: str, fits: Any) -> Iterator[DesignError]:
+def within(name: str, rows: Sequence[Any], over: Abscissa, key: str, fits: Any) -> Iterator[DesignError]:
     """Yield the first of several rows, each with its ``start`` and ``stop``, that goes on beyond the cycle."""
     for k, row in enumerate(rows, 1):
         last = max(x for x in (0.0, row.start, row.stop) if x is not None)
         if over.degrees(last) - TURN > ANGLE_TOLERANCE:
             at, by = (f"{figure(x)}{over.after}" for x in (last, last - over.length))
-            yield DesignError(key, f"{name} {k} goes to {at}, {by} beyond the cycle", rule, fits)
+            yield DesignError(key, f"{name} {k} goes to {at}, {by} beyond the cycle", fits)
             return
 
 

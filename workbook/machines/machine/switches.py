@@ -76,13 +76,13 @@ def switches_sheet(book: Book, machine: MachineView) -> None:
     sheet = book.sheet("Switches", f"Cylinders, valves, sensors, cam switches: when each is on over a {over.period}.")
     sheet.heading("Enter", f"Of a time that runs past the end of the {over.period}, to is less than from.")
     entries(sheet, lanes, machine)
-    faults = [("wrong", "apart", "apart", "each time lasts, and is over where another begins")]
-    faults += [("late", "within", "ends", "no time goes on beyond the cycle")] if over.measured else []
-    for column, name, rule, condition in faults:
+    faults = [("wrong", "apart", "each time lasts, and is over where another begins")]
+    faults += [("late", "within", "no time goes on beyond the cycle")] if over.measured else []
+    for column, name, condition in faults:
         for i in range(1, len(lanes) + 1):
             texts, called = f"[switch{i}_times.{column}]", f'[switches.name.{i}]&" time "'
             name_and_label = f"switch{i}_{name}", f"Switch {i}: {condition}"
-            sheet.checks(no_fault(*name_and_label, texts, called, f":{rule}{i}"))
+            sheet.checks(no_fault(*name_and_label, texts, called))
     sheet.not_printed_below()
     sheet.heading("Workings: the times of each switch")
     for lane in lanes:

@@ -228,7 +228,7 @@ def page(sheet: Sheet, swing: Swing) -> None:
     reached = amount("@periods", swing.periods, "a piece lasts ", f"{lasts}{MOST:g}")
     cell = CELLS["checks"].sharing(**parts)
     sheet.checks(
-        cell("@tuned", True, i_before=swing.i - 1, untuned=UNTUNED),
+        cell("@tuned", True, untuned=UNTUNED),
         cell("@settles", swing.limit.sheet.ok, says=says),
         cell("@reached", swing.periods <= MOST, says=reached),
     )

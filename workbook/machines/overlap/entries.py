@@ -43,7 +43,7 @@ class PassageEntry(Model):
         """Yield a margin that is more than the clearance."""
         if self.margin > self.clearance:
             problem = f"a margin of {figure(self.margin)} mm; expected at most {figure(self.clearance)} mm"
-            yield DesignError("margin", problem, "entry", self.clearance)
+            yield DesignError("margin", problem, self.clearance)
 
 
 class ToolEntry(Model):
@@ -81,7 +81,7 @@ class OverlapEntry(Model):
             if left < LEAST:
                 fits = tool.model_dump() | {"dwell": 0.0, "passage": tool.passage.model_dump() | {"allowance": 0.0}}
                 problem = f"{figure(left)}° are left to a way; expected at least {figure(LEAST)}°"
-                yield DesignError(f"tools.{i}", problem, f"angle{i + 1}", fits)
+                yield DesignError(f"tools.{i}", problem, fits)
 
 
 class OverlapSizes(Sizes):

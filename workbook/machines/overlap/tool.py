@@ -100,9 +100,9 @@ def checks(station: Station) -> tuple[Quantity, ...]:
     return (
         cell("@ok_collide", not clearance.collides, says=least),
         cell("@ok_margin", clearance.meets_margin, says=missing),
-        cell("@ok_angle", True, number=station.number),
-        cell("@ok_turn", True, number=station.number),
-        cell("@ok_entry", True, key=station.key),
+        cell("@ok_angle", True),
+        cell("@ok_turn", True),
+        cell("@ok_entry", True),
     )
 
 

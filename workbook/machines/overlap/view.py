@@ -108,13 +108,13 @@ def check(machine: IndexingOverlap) -> None:
     for entry, name in used.items():
         law = library[name]
         if not is_monotone(law):
-            raise DesignError(f"overlap.{entry}", BACKWARDS, "rises", RISING[0])
+            raise DesignError(f"overlap.{entry}", BACKWARDS, RISING[0])
         if abs(law.end.s - 1) > END_TOLERANCE:
             problem = f"the law {name} ends at s = {law.end.s:g}; expected a law that ends at 1"
-            raise DesignError(f"overlap.{entry}", problem, "reaches", RISING[0])
+            raise DesignError(f"overlap.{entry}", problem, RISING[0])
     for station in OverlapView(machine, library).stations:
         taken = math.fsum(station.angles_set) + station.given.dwell
         if taken > TURN + ANGLE_TOLERANCE:
             name = "angle_in" if station.given.angle_in is not None else "angle_out"
             problem = f"way in, dwell and way out take {figure(taken)}°; expected at most 360°"
-            raise DesignError(f"{station.key}.{name}", problem, f"turn{station.number}", LEAST)
+            raise DesignError(f"{station.key}.{name}", problem, LEAST)

@@ -135,5 +135,4 @@ def windows_check(view: DriveView) -> Quantity:
     """Return the check that process forces end with the cycle, of which an entry says how long it is."""
     i = view.driven.number
     label = f"{view.driven.called}: no process force goes on beyond the cycle"
-    called, rule = f'[axes.name.{i}]&" process force "', f":forces{i}"
-    return no_fault("@ok_windows", label, "[@windows.beyond]", called, rule)
+    return no_fault("@ok_windows", label, "[@windows.beyond]", f'[axes.name.{i}]&" process force "')

@@ -148,7 +148,5 @@ class FrontPage:
             _, name, words = MESSAGES[column]
             if watched:
                 label = f"{self.sheet.called}: {words} within limits"
-                guard, verdict = limits.guard_cells(in_scope(name, self.sheet.scope), label, watched)
-                self.sheet.book.guards.append(guard)
-                verdicts.append(verdict)
+                verdicts.append(limits.cells_check(in_scope(name, self.sheet.scope), label, watched))
         return verdicts

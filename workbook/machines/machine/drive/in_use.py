@@ -228,8 +228,7 @@ def pair_fit(driven: "Driven") -> tuple[float, float, float, float]:
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'
 
 
-def checks(number: int, called: str) -> list[Quantity]:
+def checks(called: str) -> list[Quantity]:
     """Return the checks that the motor is named, or entered, and cooler than its winding may get."""
-    key = f"axes.{number - 1}.motor"
-    cell = CELLS["checks"].sharing(called=called, key=key)
+    cell = CELLS["checks"].sharing(called=called)
     return [cell("@ok_told", True, untold=UNTOLD), cell("@ok_cool", True, says=HOT)]

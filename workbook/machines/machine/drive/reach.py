@@ -67,7 +67,7 @@ def linkage_checks(view: DriveView) -> list[Quantity]:
     stops = amount(travel, ends_at, "it ends ", f" {driven.entered.unit} from where it begins")
     cell = CELLS["linkage_checks"].sharing(**view.parts)
     return [
-        cell("@ok_sized", True, sized=page.sized, place=i - 1, unsized=UNSIZED),
+        cell("@ok_sized", True, sized=page.sized, unsized=UNSIZED),
         cell("@ok_linked", True, fits=page.fits, holds=page.holds, says=page.wrong),
         cell("@ok_reach", True, within=page.within, says=says),
         cell("@ok_back", motion.closes, says=stops),
@@ -99,9 +99,9 @@ def require_mechanisms(machine: AnyMachine) -> None:
             continue
         where, large = f"axes.{axis.number - 1}.mechanism", given.model_dump() | given.LARGE
         if problem := apart(given, axis.given.unit):
-            raise DesignError(where, problem, f"linked{axis.number}", large)
+            raise DesignError(where, problem, large)
         if not given.SLIDES and (problem := beyond_reach(axis, linkage_of(given, axis.unit))):
-            raise DesignError(where, problem, f"reach{axis.number}", large)
+            raise DesignError(where, problem, large)
 
 
 def beyond_reach(axis: MovingAxis, linkage: Linkage) -> str:

@@ -262,7 +262,7 @@ def checks(view: DriveView) -> list[Quantity]:
         *motor.pair_checks(called, *in_use.pair_fit(driven)),
         turns_check(view),
         *([brake.holds(view)] if view.brakes else []),
-        *in_use.checks(driven.number, called),
+        *in_use.checks(called),
         *stages.checks(driven),
         *page.on_bed(driven),
         motor.below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,

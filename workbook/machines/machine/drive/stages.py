@@ -113,9 +113,5 @@ OTHER_RATES = {TRIED: (", at the rate that is tried", "@times"), CREEPING: (", c
 
 def checks(driven: Driven) -> list[Quantity]:
     """Return the checks that each stage has a ratio, or the teeth of both its wheels."""
-    cell = CELLS["checks"]
-    key = f"axes.{driven.number - 1}.stages"
-    return [
-        cell("@ok_stage{n}", True, n=n, called=driven.called, key=key, before=n - 1, staged=STAGED)
-        for n in range(1, count(driven) + 1)
-    ]
+    cell = CELLS["checks"].sharing(called=driven.called, staged=STAGED)
+    return [cell("@ok_stage{n}", True, n=n) for n in range(1, count(driven) + 1)]

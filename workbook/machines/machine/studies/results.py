@@ -86,7 +86,7 @@ def add_laws(machine: AnyMachine, figures: Computations, checks: Computations) -
     for law in [named_law for named_law in named_laws(machine.laws) if named_law.page.has_sheet]:
         figures |= {law.own(f"@{name}"): partial(getattr, law.law.coefficients, name) for name, *_ in COEFFICIENTS}
         verdicts = law.page.verdicts(law, machine.sizes)
-        checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts if not q.rule}
+        checks |= {law.own(q.name): partial(np.array, q.value) for q in verdicts}
 
 
 def add_clearances(machine: AnyMachine, rows: Callable[[], Any], figures: Computations, checks: Computations) -> None:

@@ -178,11 +178,11 @@ def gaps(tables: AxisTables) -> list[float]:
     return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
 
-def no_fault(name: str, label: str, texts: str, called: str, rule: str) -> Quantity:
+def no_fault(name: str, label: str, texts: str, called: str) -> Quantity:
     """Return the check that a column of faults is empty; where it is not, it says whose is the first, and its row."""
     row = first_text(texts)
     says = f'{called}&{row}&" "&INDEX({texts},{row})'
-    return check(name, label, f'COUNTIF({texts},"?*")=0', True, rule=rule, says=says)
+    return check(name, label, f'COUNTIF({texts},"?*")=0', True, says=says)
 
 
 def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
@@ -191,9 +191,9 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
     motion, unit, label, over = axis.motion, axis.given.unit, f"Axis {i}", tables.machine.over
     lift, lack, gap = (f"[axes_taken.{name}.{i}]" for name in ("lift", "lack", "gap"))
 
-    def none_in(column: str, rule: str, condition: str) -> Quantity:
+    def none_in(column: str, name: str, condition: str) -> Quantity:
         called = f'[axes.name.{i}]&" row "'
-        return no_fault(f"{t}_{rule}", f"{label}: {condition}", f"[{t}.{column}]", called, f":{rule}{i}")
+        return no_fault(f"{t}_{name}", f"{label}: {condition}", f"[{t}.{column}]", called)
 
     lacks = amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}")
     ends = amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")
@@ -203,10 +203,10 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
         none_in("early", "follows", "no phase begins before the one above ends"),
         *([none_in("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []),
         cell("{t}_position", motion.complete, lack=lack, says=lacks),
-        room_check(f"{t}_room", tables.at, i, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
+        room_check(f"{t}_room", tables.at, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
         *(tables.ends.checks(t, f"{label}: ") if tables.ends else []),
         *map(stop_check, stops_of(axis)),
         tables.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),
         cell("{t}_closes", axis.closes, gap=gap, says=ends),
-        *([] if axis.given.motor is None else [cell("{t}_repeats", True, i_before=i - 1, open_drive=OPEN_DRIVE)]),
+        *([] if axis.given.motor is None else [cell("{t}_repeats", True, open_drive=OPEN_DRIVE)]),
     )

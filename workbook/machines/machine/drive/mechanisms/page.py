@@ -61,8 +61,7 @@ def on_bed(driven: Driven) -> list[Quantity]:
     m = driven.given
     if not isinstance(m, Belted) or m.belt_on_bed is None:
         return []
-    rule = f"axes.{driven.number - 1}.mechanism:on_bed"
-    return [CELLS["on_bed"]("@ok_bed", True, called=driven.called, rule=rule, says=quoted(ON_BED))]
+    return [CELLS["on_bed"]("@ok_bed", True, called=driven.called, says=quoted(ON_BED))]
 
 
 def constant_sizes(driven: Driven) -> list[Quantity]:
