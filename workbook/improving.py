@@ -75,7 +75,7 @@ AIMS = {
         Aim("power", "peak power", "kW"),
         Aim("energy", "energy driven in a cycle", "J"),
         Aim("acceleration", "greatest acceleration", ""),
-        Aim("vibration", "greatest vibration left by a move", ""),
+        Aim("vibration", "vibration left by the moves, in RMS,", ""),
     )
 }
 

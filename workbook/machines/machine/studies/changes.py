@@ -247,7 +247,9 @@ def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
         (row,) = (row for row in axes_of(machine) if row.axis.given.name == name)
         described = None if aim.frequency else row.axis.typed.vibration
         load = described or Vibration(frequency=aim.frequency, damping=aim.damping)
-        return Figure(float(Swing(row, load).exact.max()), axis.given.unit)
+        swing = Swing(row, load)  # in RMS, so that of moves that leave alike each counts
+        left = swing.exact[swing.lift > 0.0]
+        return Figure(float(np.sqrt(np.mean(left**2))) if left.size else 0.0, axis.given.unit)
     results = drives(machine)[name]().results
     if aim.name == "power":
         return Figure(shown(results.power.peak, KW), aim.unit)
