@@ -38,13 +38,17 @@ def ran(books):
     (folder / "motionbook").chmod(0o755)
     environment = os.environ | {"PATH": f"{folder}:{os.environ['PATH']}", "PYTHONPATH": str(ROOT),
                                 "GITHUB_STEP_SUMMARY": str(folder / "summary.md")}  # fmt: skip
-    done = subprocess.run(["bash", ROOT / ".ci/verify", "books"], cwd=folder, env=environment, check=False)
-    return folder, done.returncode
+    audited = subprocess.run(["bash", ROOT / ".ci/action", "books", "audit"], cwd=folder, env=environment, check=False)
+    audit = json.loads((folder / "motionbook.sarif").read_text(encoding="utf-8"))
+    done = subprocess.run(["bash", ROOT / ".ci/action", "books"], cwd=folder, env=environment, check=False)
+    return folder, done.returncode, audited.returncode, audit
 
 
 def test_the_action_s_script_ends_as_verify_does_and_writes_all_that_is_uploaded(ran):
-    folder, code = ran
-    assert code == 2  # a file cannot be read
+    folder, *codes, audit = ran
+    assert codes == [2, 2]  # a file cannot be read
+    assert "unreadable" in {result["ruleId"] for result in audit["runs"][0]["results"]}
+    assert "### motionbook audit" in (folder / "summary.md").read_text(encoding="utf-8")
     assert "edited.xlsx" in (folder / "summary.md").read_text(encoding="utf-8")
     assert "<table" in (folder / "motionbook-report.html").read_text(encoding="utf-8")
 
@@ -71,4 +75,4 @@ def test_the_hook_and_the_action_call_what_there_is():
     assert [hook["entry"].split() for hook in hooks] == [["motionbook", "verify"], ["motionbook", "audit"]]
     action = yaml.safe_load((ROOT / "action.yml").read_text(encoding="utf-8"))
     scripts = " ".join(step.get("run", "") for step in action["runs"]["steps"])
-    assert ".ci/verify" in scripts
+    assert ".ci/action" in scripts
