@@ -11,7 +11,7 @@ from typer.exceptions import TyperException
 from workbook.cli import tools
 from workbook.cli.books import app
 from workbook.errors import AGREES, UNREADABLE, MotionbookError
-from workbook.reports.failure import write_failure
+from workbook.failure import failure_line
 from workbook.reports.terminal import ERR, say, tolerant_outputs
 
 __all__ = ["app", "main", "tools"]
@@ -56,5 +56,4 @@ def fault_of(error: Exception) -> str:
             Path.cwd().stat()
         except OSError:
             return "the folder in which this runs is no longer there; go to another one"
-    text = "out of memory" if isinstance(error, MemoryError) else f"{type(error).__name__}: {error}"
-    return f"motionbook failed inside ({text[:200]}); please report this with {write_failure(error, sys.argv[1:])}"
+    return failure_line("motionbook failed inside", error, sys.argv[1:])

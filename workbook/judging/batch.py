@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError, WitnessError, visible
+from workbook.failure import failure_line
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.pool import THIS_PROCESS, Pool, WorkerDied, collecting_between, collector_paused
@@ -84,8 +85,7 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     except OSError as error:
         return no_report(path, f"cannot be read: {error.strerror or error}")
     except Exception as error:  # a strange file must not take the others' verdicts with it
-        failed = f"({type(error).__name__}: {error})"
-        return no_report(path, f"verifying it failed inside motionbook {failed}; please report this")
+        return no_report(path, failure_line("verifying it failed inside motionbook", error, ["verify", str(path)]))
     return judge(path, report, sha256, begin)
 
 

@@ -16,6 +16,7 @@ from typing import Any
 
 from workbook.differences.design import Change, Design, changed_results, changes
 from workbook.errors import MotionbookError
+from workbook.failure import failure_line
 from workbook.judging.batch import Outcome, SentBook, Target, file_state, judge, no_report, verify_sent
 from workbook.judging.warm import WarmBook
 from workbook.pool import collector_paused
@@ -173,8 +174,9 @@ class Saves:
         except WorkError as error:
             outcome = no_report(path, str(error))
         except Exception as error:  # a strange file must not end the watch over others, and is told
-            failed = f"({type(error).__name__}: {error})"
-            outcome = no_report(path, f"verifying it failed inside motionbook {failed}; please report this")
+            outcome = no_report(
+                path, failure_line("verifying it failed inside motionbook", error, ["watch", str(path)])
+            )
         changed = last.changes if last else Changes()
         self._say(path, digest, Verdict(datetime.now().astimezone(), outcome, changed, whole=True))
 

@@ -1,13 +1,17 @@
 """Nothing of a file or a path reaches the terminal unescaped: control characters, new lines, rich's markup, emoji."""
 
+import io
 import json
 import os
 import shutil
 import tomllib
+import zipfile
 from pathlib import Path
 
 import openpyxl
 import pytest
+from openpyxl.workbook.defined_name import DefinedName
+from openpyxl.worksheet.formula import ArrayFormula
 from rich.console import Console
 
 from workbook import cli
@@ -139,14 +143,21 @@ def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, motionbook, monkeypat
 
 def test_what_goes_with_a_report_of_a_fault_has_formulas_but_no_values(motionbook, monkeypatch, tmp_path):
     book = openpyxl.Workbook()
-    book.active.append([987654, '=IF(A1>321,"secret",A1*1.5)'])
+    book.active.append([987654, '=IF(A1>321,"secret",A1*1.5)', "secret", True, ArrayFormula("E1:F1", "=A1:B1*321")])
+    book.defined_names["load"] = DefinedName("load", attr_text="987654*Sheet!$A$1")
     book.save(tmp_path / "b.xlsx")
     monkeypatch.setattr("workbook.commands.oracle.draft", lambda file: 1 / 0)
     code, _, err = motionbook("oracle", tmp_path / "b.xlsx")
     report = Path(err.split()[-1])
-    text = report.read_text(encoding="utf-8")
+    with zipfile.ZipFile(report) as parts:
+        copy = openpyxl.load_workbook(io.BytesIO(parts.read("book1.xlsx")))
+        text = parts.read("report.txt").decode()
+        inside = zipfile.ZipFile(io.BytesIO(parts.read("book1.xlsx")))
+        every = text + "".join(inside.read(name).decode() for name in inside.namelist())
     report.unlink()
     assert code == 2
-    assert '=IF(A1>1,"",A1*1)' in text
+    cells = [cell.value for cell in copy.active[1]]
+    assert cells[:4] == [1, '=IF(A1>1,"",A1*1)', "x", True]
+    assert (cells[4].ref, cells[4].text) == ("E1:F1", "=A1:B1*1")
     assert "in write_draft" in text
-    assert not any(word in text for word in ("987654", "secret", "321", "b.xlsx"))
+    assert not any(word in every for word in ("987654", "secret", "321", "b.xlsx"))
