@@ -1,5 +1,6 @@
 """Lines of formulas that are copied down or to the right, and the cells among them that are something else."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -78,7 +79,10 @@ class Lines:
                 members.append(after)
                 end = after
             stretch = Stretch(down, [cells[n] for n in members], [cells[n] for n in between])
-            if len(members) > 1 and len(between) * 4 <= len(members) + 1 and self.view.forms[cells[k]].areas:
+            form = self.view.forms[cells[k]]
+            # $B$31 alone picks a figure, and is copied nowhere
+            is_pick = form.skeleton == "=A1" and form.fixed == ((True, True, True, True),)
+            if len(members) > 1 and len(between) * 4 <= len(members) + 1 and form.areas and not is_pick:
                 stretch.modes = modes(self.view, stretch)
                 yield stretch
                 k = end + 1
@@ -107,9 +111,18 @@ class Lines:
         return [row for stretch in self.stretches for row in shifted(self.view, stretch)]
 
     def is_structure(self, cell: Address, down: bool) -> bool:
-        """Whether a cell stands out together with its neighbour in the next line, as in a row of totals."""
-        kind = self.kind(cell)
+        """Whether a cell stands out together with its neighbour in the next line, or by the same formula in others."""
+        kind, form = self.kind(cell), self.view.forms.get(cell)
+        if form and self.alike[down, cell.sheet, place(cell, down), form.skeleton] > 1:
+            return True
         return any((c, down) in self.between and self.kind(c) == kind for c in beside(cell, down))
+
+    @cached_property
+    def alike(self) -> Counter[tuple[bool, str, int, str]]:
+        """How many formulas of each form stand out across the lines, in each row or column."""
+        forms = self.view.forms
+        there = [(cell, down) for cell, down in self.between if cell in forms]
+        return Counter((down, c.sheet, place(c, down), forms[c].skeleton) for c, down in there)
 
     def kind(self, cell: Address) -> str:
         """Return whether a cell has a formula, a number, a text or nothing."""

@@ -41,8 +41,8 @@ class Scales:
         """Return the key of an operation, and note parts of a sum that are of unlike scales."""
         keys = [self.of(part) for part in node.parts]
         a, b, sign = keys[0], keys[-1], str(node.value)
-        if sign == "±" or a is None or b is None:
-            return a if sign == "±" else None
+        if len(keys) == 1 or a is None or b is None:
+            return a if len(keys) == 1 else None
         if sign in "+-" and a * b:
             if (factor := missing(a / b)) and not any(map(constant, node.parts)):
                 self.wrong.append(f"the parts of a sum are of scales that differ by {factor}")

@@ -1,5 +1,6 @@
 """Cells that are something else than they look, and formulas that hide or hang on what nobody sees."""
 
+from collections import defaultdict
 from collections.abc import Iterator
 
 from workbook.audit.finding import Finding, Sure
@@ -100,12 +101,16 @@ def circles(lines: Lines) -> Iterator[Finding]:
 
 
 def links(lines: Lines) -> Iterator[Finding]:
-    """Yield formulas that read another file."""
-    view = lines.view
+    """Yield the first formula that reads another file, for each such file."""
+    view, reading = lines.view, defaultdict[str, list[Address]](list)
     for cell in view.contents.failed:
         text = view.text(cell)
         if "[" in text and "]" in text and "!" in text.partition("]")[2]:
-            yield Finding(cell, "link", "it reads another file, which may be gone or changed", "medium", text)
+            reading[text.partition("[")[2].partition("]")[0]].append(cell)
+    for cells in reading.values():
+        why = "it reads another file, which may be gone or changed"
+        why += f" ({len(cells)} cells)" if len(cells) > 1 else ""
+        yield Finding(cells[0], "link", why, "medium", view.text(cells[0]))
 
 
 def volatile(lines: Lines) -> Iterator[Finding]:
