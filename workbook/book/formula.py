@@ -228,3 +228,10 @@ def anchored(written: str) -> str:
 def functions_of(shape: str) -> frozenset[str]:
     """Return the names of the functions that a shape calls."""
     return frozenset(FUNCTION.findall(shape))
+
+
+@lru_cache(maxsize=20_000)
+def functions_in(text: str) -> frozenset[str]:
+    """Return the functions that a formula calls, in capitals and without prefix."""
+    called = (word[:-1].upper() for kind, word in words(text) if kind == "function")
+    return frozenset(name.removeprefix("_XLFN.").removeprefix("_XLWS.") for name in called)

@@ -154,6 +154,8 @@ class Contents:
             # arrays are computed in every formula, and of a result the first cell is taken; LibreOffice writes A1:A1
             value = self.arrays[address] = str(value.text)
         try:
+            if value == "=" and address in self.arrays:  # Excel writes so where the array is computed each time
+                raise FormulaError("#VALUE!", "a cell that an array fills is not evaluated by itself")
             if not isinstance(value, str):  # it fills several cells
                 text = self.arrays[address] = f"{{{getattr(value, 'text', None) or '=TABLE()'}}}"
                 with suppress(FormulaError):

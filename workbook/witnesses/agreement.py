@@ -132,10 +132,10 @@ def reads_elsewhere(contents: Contents, asked: Collection[Address]) -> bool:
     return not all(formula is None or formula.functions.isdisjoint(ELSEWHERE) for formula in read)
 
 
-def same_value(value: Any, other: Any, zero: float = ZERO) -> bool:
+def same_value(value: Any, other: Any, zero: float = ZERO, relative: float = DEVIATION) -> bool:
     """Whether two values are the same but for rounding; numbers also by a difference of ``zero``."""
     if is_number(value) and is_number(other):
-        return math.isclose(value, other, rel_tol=DEVIATION, abs_tol=zero)
+        return math.isclose(value, other, rel_tol=relative, abs_tol=zero)
     return type(value) is type(other) and bool(value == other)
 
 

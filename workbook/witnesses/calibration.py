@@ -7,13 +7,13 @@ where two give the same; through all cases the first of those trusted computes.
 import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Sequence
-from functools import cache, cached_property
+from functools import cached_property
 from typing import Any
 
 from pycel.lib.function_info import all_excel_functions
 
 from workbook.book.address import Address
-from workbook.book.formula import FormulaError, words
+from workbook.book.formula import FormulaError, functions_in, words
 from workbook.errors import WitnessError, listed, quoted
 from workbook.reading.contents import Cells, Contents
 from workbook.reading.files import BookFile
@@ -37,8 +37,10 @@ NEWER = frozenset(
         " WRAPCOLS WRAPROWS"
     ).split()
 )  # functions of Excel that are not on pycel's list of all
+LOST = 1e-4  # relative, of digits that programs lose otherwise, as in LOG10(COS(RADIANS(90)))
 SMALLEST = 1e-12  # by which two numbers that are the same may deviate
 LINK = re.compile(r"\[[^\]]+\][^!']*'?!")
+ONLY_LINK = re.compile(r"=\+?(?:'[^'\[]*\[[^\]]+\][^']*'|\[[^\]]+\][\w.]*)!\$?[A-Za-z]{1,3}\$?\d+")
 MANY = 2_000  # formula cells above which copies of a formula are tried at some of its rows
 ROWS = 24  # of these
 
@@ -47,7 +49,7 @@ class Evaluators:
     """The evaluators of a book: what each gives at the entered values, which are trusted, and where none is."""
 
     def __init__(self, file: BookFile, model: PycelModel, names: Sequence[str], given: Cells) -> None:
-        self.file, self.model, self.names, self.given = file, model, list(names), given
+        self.file, self.model, self.names = file, model, list(names)
         self.notes: list[str] = []
         self.trusted: dict[Address, list[str]] = {}
         self.stale: dict[Address, Any] = {}  # what two give where another value was saved
@@ -60,6 +62,13 @@ class Evaluators:
         self.circles: set[Address] = set()  # cells that compute from themselves, where no book may
         self.saved = file.saved if file.has_results else {}
         self.evidence = {} if not file.is_evidence else {x: v for x, v in self.saved.items() if v is not None}
+        # a cell that is a link alone has the value that the other file gave
+        links = {x: v for x, v in self.saved.items() if ONLY_LINK.fullmatch(self.text(x))}
+        self.linked = {x: v for x, v in links.items() if v is not None and v not in ERRORS}
+        self.given = {**given, **self.linked}
+        if self.linked:
+            cells = listed([f"{cell} {self.text(cell)}" for cell in self.linked])
+            self.notes.append(f"of other files the values are used that were saved here: {cells}")
         self._settle()
 
     @cached_property
@@ -173,7 +182,7 @@ class Evaluators:
             alike = [name for name in by if is_same(by[name], value)]
             if len(alike) > 1 or len(self.names) == 1:
                 self.trusted[cell] = alike
-                if saved is not None and not {*alike} & {*right}:
+                if not (saved is None or {*alike} & {*right} or same_value(value, saved, relative=LOST)):
                     self.stale[cell] = value
                 return True
         return False
@@ -263,13 +272,6 @@ def rows_alike(contents: Contents, cells: Iterable[Address]) -> list[list[Addres
         if cell in contents.formulas:
             groups.setdefault((cell.sheet, cell.column, contents.formulas[cell].shape), []).append(cell)
     return [sorted(group) for group in groups.values()]
-
-
-@cache
-def functions_in(text: str) -> frozenset[str]:
-    """Return the functions that a formula calls, in capitals and without prefix."""
-    called = (word[:-1].upper() for kind, word in words(text) if kind == "function")
-    return frozenset(name.removeprefix("_XLFN.").removeprefix("_XLWS.") for name in called)
 
 
 def has_unknown_word(text: str, contents: Contents, sheet: str) -> bool:
