@@ -111,7 +111,7 @@ LEVELS = (("=", "<>", "<", ">", "<=", ">="), ("&",), ("+", "-"), ("*", "/"), ("^
 
 
 class Node(NamedTuple):
-    """An operation, a call, a number, an argument, constants side by side, or a name or error; and its parts."""
+    """An operation (of one part: a sign), a call, a number, an argument, constants, or a name or error; its parts."""
 
     kind: str
     value: Any = None
@@ -157,7 +157,7 @@ class Reader:
         """Return a number, argument, call or bracket, with the signs before and behind it."""
         kind, word = self.next()
         if kind == "sign" and word in "+-":
-            return Node("operation", "±", (self.single(),))
+            return Node("operation", word, (self.single(),))
         if kind == "function":
             node = Node("call", word[:-1].upper().removeprefix("_XLFN."), self.arguments())
         elif word == "(":
@@ -176,7 +176,7 @@ class Reader:
         else:
             raise FormulaError("#NAME?", f"{word!r} is not expected")
         while self.sees("%"):
-            self.next()
+            node = Node("operation", self.next()[1], (node,))
         return node
 
     def arguments(self) -> tuple[Node, ...]:

@@ -224,11 +224,12 @@ def oracle(
     book: Path = Argument(..., metavar="BOOK", help="Any workbook."),
     output: Path | None = to("FILE.py", "Where to write; else it is printed."),
     force: Force = False,
+    proposed: bool = flag("--proposed", "Translate formulas to Python, each marked as a proposal."),
 ) -> None:
     """Write a first file of declarations for any workbook, for `motionbook verify BOOK --against FILE.py`."""
     from workbook.commands import oracle as command
 
-    command.write_draft(book, output, force)
+    command.write_draft(book, output, force, proposed)
 
 
 @app.command()

@@ -10,8 +10,8 @@ from openpyxl.styles import PatternFill
 from workbook.differences.design import compare, read_design
 from workbook.errors import AGREES, DISAGREES, UNREADABLE, InputError
 from workbook.judging.verify import available_witnesses
-from workbook.oracle.cells import draft
 from workbook.oracle.declarations import load_oracle
+from workbook.oracle.draft import draft
 from workbook.oracle.findings import OracleReport, describe
 from workbook.oracle.judge import Judge
 from workbook.reading.files import BookFile, open_book
@@ -98,9 +98,9 @@ def data_of(report: OracleReport) -> dict[str, Any]:
     }
 
 
-def write_draft(path: Path, output: Path | None, force: bool) -> None:
-    """Write a first file of declarations for a workbook."""
-    print_or_write(draft(open_book(path)), output, force)
+def write_draft(path: Path, output: Path | None, force: bool, proposed: bool = False) -> None:
+    """Write a first file of declarations for a workbook; ``proposed`` translates its formulas."""
+    print_or_write(draft(open_book(path), proposed), output, force)
 
 
 def show(file: BookFile, report: OracleReport) -> None:

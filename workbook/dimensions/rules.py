@@ -80,7 +80,7 @@ class FormulaChecker:
 
     def operation(self, sign: str, parts: list[Term]) -> Term:
         """Return the term of an operation."""
-        if sign == "±":
+        if len(parts) == 1:
             return parts[0]
         numbers = [part.number for part in parts if part.number is not None]
         if len(numbers) == len(parts) and (number := number_of(sign, *numbers)) is not None:

@@ -38,7 +38,7 @@ class Input:
 class Output:
     """A cell or range that is compared: ``of`` gives its value of ``inputs``, else of those called like its parameters.
 
-    Of a range it gives a value for all of its cells, or an array of its shape.
+    Of a range it gives a value for all of its cells, or an array. Cells of ``proposed`` functions count as steps.
     """
 
     cell: str
@@ -47,6 +47,7 @@ class Output:
     tolerance: float = 1e-9
     source: str = ""
     inputs: Sequence[Input] | None = None
+    proposed: bool = False
 
 
 @dataclass(eq=False)
@@ -94,11 +95,12 @@ class Oracle:
         tolerance: float = 1e-9,
         source: str = "",
         inputs: Sequence[Input] | None = None,
+        proposed: bool = False,
     ) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
         """Declare the decorated function as what gives a cell's or range's value of ``inputs``, to a ``tolerance``."""
 
         def declare(of: Callable[..., Any]) -> Callable[..., Any]:
-            self.outputs.append(Output(cell, of, unit, tolerance, source, inputs))
+            self.outputs.append(Output(cell, of, unit, tolerance, source, inputs, proposed))
             return of
 
         return declare

@@ -22,6 +22,8 @@ from workbook.witnesses.calibration import FIRST, Evaluators, is_no_value
 from workbook.witnesses.pycel.model import PycelModel, require_working
 from workbook.witnesses.registry import WITNESSES
 
+Rows = list[list[Address]]
+Expected = Iterator[tuple[Address, Any, float, Output | Table]]
 PROBES = 8  # cases at which a step is changed, to see whether an output follows
 
 
@@ -48,6 +50,7 @@ class Judge:
             (cells_of(file, x.cell) if ":" in x.cell else [[find_cell(file, x.cell)]], x) for x in oracle.outputs
         ]
         self.tables = [(cells_of(file, table.cells), table) for table in oracle.tables]
+        self.declared: list[tuple[Rows, Output | Table]] = [*self.outputs, *self.tables]
         require_names(oracle, self.tables)
         formulas = file.contents.formula_cells
         self.formulas = [cell for cell in formulas if not oracle.sheets or cell.sheet in oracle.sheets]
@@ -62,8 +65,8 @@ class Judge:
         """Compare the outputs at so many cases; look at units, saved values and gaps; count cells."""
         tried = cases(self.oracle.inputs, self.entered, number, seed)
         report = OracleReport(len(tried))
-        macros = {x: self.entered[x] for x in self.cells if x.macro}
-        self.evaluators = Evaluators(self.file, self.model, witnesses, self.given(macros))
+        macros = {cell: self.entered[x] for x, cell in self.cells.items() if x.macro}
+        self.evaluators = Evaluators(self.file, self.model, witnesses, macros)
         self.compare(tried, report)
         report.dimensions = self.check_units()
         report.wrong += self.other_findings()
@@ -72,6 +75,8 @@ class Judge:
         report.coverage = self.covered(tried[:: max(1, len(tried) // PROBES)], report)
         report.evaluators = {cell: " and ".join(self.evaluators.trusted.get(cell, ())) for cell in self.formulas}
         report.unusable += self.unusable.values()
+        if number := sum(row.proposed for _, row in self.outputs):
+            report.notes.append(f"{number} of the functions are proposed, translated from the workbook: steps alone")
         report.notes += [self.evaluators.line(self.formulas), *self.evaluators.notes]
         return report
 
@@ -115,8 +120,7 @@ class Judge:
 
     def without_function(self) -> set[Address]:
         """Return the cells of which a function of the declarations cannot be used."""
-        declared: list[tuple[list[list[Address]], Output | Table]] = [*self.outputs, *self.tables]
-        return {cell for rows, row in declared if id(row.of) in self.unusable for line in rows for cell in line}
+        return {cell for rows, row in self.declared if id(row.of) in self.unusable for line in rows for cell in line}
 
     def deviating(self, tried: Sequence[Case], asked: Collection[Address]) -> dict[Address, Deviation]:
         """Return the cells ``asked`` that are not what the oracle says, each at the first case where it is not."""
@@ -193,17 +197,16 @@ class Judge:
 
     def given(self, case: Case) -> Cells:
         """Return the values of a case by their cells."""
-        return {self.cells[entry]: value for entry, value in case.items()}
+        return self.evaluators.linked | {self.cells[entry]: value for entry, value in case.items()}
 
     def values(self, case: Case) -> Cells:
         """Return the values of all cells at a case."""
         given = self.given(case)
         return self.file.contents.constants | self.model.evaluate(given) | given
 
-    def expected(self, case: Case, values: Cells) -> Iterator[tuple[Address, Any, float, Output | Table]]:
+    def expected(self, case: Case, values: Cells) -> Expected:
         """Yield each compared cell with what the oracle says of it, the deviation that is allowed, and who says it."""
-        declared: list[tuple[list[list[Address]], Output | Table]] = [*self.outputs, *self.tables]
-        for rows, row in declared:
+        for rows, row in self.declared:
             if id(row.of) in self.unusable:
                 continue
             try:
@@ -215,18 +218,14 @@ class Judge:
                 at = f" at {inputs}" if (inputs := self.case_text(row, case)) else ""
                 self.unusable[id(row.of)] = f"{self.oracle.path}: {row.of.__name__}{at}: {error}"
 
-    def expected_of_output(
-        self, rows: list[list[Address]], output: Output, case: Case
-    ) -> Iterator[tuple[Address, Any, float, Output | Table]]:
+    def expected_of_output(self, rows: Rows, output: Output, case: Case) -> Expected:
         """Yield the cells of an output as :meth:`expected` does."""
         result = self.called(output, case)
         held = block_of(result, len(rows), len(rows[0])) if ":" in output.cell else [[plain_result(result)]]
         for cell, value in zip(chain.from_iterable(rows), chain.from_iterable(held), strict=True):
             yield cell, value, output.tolerance * (abs(value) if is_number(value) else 0.0), output
 
-    def expected_of_table(
-        self, rows: list[list[Address]], table: Table, case: Case, values: Cells
-    ) -> Iterator[tuple[Address, Any, float, Output | Table]]:
+    def expected_of_table(self, rows: Rows, table: Table, case: Case, values: Cells) -> Expected:
         """Yield the cells of a table as :meth:`expected` does; raise CallError where the first column has texts."""
         column = [values.get(row[0]) for row in rows]
         odd = next((row[0] for row, value in zip(rows, column, strict=True) if not is_number(value)), None)
@@ -261,7 +260,8 @@ class Judge:
         """
         coverage: dict[Address, Coverage] = dict.fromkeys(self.formulas, "unaccounted")
         there = [cell for cell in self.targets if report.states.get(cell) in ("agrees", "differs")]
-        coverage |= {cell: "compared" for cell in there if cell in coverage}
+        proposed = {cell for rows, row in self.outputs if row.proposed for line in rows for cell in line}
+        coverage |= {cell: "step" if cell in proposed else "compared" for cell in there if cell in coverage}
         live = self.live({*there}, [self.model.numbered(self.given(case)) for case in tried])
         steps = live & self.evaluators.trusted.keys()
         return coverage | {cell: "step" for cell in steps if coverage.get(cell) == "unaccounted"}
@@ -274,6 +274,8 @@ class Judge:
             if number not in live or number in graph.ranges:
                 continue
             left = {cell for cell in graph.sources(number) if cell in graph.reads and cell not in live}
+            if graph.cells[number] in self.evaluators.given:
+                continue
             if self.evaluators.first(graph.cells[number]) != FIRST:
                 live |= left
                 continue
@@ -290,7 +292,7 @@ def require_values(file: BookFile, cells: Mapping[Input, Address]) -> None:
             raise ReadError(f"{file.path.name}: {cell} is an input and holds a formula; expected a value")
 
 
-def require_names(oracle: Oracle, tables: Sequence[tuple[list[list[Address]], Table]]) -> None:
+def require_names(oracle: Oracle, tables: Sequence[tuple[Rows, Table]]) -> None:
     """Raise ReadError for a table that has another number of columns than are named."""
     for rows, table in tables:
         if len(rows[0]) != len(table.columns):

@@ -5,13 +5,14 @@ import json
 
 import openpyxl
 import pytest
+from openpyxl.worksheet.datavalidation import DataValidation
 from openpyxl.worksheet.formula import ArrayFormula
 
 from workbook.book.address import Address
 from workbook.commands.oracle import against
 from workbook.errors import ReadError
-from workbook.oracle.cells import draft
 from workbook.oracle.declarations import load_oracle
+from workbook.oracle.draft import draft
 from workbook.oracle.judge import Judge
 from workbook.reading.files import open_book
 from workbook.witnesses.pycel.model import PycelModel
@@ -182,6 +183,50 @@ def test_a_cell_that_cannot_be_found_is_refused(judged, tmp_path, cell):
     (tmp_path / "d.py").write_text(PUMP.replace("Sheet!B1", cell), encoding="utf-8")
     with pytest.raises(ReadError, match=r"expected|no sheet|formula"):
         Judge(open_book(build(tmp_path / "p.xlsx")), load_oracle(tmp_path / "d.py"))
+
+
+def test_ranges_of_a_draft_are_those_that_may_be_entered(tmp_path):
+    path = build(tmp_path / "p.xlsx", E1=0.5, E2=0.9)
+    book = openpyxl.load_workbook(path)
+    rules = {
+        "B1": DataValidation("decimal", operator="between", formula1="5", formula2="80"),
+        "B2": DataValidation("list", formula1='"10,20,40"'),
+        "B3": DataValidation("decimal", operator="lessThanOrEqual", formula1="$E$2"),
+        "B4": DataValidation("list", formula1="$E$1:$E$2"),
+        "A10": DataValidation("custom", formula1="=A10>0"),
+    }
+    for cell, rule in rules.items():
+        rule.add(cell)
+        book.active.add_data_validation(rule)
+    book.save(path)
+    text = draft(open_book(path))
+    assert "'Sheet!B1', unit='m³/h', low=5.0, high=80.0)" in text
+    assert "choices=[10.0, 20.0, 40.0])" in text
+    assert "low=0.7, high=0.9)" in text
+    assert "choices=[0.5, 0.9])" in text
+    assert "'Sheet!A10', unit='', low=0, high=0)" in text
+
+
+TRANSLATED = {
+    "D1": "=IF(B1^-2%>SUM(B1:B3,A1),MAX(B1:B2),-B6^2)", "D2": "=ATAN2(B1,B2)+MOD(-B1,B2)+LOG(B1)*LOG(B1,3)",
+    "D3": '=IF(NOT(AND(B2<30,B3>0)),"too large",AVERAGE(A10:C13))', "D4": "=IF(B1<>B2,B1-B2-B3)",
+    "E1": "=2^3^2-ROUND(B1,1)", "E2": '=IF(A1="flow",B1,0)', "E3": "=B1&B2", "E4": "=E3+1",
+}  # fmt: skip
+
+
+def test_proposals_give_what_the_formulas_give_and_count_as_steps(tmp_path):
+    path = build(tmp_path / "p.xlsx", **TRANSLATED, A20="Book", A21="Max", B21="=B3*2")
+    (tmp_path / "d.py").write_text(text := draft(open_book(path), proposed=True), encoding="utf-8")
+    assert "    shaft_power = hydraulic_power / efficiency\n" in text
+    oracle = load_oracle(tmp_path / "d.py")
+    for entry in oracle.inputs:
+        entry.low, entry.high = 0.9 * entry.low, 1.1 * entry.high
+    found = Judge(open_book(path), oracle).judge(20)
+    assert (found.wrong, len(found.unusable)) == ([fault for fault in found.wrong if fault.kind == "dimension"], 3)
+    assert {cell.a1 for cell, state in found.states.items() if state == "agrees"} >= {"D1", "D2", "D3", "D4", "B21"}
+    assert found.count("compared") == 0
+    assert found.count("step") >= 16
+    assert any("are proposed" in note for note in found.notes)
 
 
 def test_a_draft_declares_inputs_outputs_labels_and_units(tmp_path):

@@ -95,6 +95,16 @@ def test_the_line_says_who_judged_and_why_others_could_not(tmp_path):
     assert {*report.states.values()} == {"agrees"}
 
 
+def test_cells_that_an_array_of_today_fills_are_of_another_value_each_time(tmp_path):
+    cells = {"A1": "=TODAY()", "B1": ArrayFormula("B1:B2", "=A1+{0;1}"), "B2": "=", "C1": "=B2*2", "D1": "=2*3"}
+
+    def as_excel(sheet):
+        sheet["B2"].data_type = "f"  # written without a text
+
+    judge, _ = judged(tmp_path, cells, {}, {"D1": lambda: 6.0}, as_excel)
+    assert {cell.a1 for cell in judge.evaluators.clock} == {"A1", "B1", "B2", "C1"}
+
+
 def declared(path, values):
     """Return the states of cells declared to have these values, and the judge."""
     oracle = Oracle("x")
@@ -110,15 +120,29 @@ def test_what_excel_saved_decides_who_is_trusted(tmp_path):
     cells = {
         "A1": ("=TRUE=1", False), "A2": ('=CHOOSE(2,A2,"no circle")', "no circle"), "A4": ("=A3+1", "#NAME?"),
         "A5": ("=1/0+A3", "#NAME?"), "A6": ("=ROUND(2.5,0)", 4),
-        "A7": ("=CHAR(1)", "_x0001_"),
+        "A7": ("=CHAR(1)", "_x0001_"), "A8": ("=10*LOG10(COS(RADIANS(90)))", -162.12841279011377),
     }  # fmt: skip
     path = save_as_excel(tmp_path / "b.xlsx", cells | {"A3": "#NAME?"})
     states, judge, report = declared(path, {cell: value for cell, (_, value) in cells.items()} | {"A7": "\x01"})
-    assert states == dict.fromkeys(cells, "agrees") | {"A6": "cannot"}
+    assert states == dict.fromkeys(cells, "agrees") | {"A6": "cannot", "A8": "cannot"}
     assert report.wrong == []
     states, judge, report = declared(path, {"A6": 3.0})  # the saved value is stale
     assert [(fault.cell.a1, fault.kind) for fault in report.wrong] == [("A6", "stale")]
     assert "pycel" in judge.evaluators.trusted[report.wrong[0].cell]
+
+
+def test_a_link_has_the_value_that_was_saved_of_it(tmp_path):
+    cells = {"A1": 2.0, "B1": ("=[1]S!$A$1", 5.0), "B2": ("=B1*A1", 10.0), "B3": ("='[2]x y'!A1", "#REF!")}
+    cells |= {"B4": ("=A1*[1]S!$A$1", 10.0), "B5": ("='C:\\a-b\\[c d.xlsx]e-f'!A1", 3.0)}
+    path = save_as_excel(tmp_path / "b.xlsx", cells)
+    states, judge, report = declared(path, {"B2": 10.0, "B1": 5.0})
+    assert (states, report.wrong) == ({"B1": "agrees", "B2": "agrees"}, [])
+    assert {cell.a1 for cell in judge.evaluators.linked} == {"B1", "B5"}
+    assert any("=[1]S!$A$1" in note for note in report.notes)
+    oracle = Oracle("x")
+    oracle.output("B2", inputs=[oracle.input("A1", low=1, high=3)])(lambda a: 5 * a)
+    report = Judge(open_book(path), oracle).judge(8, witnesses=NAMES)
+    assert (report.wrong, {*report.states.values()}) == ([], {"agrees"})
 
 
 def test_what_a_copier_saved_is_no_evidence(tmp_path):
