@@ -41,6 +41,7 @@ class Figure(NamedTuple):
     unit: str
     value: Any
     says: str = ""
+    key: str = ""  # of an entry, in the description
 
 
 @dataclass(frozen=True)
@@ -91,9 +92,10 @@ class Design:
         for block, q in columns:
             axis, rest = self._axis(block.name)
             rows = rows_of(block, axis) if block.is_table else [""]
-            for row, value in zip(rows, as_rows(q.value, block.size, q.name), strict=True):
+            for k, (row, value) in enumerate(zip(rows, as_rows(q.value, block.size, q.name), strict=True)):
                 place = f"{block.sheet.title}: {row}" if row else block.sheet.title
-                figures[axis, rest, q.name if row else "", row] = Figure(place, q.label, q.unit, value)
+                key = q.key.replace(".*", f".{k}")
+                figures[axis, rest, q.name if row else "", row] = Figure(place, q.label, q.unit, value, key=key)
         return figures
 
     def _axis(self, name: str) -> tuple[str, str]:
@@ -152,6 +154,7 @@ class Change(NamedTuple):
     new: Any
     worse: bool = False
     says: str = ""
+    key: str = ""
 
     @property
     def difference(self) -> float | None:
@@ -222,7 +225,7 @@ def changes(before: Mapping[Key, Figure], after: Mapping[Key, Figure]) -> list[C
         if not same(old, new):
             more = is_number(old) and is_number(new) and new > old
             worse = new == FAIL if old == OK else more and shown.label.startswith("Use of")
-            listed.append(Change(*shown[:3], old, new, worse, now.says if now else ""))
+            listed.append(Change(*shown[:3], old, new, worse, now.says if now else "", shown.key))
     return listed
 
 

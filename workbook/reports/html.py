@@ -3,6 +3,7 @@
 import math
 from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -15,7 +16,9 @@ from engine.laws.base import Array
 from workbook.book.chart import COLOURS
 from workbook.errors import visible
 
-STYLE = "\n" + Path(__file__).with_name("page.css").read_text(encoding="utf-8")
+STYLE = "".join(
+    f"\n{Path(__file__).with_name(name).read_text(encoding='utf-8')}" for name in ("colors.css", "page.css")
+)
 WIDTH, HEIGHT = 720, 400
 LEFT, RIGHT, TOP, BOTTOM = 78, 170, 34, 50
 INK = "#1a1a1a"
@@ -49,10 +52,12 @@ def as_bytes(text: str | bytes) -> bytes:
     return text if isinstance(text, bytes) else text.encode(errors="backslashreplace")
 
 
-def table(headings: Sequence[str], rows: Iterable[Sequence[str]], numbers: Container[int]) -> str:
-    """Return a table whose columns ``numbers`` stand to the right."""
+def table(
+    headings: Sequence[str], rows: Iterable[Sequence[str]], numbers: Container[int], places: Iterable[str] = ()
+) -> str:
+    """Return a table whose columns ``numbers`` stand to the right; ``places`` say where in a design its rows lead."""
     css = [' class="number"' if k in numbers else "" for k in range(len(headings))]
-    return rendered("reports/table.html", headings=headings, rows=rows, css=css)
+    return rendered("reports/table.html", headings=headings, rows=zip_longest(rows, places, fillvalue=""), css=css)
 
 
 def xml_safe(text: str) -> str:

@@ -41,7 +41,8 @@ async def verify(page: Page) -> str:
     """Verify a workbook of the folder and return the report."""
     path = page.file()
     taken = pages.post("/inputs", path.name, "Edit what is entered")
-    return await page.reported(path, taken, pages.post("/regenerate", path.name, "Build anew"))
+    anew = pages.post("/regenerate", path.name, "Build anew")
+    return await page.reported(path, taken, anew, design=home.design_of(path, page.folder.files()))
 
 
 async def upload(page: Page) -> str:
@@ -52,8 +53,10 @@ async def upload(page: Page) -> str:
 
 async def compare(page: Page) -> str:
     """Tell what differs between two files of the folder."""
-    done, text = await page.run_with_report("diff", page.file("old"), page.file("new"), "--html")
-    return pages.framed(text) if text else pages.printed("Comparison", done.text, "")
+    old, new = page.file("old"), page.file("new")
+    done, text = await page.run_with_report("diff", old, new, "--html")
+    design = home.design_of(new, page.folder.files()) or home.design_of(old, page.folder.files())
+    return pages.framed(text, design=design) if text else pages.printed("Comparison", done.text, "")
 
 
 async def controller(page: Page, name: str) -> str:
@@ -112,13 +115,12 @@ GET: dict[str, Action] = {
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
 EDITING = (editing.change, editing.figures, editing.products, editing.verdict, editing.gains)
-KEEPING = (editing.discard, editing.theirs, editing.save, home.new, home.keep)
+KEEPING = (editing.discard, editing.theirs, editing.save, home.build, home.new, home.keep)
 WORKING = (verify, upload, compare, export, read, study.begin, study.cancel)
 POST: dict[str, Action] = {
     **{f"/{action.__name__}": action for action in (*EDITING, *KEEPING, *WORKING)},
     "/open": editing.open_design,
     "/study": study.new,
-    "/build": partial(write, "build", ".xlsx"),
     "/inputs": partial(write, "inputs", ".toml"),
     "/regenerate": partial(write, "regenerate", ".xlsx"),
 }

@@ -29,12 +29,12 @@ async def edit(page: Page, name: str) -> str:
 
 async def answer(page: Page, function: Any, *arguments: Any, slow: bool = False) -> str:
     """Return the result of a function in the worker, as JSON."""
-    page.set_header("Content-Type", "application/json")
-    return as_json(await page.work.in_worker(function, *arguments, slow=slow))
+    return as_json(page, await page.work.in_worker(function, *arguments, slow=slow))
 
 
-def as_json(given: Any) -> str:
+def as_json(page: Page, given: Any) -> str:
     """Return data as JSON: numbers that it has not as texts, and dates."""
+    page.set_header("Content-Type", "application/json")
     return json.dumps(finite(given), ensure_ascii=False, default=str)
 
 
@@ -85,11 +85,10 @@ async def change(page: Page) -> str:
     """Return a text with changes made in it, and the figures of an axis; keep a draft of what is no preview."""
     path, text = page.file(), page.text()
     changes, chosen = page.get_json("changes"), int(page.get_body_argument("axis", "-1"))
-    page.set_header("Content-Type", "application/json")
     given: dict[str, Any] = await page.work.in_worker(made, text, changes, chosen)
     if not page.get_body_argument("preview", ""):
         keep_draft(path, given["text"])
-    return as_json(given)
+    return as_json(page, given)
 
 
 def made(text: str, changes: list[dict[str, Any]], chosen: int) -> dict[str, Any]:
@@ -127,7 +126,7 @@ async def file_state(page: Page, name: str) -> str:
         return ""
 
 
-async def save(page: Page) -> str:
+async def save(page: Page) -> dict[str, Any]:
     """Save a description unless its file changed meanwhile, or under another, free name; delete its draft."""
     path, text, name = page.file(), page.text(), page.get_body_argument("as")
     source = path.read_bytes()
@@ -138,8 +137,7 @@ async def save(page: Page) -> str:
         raise WriteError(f"{path.name} changed on disk since it was opened")
     write_like(target, text, source)
     draft_of(path).unlink(missing_ok=True)
-    page.set_header("Content-Type", "application/json")
-    return as_json({"name": target.name, "state": state(target)})
+    return {"name": target.name, "state": state(target)}
 
 
 def write_like(path: Path, text: str, source: bytes) -> None:
@@ -148,10 +146,9 @@ def write_like(path: Path, text: str, source: bytes) -> None:
     write_text(path, f"\ufeff{lines}" if source.startswith(BOM) else lines, overwrite=True)
 
 
-async def theirs(page: Page) -> str:
+async def theirs(page: Page) -> dict[str, Any]:
     """Return the text that a description has on disk."""
-    page.set_header("Content-Type", "application/json")
-    return as_json({"text": file_text(page.file())})
+    return {"text": file_text(page.file())}
 
 
 async def discard(page: Page) -> str:

@@ -132,13 +132,17 @@ class Page(RequestHandler):
 
     post = get
 
+    @property
+    def is_of_script(self) -> bool:
+        """Whether the design page asks, which takes an answer in JSON."""
+        return self.request.headers.get("Accept") == "application/json"
+
     def write_error(self, status_code: int, **kwargs: Any) -> None:
         """Answer with the message of an error of motionbook's as a page, else with the reason in a line of text."""
         error = (kwargs.get("exc_info") or (None, None))[1]
         if isinstance(error, MotionbookError):
             self.set_status(400)
-            if self.request.headers.get("Accept") == "application/json":
-                self.set_header("Content-Type", "application/json")
+            if self.is_of_script:
                 self.finish({"error": str(error).replace(f"{self.folder.path}{os.sep}", "")})
                 return
             self.finish(pages.printed("This cannot be done", str(error), ""))
@@ -212,15 +216,15 @@ class Page(RequestHandler):
             text = report.read_text(encoding="utf-8") if report.exists() else ""
             return done, without_folders(text, command)
 
-    async def reported(self, path: Path, *links: str) -> str:
-        """Verify a workbook and return its report, links above it; the verdict is kept by what the file holds."""
+    async def reported(self, path: Path, *links: str, design: str = "") -> str:
+        """Verify a workbook of a design and return its report, links above it; the verdict is kept by its contents."""
         digest = state(path)
         done, text = await self.run_with_report("verify", path, "--report")
         verdict = pages.VERDICTS.get(done.code, "cannot be read")
         if not text:
             return pages.printed(path.name, done.text, verdict)
         store_cached(JUDGED, digest, {"verdict": verdict})
-        return pages.framed(text, *links)
+        return pages.framed(text, *links, design=design)
 
 
 def without_folders(text: str, paths: Iterable[str | Path]) -> str:
@@ -230,4 +234,4 @@ def without_folders(text: str, paths: Iterable[str | Path]) -> str:
     return text
 
 
-Action: TypeAlias = Callable[..., Awaitable[str | bytes | None]]
+Action: TypeAlias = Callable[..., Awaitable[str | bytes | dict[str, Any] | None]]

@@ -18,6 +18,7 @@ from workbook.serve import pages, shown
 from workbook.serve.editing import draft_of
 from workbook.serve.handler import BRIEF, JUDGED, Page, state
 from workbook.serve.parts import LAW, LIFT, TURN
+from workbook.serve.work import NOT_WRITTEN
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
@@ -39,7 +40,7 @@ class Group(NamedTuple):
 def grouped(files: list[Path]) -> list[Group]:
     """Return the files of a folder: each design with its books and studies, what has none under its own title."""
     items = [pages.item(path) for path in files]
-    designs = [each for each in items if each.path.suffix.lower() == ".toml" and not each.base]
+    designs = designs_of(items)
     groups = {each.path.name: Group(each.title, each, []) for each in designs}
     for each in items:
         if each not in designs:
@@ -47,6 +48,11 @@ def grouped(files: list[Path]) -> list[Group]:
             key = owner.path.name if owner else f"/{each.title}"  # no name of a file
             groups.setdefault(key, Group(each.title, None, [])).others.append(each)
     return sorted(groups.values(), key=lambda group: group.title.casefold())
+
+
+def designs_of(items: list[pages.Item]) -> list[pages.Item]:
+    """Return the descriptions among files."""
+    return [each for each in items if each.path.suffix.lower() == ".toml" and not each.base]
 
 
 def owner_of(file: pages.Item, designs: list[pages.Item]) -> pages.Item | None:
@@ -120,6 +126,34 @@ def lines_of(design: shown.ShownDesign) -> list[tuple[str, str]]:
             for k, (line, part) in enumerate(zip(lines, few, strict=True))]  # fmt: skip
 
 
+def design_of(path: Path, files: list[Path]) -> str:
+    """Return the name of the design that a file is, or is of; empty where the folder has none of it."""
+    designs = designs_of([*map(pages.item, files)])
+    own = next((each for each in designs if each.path == path), None) or owner_of(pages.item(path), designs)
+    return own.path.name if own else ""
+
+
+async def build(page: Page) -> str | dict[str, Any]:
+    """Build the book of a description, or its own book anew with what an engineer added; tell what fails."""
+    path = page.file()
+    own = page.folder.path / f"{path.stem}.xlsx"
+    book, options = page.folder.free(own.name, own=own), list[str | Path]()
+    if book.exists():
+        options, before = ["--keep", book, "--force"], book.read_bytes()
+    done = await page.run("build", path, "-o", book, *options)
+    if options and done.written != NOT_WRITTEN and pages.was_saved(before):
+        binned(book).write_bytes(before)
+    if page.is_of_script:
+        return {"book": book.name, "code": done.code, "words": done.text, "written": done.written}
+    return pages.printed(path.name, done.text, done.written, path, *filter(Path.exists, [book]))
+
+
+def binned(path: Path) -> Path:
+    """Return the place for a file in the bin of its folder, by the time."""
+    path.parent.joinpath(BIN).mkdir(exist_ok=True)
+    return path.parent / BIN / f"{datetime.now():%Y-%m-%d %H-%M-%S} {path.name}"
+
+
 async def keep(page: Page) -> None:
     """Duplicate or rename a file of the folder, under a name that is free, or move it into the folder's bin."""
     path, do = page.file(), page.get_body_argument("do")
@@ -132,9 +166,8 @@ async def keep(page: Page) -> None:
         if draft.exists():
             draft.rename(draft_of(target))
     elif do == "delete":
-        path.parent.joinpath(BIN).mkdir(exist_ok=True)
         for file in filter(Path.exists, (path, draft)):
-            file.rename(path.parent / BIN / f"{datetime.now():%Y-%m-%d %H-%M-%S} {file.name}")
+            file.rename(binned(file))
     else:
         raise WriteError(f"{do!r}: expected duplicate, rename or delete")
     page.redirect("/")

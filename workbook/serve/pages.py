@@ -8,14 +8,17 @@ from contextlib import suppress
 from datetime import datetime
 from functools import lru_cache
 from html import unescape
+from io import BytesIO
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 from urllib.parse import quote
 
+from workbook.reading.files import BUILT
 from workbook.reports.html import document, rendered, shown
 
 TITLE = re.compile(r"<dc:title>([^<]*)</dc:title>")
+CORE, AS_BUILT = "docProps/core.xml", f">{BUILT:%Y-%m-%dT%H:%M:%SZ}</dcterms:modified>"
 LONGEST = 1_000_000  # bytes that are read of a file for its title
 VERDICTS = {0: "agrees", 1: "disagrees", 2: "cannot be read", 3: "agrees; the design fails its checks"}
 
@@ -54,13 +57,19 @@ def known_of(path: Path, changed: int, size: int) -> tuple[str, str]:
     """Return the title of a file, and of a study the description that it is of; ``changed`` tells its versions."""
     with suppress(OSError, ValueError, KeyError, zipfile.BadZipFile, NotImplementedError):
         if path.suffix.lower() != ".toml":
-            with zipfile.ZipFile(path) as file, file.open("docProps/core.xml") as properties:
+            with zipfile.ZipFile(path) as file, file.open(CORE) as properties:
                 title = TITLE.search(properties.read(LONGEST).decode(errors="replace"))
             return unescape(title[1]) if title else path.stem, ""
         if size < LONGEST:
             data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
             return str(data.get("title") or path.stem), str(data.get("base", path.stem)) if "vary" in data else ""
     return path.stem, ""
+
+
+def was_saved(book: bytes) -> bool:
+    """Whether a program has saved a workbook since it was built, so that it may hold what no description has."""
+    with zipfile.ZipFile(BytesIO(book)) as file:
+        return AS_BUILT.encode() not in file.read(CORE)
 
 
 def is_study(path: Path) -> bool:
@@ -73,9 +82,9 @@ def design_page(name: str, study: str, pick: str) -> str:
     return rendered("serve/page/design.html", name=name, study=study, pick=pick)
 
 
-def framed(report: str, *do: str) -> str:
-    """Return a report of a command below the bar."""
-    return report.replace("<body>", f"<body>{bar(*do)}", 1)
+def framed(report: str, *do: str, design: str = "") -> str:
+    """Return a report of a command below the bar; what it tells of entries leads to the design's."""
+    return report.replace("<body>", f'<body data-design="{shown(design)}">{bar(*do)}', 1)
 
 
 def printed(title: str, words: str, verdict: str, *files: Path) -> str:

@@ -15,8 +15,13 @@ from workbook.serve.typed import value_of
 
 Changes = list[tuple[Place, Any]]
 TURN, LIFT, LAW = 360.0, 50.0, "MTP"
-ROOMS = {"phases": "phases", "parts": "rotors"}  # the size that has room for the rows of a list of an axis
-SIZES = {"phases": 8, "rotors": 6}  # of a description that tells none
+ROOMS = {
+    "phases": "phases",
+    "parts": "rotors",
+    "motors": "motors",
+    "reducers": "reducers",
+}  # the size with room for rows
+SIZES = {"phases": 8, "rotors": 6, "motors": 22, "reducers": 18}  # of a description that tells none
 NAMING = ("first", "second")  # entries of clearances that name an axis
 MECHANISMS: dict[str, dict[str, Any]] = {
     "mm": {"kind": "lead screw", "lead": 20.0, "efficiency": 0.9},
@@ -66,7 +71,7 @@ class Change:
         before = get(self.data, self.place)
         if value is None:
             return [(self.place, None)] if before is not None else []
-        changes: Changes = [(self.place, value)]
+        changes: Changes = [(self.place, value), *(self._room(len(value)) if isinstance(value, list) else ())]
         if key.name == KIND and self.place[-2:-1] == ("mechanism",):
             changes += self._of_kind(str(value))
         if key.name == "name" and self.place[0] == "axes" and len(self.place) == 3:
@@ -97,7 +102,7 @@ class Change:
             case ("axes",):
                 return self._row(rows, self._axis())
             case ("switches",):
-                return self._row(rows, {"name": self._free("switches", "Switch 1"), "on": [[0.0, self.length / 4.0]]})
+                return self._row(rows, {"name": self._free(rows, "Switch 1"), "on": [[0.0, self.length / 4.0]]})
             case ("clearances",):
                 return self._row(rows, self._clearance())
             case ("axes", number, "phases"):
@@ -113,6 +118,8 @@ class Change:
             return [(self.place, required([key for each in sections if not each.kind for key in each.keys]))]
         key = key_at(self.template, self.data, self.place)
         row = required(key.rows)
+        if "name" in row:
+            row["name"] = self._free(rows, f"New {self.place[-1].removesuffix('s')}")
         if not key.rows[2:] and all(each.required for each in key.rows):
             return self._row(
                 rows, [self.length * share for share in (0.5, 0.6)] if "°" in key.rows[0].unit else [*row.values()]
@@ -144,7 +151,7 @@ class Change:
         quarter = self.length / 4.0
         phases = [{"start": k * quarter, "stop": (k + 1.0) * quarter, "lift": lift, "law": LAW}
                   for k, lift in ((0, LIFT), (2, -LIFT))]  # fmt: skip
-        return {"name": self._free("axes", "MC01"), "group": "Group", "phases": phases}
+        return {"name": self._free(self.data.get("axes"), "MC01"), "group": "Group", "phases": phases}
 
     def _clearance(self) -> dict[str, Any]:
         """Return a clearance of the first two axes of the same unit."""
@@ -153,7 +160,12 @@ class Change:
         if pair is None:
             raise InputError(["a clearance is a gap of two axes in the same unit; add another axis first"])
         (first, _), (second, _) = pair
-        return {"name": self._free("clearances", "Clearance 1"), "first": first, "second": second, "offset": 100.0}
+        return {
+            "name": self._free(self.data.get("clearances"), "Clearance 1"),
+            "first": first,
+            "second": second,
+            "offset": 100.0,
+        }
 
     def _phase(self, number: int) -> dict[str, Any]:
         """Return a phase behind the last, else in the largest gap: it brings the axis back, or lifts it."""
@@ -202,8 +214,8 @@ class Change:
         if above[0] == "axes" and above[-1] == "phases":
             begin, end = self._gap(rows)
             return self._insert(rows, row | {"start": begin, "stop": min(end, begin + row["stop"] - row["start"])})
-        if isinstance(row, dict) and "name" in row and len(above) == 1:
-            row["name"] = self._free(above[0], row["name"])
+        if isinstance(row, dict) and "name" in row:
+            row["name"] = self._free(rows, row["name"])
         return self._row(rows, row)
 
     def _remove(self) -> Changes:
@@ -220,9 +232,11 @@ class Change:
             raise InputError([f"{'.'.join(self.place)}: there is no such entry"])
         return [(self.place, None)]
 
-    def _free(self, rows: str, name: str) -> str:
+    def _free(self, rows: Any, name: str) -> str:
         """Return a name that no row of a table has: the name, or that with the next number."""
-        taken = {str(row.get("name", "")).casefold() for row in self.data.get(rows, [])}
+        taken = {str(row.get("name", "")).casefold() for row in rows or []}
+        if name.casefold() not in taken:
+            return name
         match = re.fullmatch(r"(.*?)(\d*)", name)
         begin, digits = (match[1], match[2]) if match else (name, "")
         begin = begin if digits else f"{begin} "

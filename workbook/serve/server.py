@@ -14,13 +14,13 @@ from tornado.web import Application, HTTPError
 from workbook.serve.handler import LARGEST, Action, Page
 
 SVG = "image/svg+xml"
-ICON = {"favicon.ico": "icon.svg"}
+ELSEWHERE = {"favicon.ico": "icon.svg", "page/colors.css": "../reports/colors.css"}
 TYPES = {".svg": SVG, ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}
 
 
 async def static(page: Page, name: str) -> bytes:
     """Send a script or style of a page, or an icon."""
-    file = Path(__file__).parent / ICON.get(name, name)
+    file = Path(__file__).parent / ELSEWHERE.get(name, name)
     if not file.is_file():
         raise HTTPError(404)
     page.set_header("Content-Type", TYPES[file.suffix])

@@ -163,6 +163,29 @@ def test_a_file_that_changed_on_disk_is_told_and_a_second_tab_cannot_overwrite_i
         expect(field(other, "axes.1.load.mass")).to_have_value("50")
 
 
+def test_what_a_report_tells_leads_to_its_entry_or_to_what_it_names(page, server, wrapping):
+    for at, path in (("axes.1.motor.mass", "axes.1.motor.mass"), ("Drive MC02: creeps", "axes.1.load.mass"),
+                     ("revision", "revision"), ("Punch over cutter", "clearances.0.offset")):  # fmt: skip
+        page.goto(f"http://{server.host}/edit/wrapping.toml?at={at}")
+        expect(field(page, path)).to_be_visible()
+    expect(page.locator("aside h2")).to_contain_text("Punch over cutter")
+
+
+def test_a_catalogue_of_ones_own_is_a_table(page, server, wrapping):
+    opened(page, server)
+    page.locator("nav .item", has_text="Selection").click()
+    page.get_by_role("button", name="own catalogue").first.click()
+    page.get_by_role("button", name="begin with").click()
+    page.get_by_role("button", name="copy motor 2").click()
+    enter(page, "selection.motors.19.max_speed", "6500 rpm")
+    page.get_by_label("close").click()
+    settled(page)
+    expect(page.locator(".pill")).to_contain_text("checks OK")
+    motors = saved(page, wrapping)["selection"]["motors"]
+    assert (len(motors), motors[19]["max_speed"]) == (20, 6500.0)
+    assert motors[19]["name"] not in [motor["name"] for motor in motors[:19]]
+
+
 def test_what_was_not_saved_is_there_again_and_can_be_thrown_away(page, server, wrapping):
     opened(page, server)
     enter(page, "axes.1.load.mass", "33")

@@ -61,6 +61,25 @@ def test_a_verified_book_is_taken_into_edit_and_built_anew(server):
     assert same_book(server.root / name, server.root / "cutting.xlsx")
 
 
+def test_a_design_builds_its_own_book_and_keeps_what_is_the_engineers(server):
+    shutil.copy(server.root / "live.toml", server.root / "own.toml")
+    book = server.root / "own.xlsx"
+    assert b"own.xlsx" in server.ask("/build", server.form(name="own.toml")).body
+    opened = openpyxl.load_workbook(book)
+    opened.create_sheet("Mine")["A1"] = 7
+    opened.save(book)
+    edited = book.read_bytes()
+    told = server.ask("/build", server.form(name="own.toml"), Accept="application/json")
+    assert json.loads(told.body)["book"] == "own.xlsx"
+    assert openpyxl.load_workbook(book)["Mine"]["A1"].value == 7
+    (kept,) = (server.root / ".bin").glob("* own.xlsx")
+    assert kept.read_bytes() == edited
+    kept.unlink()
+    book.write_bytes(b"no book")
+    assert json.loads(server.ask("/build", server.form(name="own.toml"), Accept="application/json").body)["code"] == 2
+    assert book.read_bytes() == b"no book"
+
+
 def test_the_first_page_tells_what_a_description_comes_to_and_keeps_it_by_its_contents(server):
     path = server.root / "told.toml"
     shutil.copy(server.root / "live.toml", path)
@@ -112,6 +131,8 @@ def test_two_machines_are_compared_as_by_the_command(server):
     ran = subprocess.run([sys.executable, "-m", "workbook", "diff", *files, "--json"], capture_output=True, check=False)
     changes = [one for kind in json.loads(ran.stdout).values() if isinstance(kind, list) for one in kind]
     assert any("MC03" in one["place"] for one in changes)
+    assert 'data-design="other.toml"' in page
+    assert 'data-at="axes.2.phases.0.lift"' in page
     for one in changes:
         assert f">{figure(one['old'])}<" in page
         assert f">{figure(one['new'])}<" in page

@@ -38,6 +38,23 @@ export function choosePart(choice) {
   s.selected.value = { ...s.selected.value, ...choice };
 }
 
+/** Show an entry by its key, or the axis, switch or clearance that words name. @param {string|null|undefined} at */
+export function goTo(at) {
+  if (!at) return;
+  const [first, row] = at.split(".");
+  const tables = s.schema.value.map((each) => each.path.split(".")[0]);
+  const isOwn = s.schema.value.some((each) => each.path === "" && each.keys.some((entry) => entry.name === first));
+  if (!first || !(isOwn || tables.includes(first))) {
+    const rows = LISTS.flatMap((list) => (s.data.value[list] ?? []).map(({ name }, k) => ({ name, key: `${list}.${k}` })));
+    const [named] = rows.filter(({ name }) => name && at.includes(name)).sort((a, b) => b.name.length - a.name.length);
+    return goTo(named?.key);
+  }
+  s.sought.value = at;
+  if (first === "axes") choosePart({ axis: Number(row), phase: null, part: null });
+  else choosePart({ part: /^\d+$/.test(row ?? "") ? [first, Number(row)] : isOwn || OF_MACHINE.includes(first) ? [] : [first, ...(first === "laws" ? [row] : [])] });
+  requestAnimationFrame(() => /** @type {HTMLElement} */ (document.querySelector(`aside [data-path="${CSS.escape(at)}"]`))?.focus());
+}
+
 function Item({ part, words, note }) {
   const isOn = JSON.stringify(s.selected.value.part) === JSON.stringify(part);
   const isWrong = Object.keys(s.faults.value).some((key) => `${key}.`.startsWith(`${s.keyOf(part)}.`));
@@ -47,6 +64,7 @@ function Item({ part, words, note }) {
 
 const time = (on) => (Array.isArray(on) ? on : [on?.start, on?.stop]).join("–");
 const LISTS = ["axes", "switches", "clearances"];
+const OF_MACHINE = ["master", "power", "limits"];
 
 export function Cards() {
   const tree = s.data.value;
@@ -56,7 +74,7 @@ export function Cards() {
     if ((s.data.value[name]?.length ?? 0) > rows) choosePart(name === "axes" ? { axis: rows, phase: null, part: null } : { part: [name, rows] });
   };
   const known = new Set(s.schema.value.map((each) => each.path.split(".")[0]));
-  const others = [...known].filter((name) => name && !LISTS.includes(name) && !["master", "power", "limits", "laws"].includes(name));
+  const others = [...known].filter((name) => name && !LISTS.includes(name) && ![...OF_MACHINE, "laws"].includes(name));
   const family = (name, title, note) => known.has(name) && html`<h2>${title}</h2>
     ${(tree[name] ?? []).map((row, k) => html`<${Item} key=${k} part=${[name, k]} words=${row.name || `${title} ${k + 1}`} note=${note(row, k)} />`)}
     <button class="add" onClick=${add(name)}>+ ${name === "switches" ? "switch" : name.slice(0, -1)}</button>`;

@@ -123,7 +123,7 @@ export function AxisCharts({ axis, figures, saved, cursor, chosen }) {
     chosen.value === "both" || MOTION.includes(key) === (chosen.value === "motion");
   const all = (figure?.charts ?? []).filter(isShown);
   const missing =
-    figure?.error ?? (all.length ? "" : figure ? `no ${chosen.value} to be shown yet` : "being worked out …");
+    figure?.error ?? (all.length ? "" : figure?.charts ? `no charts of ${chosen.value} yet` : "being worked out …");
   return html`<section
     class=${`panel charts ${classOf(axis.index)}${figure?.stale ? " stale" : ""}`}
     aria-label=${`Charts of ${axis.name}`}

@@ -3,13 +3,14 @@ import { html, useState } from "./html.js";
 import { Choice, Field, Input, Wrong } from "./fields.js";
 import { commit } from "./journal.js";
 import { LawChoice } from "./laws.js";
-import { Products, Unused } from "./products.js";
+import { Catalogue, Products, Unused } from "./products.js";
 import * as s from "./state.js";
 
 const MAIN = {
   "": ["title"], master: ["rate"], load: ["mass", "friction", "slope", "force", "inertia", "torque", "friction_torque"],
   motor: ["name", "inertia", "rated_torque", "peak_torque", "max_speed"], reducer: ["name", "ratio", "efficiency"],
   power: ["efficiency", "hours"], clearances: ["offset", "least", "first_factor", "second_factor"],
+  selection: ["motors", "reducers", "rank", "axis"],
 };
 const BESIDE = ["name", "holding", "temperature", "limit", "rated_at", "copper_losses"]; // count beside a product's own
 const TURNS = ["inertia", "torque", "friction_torque"];
@@ -41,6 +42,7 @@ function suits(entry, path, axis) {
 /** The rows of a list of an entry, such as the phases of an axis; rows of many entries each as fields. */
 function Rows({ entry, path }) {
   const [isOpen, open] = useState(false);
+  if (path[0] === "selection") return html`<${Catalogue} entry=${entry} path=${path} />`;
   const rows = s.get(s.data.value, path) ?? [];
   const isPhases = path.at(-1) === "phases";
   if (typeof rows === "string" || (rows.length && typeof rows[0] !== "object"))
@@ -80,7 +82,7 @@ function Fields({ keys, path, main, label = "", kind = "" }) {
   const [isOpen, open] = useState(false);
   const entries = s.get(s.data.value, path);
   const isNamed = ["motor", "reducer"].includes(kind) && entries?.name;
-  const isFirst = (entry) => entry.required || main.includes(entry.name) || isSet(entries?.[entry.name]) || s.faults.value[s.keyOf([...path, entry.name])];
+  const isFirst = (entry) => entry.required || main.includes(entry.name) || isSet(entries?.[entry.name]) || s.faults.value[s.keyOf([...path, entry.name])] || s.keyOf([...path, entry.name]) === s.sought.value;
   const field = (entry) => html`<${isNamed && !BESIDE.includes(entry.name) ? Unused : Field} key=${entry.name} entry=${entry}
     path=${[...path, entry.name]} kind=${kind} label=${label && `${label}${entry.label}`} />`;
   const single = keys.filter((entry) => !entry.rows.length);

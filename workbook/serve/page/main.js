@@ -1,6 +1,6 @@
 // The design page: top, left, middle, right and bottom; the keys that work everywhere.
 import { html, render } from "./html.js";
-import { Cards } from "./cards.js";
+import { Cards, goTo } from "./cards.js";
 import { laws, products } from "./catalogue.js";
 import { AxisCharts } from "./charts.js";
 import { Entries } from "./entries.js";
@@ -27,9 +27,13 @@ function Middle() {
 function Notice() {
   const notice = s.notice.value;
   if (!notice) return null;
-  return html`<div class=${`notice ${notice.kind}`} role="alert">${notice.words}
-    ${(notice.actions ?? []).map(([words, act]) => html`<button key=${words} onClick=${act}>${words}</button>`)}
-    <button aria-label="close" onClick=${() => (s.notice.value = null)}>×</button></div>`;
+  const { words, kind, actions = [], links = [], lines = [], book } = notice;
+  if (kind === "busy")
+    return html`<div class="notice"><progress aria-label="Building"></progress>${words}${actions.map(([name, act]) => html`<button key=${name} onClick=${act}>${name}</button>`)}</div>`;
+  return html`<div class=${`notice ${kind}`} role="alert"><div>${words}${lines.map((line) => html`<small key=${line}>${line}</small>`)}</div>
+    ${actions.map(([name, act]) => html`<button key=${name} onClick=${act}>${name}</button>`)}
+    ${links.map(([name, href]) => (href === "/verify" ? html`<form key=${name} action=${href} method="post"><input type="hidden" name="name" value=${book} /><button>${name}</button></form>` : html`<a key=${name} class="button" href=${href}>${name}</a>`))}
+    <button class="close" aria-label="close" onClick=${() => (s.notice.value = null)}>×</button></div>`;
 }
 
 function Page() {
@@ -70,3 +74,4 @@ s.selected.subscribe(({ axis }) => {
   }
   last = axis;
 });
+goTo(new URLSearchParams(location.search).get("at"));

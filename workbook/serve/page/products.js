@@ -2,7 +2,7 @@
 import { html, useEffect, useRef, useState } from "./html.js";
 import { commit } from "./journal.js";
 import { products } from "./catalogue.js";
-import { Field, Wrong } from "./fields.js";
+import { Field, Input, Wrong } from "./fields.js";
 import { post } from "./server.js";
 import * as s from "./state.js";
 
@@ -68,13 +68,36 @@ function Table({ kind, value, axis, take }) {
     })}</tbody></table></div>`;
 }
 
+/** A window over the page with a heading. */
+function Window({ heading, close, children }) {
+  const place = useRef(/** @type {any} */ (null));
+  useEffect(() => place.current.showModal(), []);
+  return html`<dialog ref=${place} onClose=${close} aria-label=${heading}>
+    <h3>${heading} <button class="quiet" aria-label="close" onClick=${close}>×</button></h3>${children}</dialog>`;
+}
+
+/** The products that a design chooses among: those that come with motionbook, or its own as a table to be edited. */
+export function Catalogue({ entry, path }) {
+  const [isOpen, open] = useState(false);
+  const kind = entry.name.slice(0, -1);
+  const entered = s.get(s.data.value, path);
+  const own = Array.isArray(entered) ? entered : null;
+  const filled = (row) => Object.fromEntries(Object.entries(row).filter(([, value]) => value !== null));
+  const does = (k, words, sign) => html`<button class="quiet" aria-label=${`${words} ${kind} ${k + 1}`} onClick=${() => commit([{ path: [...path, k], do: words }])}>${sign}</button>`;
+  return html`<div class="sel"><span>${own ? `${own.length} of its own` : `${products.value[kind].length} that come with motionbook`}</span>
+      <button class="quiet" onClick=${() => open(true)}>own catalogue ▾</button></div><${Wrong} path=${path} />
+    ${isOpen && html`<${Window} heading=${`${entry.name[0].toUpperCase()}${entry.name.slice(1)} to choose among`} close=${() => open(false)}>
+      ${own && html`<div class="scroll"><table class="own"><thead><tr>${entry.rows.map((row) => html`<th scope="col" title=${row.label}>${row.name.replaceAll("_", " ")}${row.unit && html`<br />${row.unit}`}</th>`)}<td></td></tr></thead>
+        <tbody>${own.map((_, k) => html`<tr key=${k}>${entry.rows.map((row) => html`<td key=${row.name}><${Input} entry=${{ ...row, unit: "", options: [] }} path=${[...path, k, row.name]} label=${`${kind} ${k + 1}, ${row.label}`} />
+          <${Wrong} path=${[...path, k, row.name]} /></td>`)}<td>${does(k, "copy", "❐")}${own.length > 1 && does(k, "remove", "×")}</td></tr>`)}</tbody></table></div>`}
+      <button class="add" onClick=${() => commit([{ path, do: "add" }])}>+ ${kind}</button>
+      ${own ? html`<button class="add" onClick=${() => commit([{ path, do: "remove" }])}>back to those that come with motionbook</button>`
+        : html`<button class="add" onClick=${() => commit([{ path, value: products.value[kind].map(filled) }])}>begin with those that come with motionbook</button>`}<//>`}`;
+}
+
 export function Products({ path, kind }) {
   const [isOpen, open] = useState(false);
-  const place = useRef(/** @type {any} */ (null));
   const value = s.get(s.data.value, path);
-  useEffect(() => {
-    if (isOpen) place.current.showModal();
-  }, [isOpen]);
   const take = (name) => {
     open(false);
     if ((value ?? "") !== name) commit([{ path, value: name }]);
@@ -82,7 +105,5 @@ export function Products({ path, kind }) {
   return html`<div class="sel"><span>${value || (kind === "motor" ? "as entered" : "as entered, or none")}</span>
       ${value && html`<button class="quiet" onClick=${() => take("")}>enter figures</button>`}
       <button class="quiet" onClick=${() => open(true)}>from the catalogue ▾</button></div><${Wrong} path=${path} />
-    ${isOpen && html`<dialog ref=${place} onClose=${() => open(false)} aria-label=${`Choose a ${kind}`}>
-      <h3>Choose a ${kind} <button class="quiet" aria-label="close" onClick=${() => open(false)}>×</button></h3>
-      <${Table} kind=${kind} value=${value} axis=${path[1]} take=${take} /></dialog>`}`;
+    ${isOpen && html`<${Window} heading=${`Choose a ${kind}`} close=${() => open(false)}><${Table} kind=${kind} value=${value} axis=${path[1]} take=${take} /><//>`}`;
 }

@@ -5,6 +5,7 @@ import { takeActive } from "./fields.js";
 import * as s from "./state.js";
 
 const LOOK = 2000; // ms between two looks at the file
+const SECOND = 1000; // ms
 
 const tell = (words, kind = "bad", actions = []) => {
   s.notice.value = { words, kind, actions };
@@ -39,12 +40,25 @@ export async function save() {
 /** Save, and build the workbook of what is saved. */
 export async function build() {
   if (!(await save())) return;
-  const form = document.createElement("form");
-  form.method = "post";
-  form.action = "/build";
-  form.append(Object.assign(document.createElement("input"), { type: "hidden", name: "name", value: s.file.value.name }));
-  document.body.append(form);
-  form.submit();
+  const [ending, begun] = [new AbortController(), Date.now()];
+  const working = () => {
+    const words = `Building the workbook, ${((Date.now() - begun) / 1000).toFixed(0)} s`;
+    s.notice.value = { words, kind: "busy", actions: [["cancel", () => ending.abort()]] };
+  };
+  working();
+  const timer = setInterval(working, SECOND);
+  try {
+    const { book, code, words, written } = await post("/build", {}, ending.signal);
+    const link = encodeURIComponent(book);
+    const links = code === 2 ? [] : [["Download", `/file/${link}`], ["Verify", "/verify"], ["Controller", `/controller/${link}`]];
+    const lines = words.split("\n").filter((line) => !line.startsWith("Built "));
+    s.notice.value = { words: `${book}: ${written || "built, all its checks OK"}`, kind: code ? "bad" : "note", lines, links, book };
+  } catch (error) {
+    if (!(error instanceof Refused)) throw error;
+    tell(error.message);
+  } finally {
+    clearInterval(timer);
+  }
 }
 
 async function open(fields = {}) {
@@ -111,6 +125,6 @@ function tellChanged(at) {
 }
 
 addEventListener("beforeunload", (event) => {
-  if (s.isChanged.value && s.text.value !== "" && !document.querySelector("form[action='/build']")) event.preventDefault();
+  if (s.isChanged.value && s.text.value !== "") event.preventDefault();
 });
 

@@ -4,16 +4,18 @@ import { file } from "./state.js";
 export class Refused extends Error {}
 export class Gone extends Refused {}
 
-/** Post fields; return the answer. Throws Refused with the server's sentence. */
-export async function post(address, fields = {}) {
+/** Post fields; return the answer. Throws Refused with the server's sentence, also where a signal ends it. */
+export async function post(address, fields = {}, signal = undefined) {
   let answer;
   try {
     answer = await fetch(address, {
       method: "POST",
       headers: { Accept: "application/json" },
       body: new URLSearchParams({ name: file.value.name, ...fields }),
+      signal,
     });
   } catch {
+    if (signal?.aborted) throw new Refused("Cancelled.");
     throw new Gone("The server has ended: run motionbook serve again. Nothing here is lost while this page is open.");
   }
   const words = await answer.text();

@@ -2,7 +2,7 @@
 import { html, useState } from "./html.js";
 import { Input } from "./fields.js";
 import { redo, undo } from "./journal.js";
-import { choosePart } from "./cards.js";
+import { goTo } from "./cards.js";
 import { Gains } from "./gains.js";
 import { build, save } from "./save.js";
 import * as s from "./state.js";
@@ -20,14 +20,12 @@ function Verdict() {
   if (!given) return html`<span class="pill wait">judging …</span>`;
   const { checks, number } = given;
   const words = { OK: `${number} checks OK`, FAIL: `${checks.length} of ${number} checks FAIL`, unfinished: `${checks.length || 1} to complete`, unknown: "no verdict" };
-  const go = (path) => {
+  const go = ({ path, sentence }) => {
     open(false);
-    if (!path) return;
-    if (path[0] === "axes") choosePart({ axis: Number(path[1]), phase: null, part: null });
-    else choosePart({ part: /^\d+$/.test(path[1] ?? "") ? [path[0], Number(path[1])] : ["master", "power", "limits", "title"].includes(path[0]) ? [] : path.slice(0, path[0] === "laws" ? 2 : 1) });
+    goTo(path?.join(".") ?? sentence);
   };
   return html`<span class="verdict"><button class=${`pill ${given.verdict}`} aria-expanded=${isOpen} disabled=${!checks.length} onClick=${() => open(!isOpen)}>${words[given.verdict]}</button>
-    ${isOpen && html`<div class="list">${checks.map((each, k) => html`<button key=${k} onClick=${() => go(each.path)}>${each.sentence}</button>`)}</div>`}</span>`;
+    ${isOpen && html`<div class="list">${checks.map((each, k) => html`<button key=${k} onClick=${() => go(each)}>${each.sentence}</button>`)}</div>`}</span>`;
 }
 
 export function Top() {
