@@ -41,7 +41,37 @@ def study(page: Page, root: str) -> None:
     page.wait_for_selector("#study svg")
 
 
-PICTURES = {"browser-edit.png": design, "browser-study.png": study}
+def new(page: Page, root: str) -> None:
+    """Show how a designer's day begins: an empty machine that has a name."""
+    page.goto(f"{root}/#new")
+    page.get_by_label("Name of the machine").fill("Cartoner")
+    page.get_by_label("Name of its axis").fill("LIFT")
+
+
+def motor(page: Page, root: str) -> None:
+    """Show the motors of the catalogue with what each comes to in an axis of the cartoner."""
+    page.goto(f"{root}/edit/cartoner.toml")
+    page.locator(".card", has_text="PUSH").click()
+    page.get_by_role("button", name="from the catalogue").last.click()
+    page.wait_for_selector("dialog td.good")
+
+
+def built(page: Page, root: str) -> None:
+    """Show the verdict on the cartoner's book where it is built."""
+    page.goto(f"{root}/edit/cartoner.toml")
+    page.get_by_role("button", name="Build workbook").click()
+    page.wait_for_selector(".notice form")
+
+
+def verified(page: Page, root: str) -> None:
+    """Show the report on that book, whose checks that fail lead to the design."""
+    built(page, root)
+    page.get_by_role("button", name="Verify").click()
+    page.wait_for_selector("text=every formula cell computes")
+
+
+DAY = {"browser-new.png": new, "browser-motor.png": motor, "browser-built.png": built, "browser-verified.png": verified}
+PICTURES = {"browser-edit.png": design, "browser-study.png": study} | DAY
 
 
 def main(wanted: list[str]) -> None:
@@ -51,6 +81,7 @@ def main(wanted: list[str]) -> None:
         return
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as driver:
         shutil.copy(FOLDER / "machine.toml", folder)
+        shutil.copy(HERE.parent / "tests" / "workbook" / "serve" / "cartoner.toml", folder)
         text = (HERE / "study.toml").read_text(encoding="utf-8")
         Path(folder, "study.toml").write_text(text.replace("../templates/", ""), encoding="utf-8")
         command = [sys.executable, "-u", "-m", "workbook", "serve", folder, "--no-browse"]

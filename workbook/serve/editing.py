@@ -52,7 +52,7 @@ async def open_design(page: Page) -> str:
     path, asked = page.file(), page.get_body_argument("study", "")
     saved, draft, text, note, target = file_text(path), draft_of(path), None, "", path.name
     if asked:
-        number, results = int(page.get_body_argument("pick")), page.folder.file(asked)
+        number, results = page.number("pick"), study.study_file(page, asked)
         text = await page.work.in_worker(study.picked, results, number)
         note = f"Design {number} of {asked}. It is not saved yet; Save gives it a name of its own."
         target = f"{results.stem}-{number}.toml"
@@ -84,7 +84,7 @@ def shown_text(text: str) -> dict[str, Any]:
 async def change(page: Page) -> str:
     """Return a text with changes made in it, and the figures of an axis; keep a draft of what is no preview."""
     path, text = page.file(), page.text()
-    changes, chosen = page.get_json("changes"), int(page.get_body_argument("axis", "-1"))
+    changes, chosen = page.get_json("changes"), page.number("axis", "-1")
     given: dict[str, Any] = await page.work.in_worker(made, text, changes, chosen)
     if not page.get_body_argument("preview", ""):
         keep_draft(path, given["text"])
@@ -99,12 +99,12 @@ def made(text: str, changes: list[dict[str, Any]], chosen: int) -> dict[str, Any
 
 async def figures(page: Page) -> str:
     """Return the figures of all axes of a text, and of the machine."""
-    return await answer(page, design.figures, page.text(), int(page.get_body_argument("axis")))
+    return await answer(page, design.figures, page.text(), page.number("axis"))
 
 
 async def products(page: Page) -> str:
     """Return the use of each motor or reducer of the catalogue in an axis of a text."""
-    axis, kind = int(page.get_body_argument("axis")), page.get_body_argument("kind")
+    axis, kind = page.number("axis"), page.get_body_argument("kind")
     return await answer(page, design.products, page.text(), axis, kind)
 
 

@@ -13,7 +13,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from tornado.web import HTTPError, RequestHandler
+from tornado.httputil import HTTPInputError, parse_body_arguments
+from tornado.web import HTTPError, RequestHandler, stream_request_body
 
 from workbook.errors import MotionbookError, ReadError, WriteError
 from workbook.file_cache import store_cached
@@ -87,6 +88,7 @@ def state(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
+@stream_request_body  # who may not ask is refused before a body is read
 class Page(RequestHandler):
     """A page for who has the token; Host is compared against DNS rebinding, Origin against posts from other pages."""
 
@@ -94,6 +96,7 @@ class Page(RequestHandler):
         """Take the action of this address with its HTTP method, and what all pages share."""
         self.method, self.action, self.folder, self.work = method, action, folder, work
         self._command: asyncio.Future[Done] | None = None
+        self._body = bytearray()
 
     def set_default_headers(self) -> None:
         """Let a browser load nothing from elsewhere, run no script but the server's own and keep no copy."""
@@ -120,12 +123,21 @@ class Page(RequestHandler):
         self.redirect("/")
         return None
 
+    def data_received(self, chunk: bytes) -> None:
+        """Take a part of the body as it comes."""
+        self._body += chunk
+
     async def get(self, *names: str) -> None:
         """Run the action of this address, and answer with its result."""
         if self.request.method != self.method:
             raise HTTPError(405)
         if self.action is None:  # there is nothing at this address
             raise HTTPError(404)
+        kind, request = self.request.headers.get("Content-Type", ""), self.request
+        try:
+            parse_body_arguments(kind, bytes(self._body), request.body_arguments, request.files)
+        except HTTPInputError:
+            raise HTTPError(400) from None
         answer = await self.action(self, *names)
         if answer is not None:
             self.finish(answer)
@@ -163,6 +175,13 @@ class Page(RequestHandler):
         """Return the text that is edited, as it is: a form sends it with the line ends of Windows."""
         return self.get_body_argument("text", strip=False).replace("\r\n", "\n")
 
+    def number(self, field: str, otherwise: str = "") -> int:
+        """Return the whole number that a field of the form holds; raise WriteError for another text."""
+        given = self.get_body_argument(field, otherwise)
+        if not re.fullmatch(r"-?\d{1,6}", given):
+            raise WriteError(f"{field}: found {given!r}; expected a whole number")
+        return int(given)
+
     def get_json(self, field: str) -> Any:
         """Return the list of changes that a field of the form holds as JSON."""
         try:
@@ -196,6 +215,7 @@ class Page(RequestHandler):
 
     def on_connection_close(self) -> None:
         """End the command that nobody waits for any more."""
+        super().on_connection_close()
         if self._command is not None:
             self._command.cancel()
 

@@ -14,6 +14,7 @@ from tornado.web import Application, HTTPError
 from workbook.serve.handler import LARGEST, Action, Page
 
 SVG = "image/svg+xml"
+SLOWEST = 60.0  # seconds of a body
 ELSEWHERE = {"favicon.ico": "icon.svg", "page/colors.css": "../reports/colors.css"}
 TYPES = {".svg": SVG, ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}
 
@@ -52,7 +53,7 @@ async def serving(
         default_handler_class=Page,
         default_handler_args={**shared, "method": "GET", "action": None},
     )
-    server = HTTPServer(application, max_buffer_size=LARGEST + 2**20)
+    server = HTTPServer(application, max_buffer_size=LARGEST + 2**20, body_timeout=SLOWEST)
     server.add_sockets(sockets)
     tell(address := f"http://127.0.0.1:{port}/?token={token}")
     if browse:

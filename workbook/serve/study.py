@@ -71,9 +71,16 @@ async def new(page: Page) -> None:
     page.redirect(pages.address("study", path.name))
 
 
+def study_file(page: Page, name: str) -> Path:
+    """Return the file of a study; raise ReadError for one whose base lies outside the folder."""
+    path = page.folder.file(name)
+    page.folder.file(str(parse_toml(read_text(path, "a study, a .toml file"), path).get("base", path.name)))
+    return path
+
+
 async def begin(page: Page) -> None:
     """Begin a study, or go on with it, with a core left free, and follow it."""
-    path = page.file()
+    path = study_file(page, page.get_body_argument("name"))
     results = path.with_suffix(".csv")
     done, size = folder.progress(results)
     more = ["--resume"] if size else []
@@ -100,7 +107,7 @@ async def show(page: Page, name: str) -> str:
 
 async def progress(page: Page, name: str) -> str:
     """Return the rate of a study and what remains, the front when it is done, or what there is to begin."""
-    path = page.folder.file(name)
+    path = study_file(page, name)
     job, results = page.work.jobs.get(path.name), path.with_suffix(".csv")
     if job is not None and job.done is None:
         done, size = folder.progress(results)

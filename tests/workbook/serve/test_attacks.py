@@ -8,12 +8,14 @@ import time
 import zipfile
 from contextlib import suppress
 from pathlib import Path
+from urllib.parse import quote
 
 import pytest
 
 from tests import cutting
 from tests.workbook.serve.conftest import serving
 from workbook.reading.descriptions import write_machine
+from workbook.serve.app import GET, POST
 from workbook.serve.work import Done, Work
 from workbook.writing.output_files import write_text
 
@@ -39,6 +41,72 @@ def test_a_zip_bomb_is_told_and_harms_nobody(server):
     answer = server.upload("/upload", "book", "bomb.xlsx", packed.getvalue()).body.decode()
     assert "Cannot be read" in answer
     assert server.ask("/").code == 200
+
+
+OUTSIDE = ("../secret.toml", "/etc/passwd", "..\\secret.toml", ".hidden.toml", "link.toml", "secret\0.toml")
+FIELDS = ("name", "old", "new", "as", "study", "axis", "target", "template", "do", "kind", "pick", "points", "text")
+
+
+@pytest.mark.parametrize("path", sorted(GET | POST))
+def test_no_parameter_leads_out_of_the_folder_and_no_stranger_is_answered(server, path):
+    link = server.root / "link.toml"
+    if not link.is_symlink():
+        link.symlink_to(server.root.parent / "secret.toml")
+    before = sorted(server.root.parent.rglob("*"))
+    for name in OUTSIDE if path in POST or "NAME" in path else ():
+        body = server.form(**dict.fromkeys(FIELDS, name)) if path in POST else None
+        answer = server.ask(path.replace("NAME", quote(name, safe="")), body)
+        assert (answer.code in (200, 400, 404), b"outside" in answer.body) == (True, False)
+    address = path.replace("NAME", "live.toml")
+    if "(" not in address:
+        body = server.form(name="live.toml") if path in POST else None
+        assert [server.ask(address, body, **more).code for more in ({"cookie": ""}, {"Host": "evil.example"})] == [
+            403
+        ] * 2
+        assert body is None or server.ask(address, body, origin="http://evil.example").code == 403
+    assert sorted(server.root.parent.rglob("*")) == before
+
+
+def test_a_thousand_requests_at_once_are_answered(server):
+    host, _, port = server.host.partition(":")
+    head = f"GET /state/live.toml HTTP/1.1\r\nHost: {server.host}\r\nCookie: motionbook={server.token}\r\n\r\n"
+
+    async def ask():
+        reader, writer = await asyncio.open_connection(host, int(port))
+        writer.write(head.encode())
+        answered = await reader.readline()
+        writer.close()
+        return answered
+
+    async def ask_all():
+        return await asyncio.gather(*(ask() for _ in range(1000)))
+
+    assert set(asyncio.run(ask_all())) == {b"HTTP/1.1 200 OK\r\n"}
+
+
+@pytest.mark.parametrize("wrong", ["Origin: http://evil.example", "Cookie: motionbook=wrong", ""])
+def test_a_body_is_refused_by_its_header_and_a_slow_one_holds_nobody_up(server, wrong):
+    host, _, port = server.host.partition(":")
+    right = {"Host": server.host, "Origin": f"http://{server.host}", "Cookie": f"motionbook={server.token}"}
+    right |= dict([wrong.split(": ")]) if wrong else {}
+    head = "".join(f"{name}: {value}\r\n" for name, value in right.items())
+    with socket.create_connection((host, int(port)), timeout=60) as connection:
+        connection.sendall(f"POST /upload HTTP/1.1\r\n{head}Content-Length: 50000000\r\n\r\nbook=".encode())
+        if wrong:
+            assert b"403" in connection.recv(1000)
+        for _ in range(5):
+            assert server.ask("/state/live.toml").code == 200
+            if not wrong:
+                connection.sendall(b"x")
+
+
+def test_a_study_of_what_lies_outside_the_folder_is_refused(server):
+    (server.root / "far.toml").write_text(
+        'title = "Far"\nbase = "../secret.toml"\n[[vary]]\nkey = "master.rate"\nvalues = [1]'
+    )
+    for answer in (server.ask("/progress/far.toml"), server.ask("/begin", server.form(name="far.toml"))):
+        assert (answer.code, "plain name" in answer.body.decode()) == (400, True)
+    (server.root / "far.toml").unlink()
 
 
 def test_a_hundred_commands_wait_for_their_turn(monkeypatch):

@@ -164,7 +164,7 @@ def test_a_file_that_changed_on_disk_is_told_and_a_second_tab_cannot_overwrite_i
 
 
 def test_what_a_report_tells_leads_to_its_entry_or_to_what_it_names(page, server, wrapping):
-    for at, path in (("axes.1.motor.mass", "axes.1.motor.mass"), ("Drive MC02: creeps", "axes.1.load.mass"),
+    for at, path in (("axes.1.load.viscous", "axes.1.load.viscous"), ("Drive MC02: creeps", "axes.1.load.mass"),
                      ("revision", "revision"), ("Punch over cutter", "clearances.0.offset")):  # fmt: skip
         page.goto(f"http://{server.host}/edit/wrapping.toml?at={at}")
         expect(field(page, path)).to_be_visible()

@@ -37,6 +37,7 @@ function drawLimits(plot, chart) {
   const { left, top, width, height } = plot.bbox;
   const [gap, line] = [4 * devicePixelRatio, 15 * devicePixelRatio];
   let corner = 0;
+  const names = [{ at: Infinity, isLeft: false }];
   for (const { limit, isAcross, isFar, name } of limitsOf(chart)) {
     const color = colorAt(plot.root, limit.kind === "continuous" ? "--soft" : "--limit");
     if (isFar) {
@@ -50,9 +51,12 @@ function drawLimits(plot, chart) {
     if (isAcross)
       write(plot, name, plot.valToPos(limit.value, "x", true) - gap, top + height - gap - line, color, "right");
     else if (name) {
-      const isLeft = !isOverCycle(chart) && (chart.points ?? []).every((point) => point.x > (x.min + x.max) / 2); // beside it
-      const at = plot.valToPos(isLeft ? values[0] : values[values.length - 1], "y", true);
+      const isBeside = !isOverCycle(chart) && (chart.points ?? []).every((point) => point.x > (x.min + x.max) / 2); // beside it
+      const at = plot.valToPos(isBeside ? values[0] : values[values.length - 1], "y", true);
       const bottom = at - line < top ? at + line + 2 : at - 1;
+      const isTaken = names.some((one) => one.isLeft === isBeside && Math.abs(one.at - bottom) < line);
+      const isLeft = isBeside !== isTaken; // no name over another
+      names.push({ at: bottom, isLeft });
       write(plot, name, isLeft ? left + gap : left + width - gap, bottom, color, isLeft ? "left" : "right");
     }
   }

@@ -46,11 +46,6 @@ export function positions(axis, figure, length) {
   return (/** @type {number} */ time) => moves.reduce((sum, { lift, at }) => sum + lift * at(time), start);
 }
 
-/** The position at an angle of the machine. @param {Axis} axis @param {Figure|undefined} figure @param {number} length @param {number} angle */
-export function positionAt(axis, figure, length, angle) {
-  return positions(axis, figure, length)(wrapped(angle - axis.shift, length));
-}
-
 /**
  * The line of an axis over the period, as runs of [angle, position]: two runs where its shift parts it.
  * @param {Axis} axis @param {Figure|undefined} figure @param {number} length @returns {[number, number][][]}

@@ -4,8 +4,8 @@ import { file } from "./state.js";
 export class Refused extends Error {}
 export class Gone extends Refused {}
 
-/** Post fields; return the answer. Throws Refused with the server's sentence, also where a signal ends it. */
-export async function post(address, fields = {}, signal = undefined) {
+/** Post fields; return the answer. Throws Refused with the server's sentence, also where a signal ends it. @param {string} address @param {Record<string, any>} fields @param {AbortSignal} [signal] */
+export async function post(address, fields = {}, signal) {
   let answer;
   try {
     answer = await fetch(address, {
