@@ -6,7 +6,7 @@ import signal
 import tempfile
 from collections.abc import Callable
 from contextlib import suppress
-from functools import lru_cache, partial
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -25,10 +25,10 @@ ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 
 
-async def write(command: str, suffix: str, page: Page) -> str | None:
-    """Write a file by a command from another file of the folder, under a name that is free."""
+async def inputs(page: Page) -> str | None:
+    """Write what is entered in a book as a description under a name that is free, and edit it."""
     path = page.file()
-    return await page.write_by(command, path, page.folder.free(f"{path.stem}{suffix}"))
+    return await page.write_by("inputs", path, page.folder.free(f"{path.stem}.toml"))
 
 
 async def print_page(page: Page, name: str) -> str:
@@ -41,8 +41,7 @@ async def verify(page: Page) -> str:
     """Verify a workbook of the folder and return the report."""
     path = page.file()
     taken = pages.post("/inputs", path.name, "Edit what is entered")
-    anew = pages.post("/regenerate", path.name, "Build anew")
-    return await page.reported(path, taken, anew, design=home.design_of(path, page.folder.files()))
+    return await page.reported(path, taken, design=home.design_of(path, page.folder.files()))
 
 
 async def upload(page: Page) -> str:
@@ -116,13 +115,11 @@ GET: dict[str, Action] = {
 }  # fmt: skip
 EDITING = (editing.change, editing.figures, editing.products, editing.verdict, editing.gains)
 KEEPING = (editing.discard, editing.theirs, editing.save, home.build, home.new, home.keep)
-WORKING = (verify, upload, compare, export, read, study.begin, study.cancel)
+WORKING = (verify, inputs, upload, compare, export, read, study.begin, study.cancel)
 POST: dict[str, Action] = {
     **{f"/{action.__name__}": action for action in (*EDITING, *KEEPING, *WORKING)},
     "/open": editing.open_design,
     "/study": study.new,
-    "/inputs": partial(write, "inputs", ".toml"),
-    "/regenerate": partial(write, "regenerate", ".xlsx"),
 }
 
 

@@ -1,7 +1,5 @@
 """The design page: what its script asks while a description is edited, all of it in JSON; drafts and saving."""
 
-import json
-import math
 from pathlib import Path
 from typing import Any
 
@@ -27,27 +25,7 @@ async def edit(page: Page, name: str) -> str:
     return pages.design_page(name, asked, number)
 
 
-async def answer(page: Page, function: Any, *arguments: Any, slow: bool = False) -> str:
-    """Return the result of a function in the worker, as JSON."""
-    return as_json(page, await page.work.in_worker(function, *arguments, slow=slow))
-
-
-def as_json(page: Page, given: Any) -> str:
-    """Return data as JSON: numbers that it has not as texts, and dates."""
-    page.set_header("Content-Type", "application/json")
-    return json.dumps(finite(given), ensure_ascii=False, default=str)
-
-
-def finite(data: Any) -> Any:
-    """Return data whose numbers JSON has; others as texts."""
-    if isinstance(data, dict):
-        return {key: finite(value) for key, value in data.items()}
-    if isinstance(data, list):
-        return [finite(value) for value in data]
-    return str(data) if isinstance(data, float) and not math.isfinite(data) else data
-
-
-async def open_design(page: Page) -> str:
+async def open_design(page: Page) -> dict[str, Any]:
     """Return a description to be edited, its draft or a design of a study in its place, and the entries of its kind."""
     path, asked = page.file(), page.get_body_argument("study", "")
     saved, draft, text, note, target = file_text(path), draft_of(path), None, "", path.name
@@ -60,7 +38,7 @@ async def open_design(page: Page) -> str:
         text = read_text(draft, EXPECTED)
         note = "These changes were not saved when the page was closed."
     more = {"saved": saved, "state": state(path), "note": note, "target": target}
-    return await answer(page, opened, saved if text is None else text, more)
+    return await page.work.in_worker(opened, saved if text is None else text, more)
 
 
 def opened(text: str, more: dict[str, Any]) -> dict[str, Any]:
@@ -81,14 +59,14 @@ def shown_text(text: str) -> dict[str, Any]:
     return {"text": text, "data": edited.data, "faults": edited.faults, "error": None, "live": live}
 
 
-async def change(page: Page) -> str:
+async def change(page: Page) -> dict[str, Any]:
     """Return a text with changes made in it, and the figures of an axis; keep a draft of what is no preview."""
     path, text = page.file(), page.text()
     changes, chosen = page.get_json("changes"), page.number("axis", "-1")
-    given: dict[str, Any] = await page.work.in_worker(made, text, changes, chosen)
+    given = await page.work.in_worker(made, text, changes, chosen)
     if not page.get_body_argument("preview", ""):
         keep_draft(path, given["text"])
-    return as_json(page, given)
+    return given
 
 
 def made(text: str, changes: list[dict[str, Any]], chosen: int) -> dict[str, Any]:
@@ -97,25 +75,25 @@ def made(text: str, changes: list[dict[str, Any]], chosen: int) -> dict[str, Any
     return shown_text(text) | {"refused": refused} | design.figures(text, chosen, machine=False)
 
 
-async def figures(page: Page) -> str:
+async def figures(page: Page) -> dict[str, Any]:
     """Return the figures of all axes of a text, and of the machine."""
-    return await answer(page, design.figures, page.text(), page.number("axis"))
+    return await page.work.in_worker(design.figures, page.text(), page.number("axis"))
 
 
-async def products(page: Page) -> str:
+async def products(page: Page) -> dict[str, Any]:
     """Return the use of each motor or reducer of the catalogue in an axis of a text."""
     axis, kind = page.number("axis"), page.get_body_argument("kind")
-    return await answer(page, design.products, page.text(), axis, kind)
+    return await page.work.in_worker(design.products, page.text(), axis, kind)
 
 
-async def verdict(page: Page) -> str:
+async def verdict(page: Page) -> dict[str, Any]:
     """Return the verdict on a text."""
-    return await answer(page, design.verdict, page.file().name, page.text(), slow=True)
+    return await page.work.in_worker(design.verdict, page.file().name, page.text(), slow=True)
 
 
-async def gains(page: Page) -> str:
+async def gains(page: Page) -> list[dict[str, str]]:
     """Return what each single change of a text would gain, and the texts with them."""
-    return await answer(page, gains_of, page.file().name, page.text(), slow=True)
+    return await page.work.in_worker(gains_of, page.file().name, page.text(), slow=True)
 
 
 async def file_state(page: Page, name: str) -> str:

@@ -5,6 +5,7 @@ import base64
 import hashlib
 import hmac
 import json
+import math
 import os
 import re
 import tempfile
@@ -139,6 +140,9 @@ class Page(RequestHandler):
         except HTTPInputError:
             raise HTTPError(400) from None
         answer = await self.action(self, *names)
+        if isinstance(answer, dict | list):
+            self.set_header("Content-Type", "application/json")
+            answer = json.dumps(finite(answer), ensure_ascii=False, default=str)
         if answer is not None:
             self.finish(answer)
 
@@ -220,13 +224,12 @@ class Page(RequestHandler):
             self._command.cancel()
 
     async def write_by(self, command: str, source: Path | str, target: Path) -> str | None:
-        """Write a file by a command, under a name that is free; edit it where it is a description, else offer it."""
+        """Write a description by a command, and edit it."""
         done = await self.run(command, source, "-o", target)
-        if target.suffix == ".toml" and not done.code:
-            self.redirect(pages.address("edit", target.name))
-            return None
-        files = [path for path in (source, target) if isinstance(path, Path) and path.exists()]
-        return pages.printed(Path(source).name, done.text, done.written, *files)
+        if done.code:
+            return pages.printed(Path(source).name, done.text, done.written)
+        self.redirect(pages.address("edit", target.name))
+        return None
 
     async def run_with_report(self, *command: str | Path) -> tuple[Done, str]:
         """Return how a command ended whose last option writes a report, and that; empty where there is none."""
@@ -254,4 +257,14 @@ def without_folders(text: str, paths: Iterable[str | Path]) -> str:
     return text
 
 
-Action: TypeAlias = Callable[..., Awaitable[str | bytes | dict[str, Any] | None]]
+def finite(data: Any) -> Any:
+    """Return data whose numbers JSON has; others as texts."""
+    if isinstance(data, dict):
+        return {key: finite(value) for key, value in data.items()}
+    if isinstance(data, list):
+        return [finite(value) for value in data]
+    return str(data) if isinstance(data, float) and not math.isfinite(data) else data
+
+
+Action: TypeAlias = Callable[..., Awaitable[Any]]
+"""what is done at an address: HTML, bytes of a file, data that is sent as JSON; None where the page went elsewhere"""

@@ -72,7 +72,7 @@ async def new(page: Page) -> None:
 
 
 def study_file(page: Page, name: str) -> Path:
-    """Return the file of a study; raise ReadError for one whose base lies outside the folder."""
+    """Return the file of a study; raise ReadError where its base lies outside the folder."""
     path = page.folder.file(name)
     page.folder.file(str(parse_toml(read_text(path, "a study, a .toml file"), path).get("base", path.name)))
     return path

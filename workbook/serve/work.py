@@ -56,8 +56,7 @@ class Job:
 
     def interrupt(self) -> None:
         """Interrupt it, and kill it if that does not end it: what is complete stays."""
-        interrupt(self._process)
-        asyncio.get_running_loop().call_later(GRACE, kill, self._process)
+        self._ending = asyncio.create_task(end(self._process))
 
     def stop(self) -> None:
         """End it with the server."""
@@ -157,12 +156,6 @@ async def start_command(*arguments: str | Path, cwd: str | None = None) -> async
     )
 
 
-def interrupt(process: asyncio.subprocess.Process) -> None:
-    """Interrupt a command that is at work as Ctrl+C does."""
-    if process.returncode is None:
-        process.send_signal(signal.SIGINT) if POSIX else process.terminate()
-
-
 def kill(process: asyncio.subprocess.Process) -> None:
     """Kill a command that is at work, with the processes that it began."""
     if process.returncode is None:
@@ -170,8 +163,9 @@ def kill(process: asyncio.subprocess.Process) -> None:
 
 
 async def end(process: asyncio.subprocess.Process) -> None:
-    """End a command: interrupted, and killed where that does not end it soon."""
-    interrupt(process)
+    """End a command: interrupted as Ctrl+C does, and killed where that does not end it soon."""
+    if process.returncode is None:
+        process.send_signal(signal.SIGINT) if POSIX else process.terminate()
     with suppress(TimeoutError):
         await asyncio.wait_for(process.wait(), GRACE)
     kill(process)
