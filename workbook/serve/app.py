@@ -114,7 +114,7 @@ GET: dict[str, Action] = {
     f"/({'|'.join(map(re.escape, STATIC))})": static,
 }  # fmt: skip
 EDITING = (editing.change, editing.figures, editing.products, editing.verdict, editing.gains)
-KEEPING = (editing.discard, editing.theirs, editing.save, home.build, home.new, home.keep)
+KEEPING = (editing.save, home.build, home.new, home.keep)
 WORKING = (verify, inputs, upload, compare, export, read, study.begin, study.cancel)
 POST: dict[str, Action] = {
     **{f"/{action.__name__}": action for action in (*EDITING, *KEEPING, *WORKING)},

@@ -4,7 +4,8 @@ from pathlib import Path
 from typing import Any
 
 from workbook.errors import InputError, ReadError, WriteError
-from workbook.serve import design, pages, parts, study, tables
+from workbook.reports.html import rendered
+from workbook.serve import design, parts, study, tables
 from workbook.serve.gains import gains_of
 from workbook.serve.handler import Page, state
 from workbook.templates import TEMPLATES
@@ -22,13 +23,15 @@ async def edit(page: Page, name: str) -> str:
     asked, number = page.get_query_argument("study", ""), page.get_query_argument("pick", "")
     if asked and not number.isdecimal():
         raise InputError([f"{number!r}: expected the place of a design"])
-    return pages.design_page(name, asked, number)
+    return rendered("serve/page/design.html", name=name, study=asked, pick=number)
 
 
 async def open_design(page: Page) -> dict[str, Any]:
     """Return a description to be edited, its draft or a design of a study in its place, and the entries of its kind."""
     path, asked = page.file(), page.get_body_argument("study", "")
     saved, draft, text, note, target = file_text(path), draft_of(path), None, "", path.name
+    if page.get_body_argument("discard", ""):
+        draft.unlink(missing_ok=True)
     if asked:
         number, results = page.number("pick"), study.study_file(page, asked)
         text = await page.work.in_worker(study.picked, results, number)
@@ -122,17 +125,6 @@ def write_like(path: Path, text: str, source: bytes) -> None:
     """Write a text with the line ends and the mark of its begin that a source has."""
     lines = text.replace("\n", "\r\n") if RETURNS in source else text
     write_text(path, f"\ufeff{lines}" if source.startswith(BOM) else lines, overwrite=True)
-
-
-async def theirs(page: Page) -> dict[str, Any]:
-    """Return the text that a description has on disk."""
-    return {"text": file_text(page.file())}
-
-
-async def discard(page: Page) -> str:
-    """Delete the draft of a description."""
-    draft_of(page.file()).unlink(missing_ok=True)
-    return ""
 
 
 def file_text(path: Path) -> str:

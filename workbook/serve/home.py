@@ -17,7 +17,7 @@ from workbook.reports.html import rendered, scale
 from workbook.serve import pages, shown
 from workbook.serve.editing import draft_of
 from workbook.serve.handler import BRIEF, JUDGED, Page, state
-from workbook.serve.parts import LAW, LIFT, TURN
+from workbook.serve.parts import TURN, new_axis
 from workbook.serve.work import NOT_WRITTEN
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
@@ -40,7 +40,7 @@ class Group(NamedTuple):
 def grouped(files: list[Path]) -> list[Group]:
     """Return the files of a folder: each design with its books and studies, what has none under its own title."""
     items = [pages.item(path) for path in files]
-    designs = designs_of(items)
+    designs = [each for each in items if each.path.suffix.lower() == ".toml" and not each.base]
     groups = {each.path.name: Group(each.title, each, []) for each in designs}
     for each in items:
         if each not in designs:
@@ -48,11 +48,6 @@ def grouped(files: list[Path]) -> list[Group]:
             key = owner.path.name if owner else f"/{each.title}"  # no name of a file
             groups.setdefault(key, Group(each.title, None, [])).others.append(each)
     return sorted(groups.values(), key=lambda group: group.title.casefold())
-
-
-def designs_of(items: list[pages.Item]) -> list[pages.Item]:
-    """Return the descriptions among files."""
-    return [each for each in items if each.path.suffix.lower() == ".toml" and not each.base]
 
 
 def owner_of(file: pages.Item, designs: list[pages.Item]) -> pages.Item | None:
@@ -114,7 +109,7 @@ def summary(name: str, text: str) -> dict[str, Any]:
 
 def lines_of(design: shown.ShownDesign) -> list[tuple[str, str]]:
     """Return the lines of a design's first chart as points of a small picture, each with its colour."""
-    _, lines = next(iter(shown.charts_drawn(design)), (None, []))
+    _, lines = next(iter(design.charts), (None, []))
     if not lines:
         return []
     across, up = (
@@ -128,9 +123,8 @@ def lines_of(design: shown.ShownDesign) -> list[tuple[str, str]]:
 
 def design_of(path: Path, files: list[Path]) -> str:
     """Return the name of the design that a file is, or is of; empty where the folder has none of it."""
-    designs = designs_of([*map(pages.item, files)])
-    own = next((each for each in designs if each.path == path), None) or owner_of(pages.item(path), designs)
-    return own.path.name if own else ""
+    of = {each.path: group.design for group in grouped(files) for each in (group.design, *group.others) if each}
+    return own.path.name if (own := of.get(path)) else ""
 
 
 async def build(page: Page) -> str | dict[str, Any]:
@@ -186,15 +180,7 @@ async def new(page: Page) -> str | None:
     path = page.folder.free(name, ".toml")
     if template:
         return await page.write_by("new", template, path)
-    write_text(path, empty_machine(name, page.get_body_argument("axis")))
+    empty = {"template": "machine", "title": name, "master": {"rate": RATE}}
+    write_text(path, tomlkit.dumps(empty | {"axes": [new_axis(page.get_body_argument("axis"), TURN)]}))
     page.redirect(pages.address("edit", path.name))
     return None
-
-
-def empty_machine(title: str, axis: str) -> str:
-    """Return the description of a machine of one axis, which goes and comes back."""
-    quarter = TURN / 4.0
-    phases = [{"start": k * quarter, "stop": (k + 1.0) * quarter, "lift": lift, "law": LAW}
-              for k, lift in ((0, LIFT), (2, -LIFT))]  # fmt: skip
-    axes = [{"name": axis, "group": "Group", "phases": phases}]
-    return tomlkit.dumps({"template": "machine", "title": title, "master": {"rate": RATE}, "axes": axes})

@@ -77,11 +77,6 @@ def is_study(path: Path) -> bool:
     return bool(item(path).base)
 
 
-def design_page(name: str, study: str, pick: str) -> str:
-    """Return the page on which a description is designed, or a picked design of a study of it."""
-    return rendered("serve/page/design.html", name=name, study=study, pick=pick)
-
-
 def framed(report: str, *do: str, design: str = "") -> str:
     """Return a report of a command below the bar; what it tells of entries leads to the design's."""
     return report.replace("<body>", f'<body data-design="{shown(design)}">{bar(*do)}', 1)

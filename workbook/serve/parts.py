@@ -100,7 +100,7 @@ class Change:
         rows = get(self.data, self.place)
         match self.place:
             case ("axes",):
-                return self._row(rows, self._axis())
+                return self._row(rows, new_axis(self._free(rows, "MC01"), self.length))
             case ("switches",):
                 return self._row(rows, {"name": self._free(rows, "Switch 1"), "on": [[0.0, self.length / 4.0]]})
             case ("clearances",):
@@ -145,13 +145,6 @@ class Change:
         size = ROOMS.get(self.place[-1], "")
         held = get(self.data, ("sizes", size), SIZES.get(size, rows))
         return [(("sizes", size), rows)] if size and rows > held else []
-
-    def _axis(self) -> dict[str, Any]:
-        """Return a new axis, which goes and comes back."""
-        quarter = self.length / 4.0
-        phases = [{"start": k * quarter, "stop": (k + 1.0) * quarter, "lift": lift, "law": LAW}
-                  for k, lift in ((0, LIFT), (2, -LIFT))]  # fmt: skip
-        return {"name": self._free(self.data.get("axes"), "MC01"), "group": "Group", "phases": phases}
 
     def _clearance(self) -> dict[str, Any]:
         """Return a clearance of the first two axes of the same unit."""
@@ -244,6 +237,14 @@ class Change:
         while f"{begin}{number:0{len(digits)}}".casefold() in taken:
             number += 1
         return f"{begin}{number:0{len(digits)}}"
+
+
+def new_axis(name: str, length: float) -> dict[str, Any]:
+    """Return an axis that goes and comes back within a cycle of a length."""
+    quarter = length / 4.0
+    phases = [{"start": k * quarter, "stop": (k + 1.0) * quarter, "lift": lift, "law": LAW}
+              for k, lift in ((0, LIFT), (2, -LIFT))]  # fmt: skip
+    return {"name": name, "group": "Group", "phases": phases}
 
 
 def changed(text: str, changes: list[dict[str, Any]]) -> tuple[str, dict[str, str]]:

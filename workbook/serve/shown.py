@@ -26,16 +26,14 @@ class ShownDesign(Design):
     """A design with its charts and results."""
 
     @cached_property
-    def charts(self) -> list[tuple[tuple[str, str], tuple[Chart, list[Line]]]]:
-        """The charts of its book that have lines, each once, by the titles of its sheet and its own."""
-        charts, seen = [], set[tuple[Series, ...]]()
-        for sheet in self.book.sheets:
-            for chart, *_ in sheet.charts:
-                drawn = [curve for series in chart.series if (curve := line(self.book, chart, series)).x.size]
-                if drawn and chart.series not in seen:
-                    charts.append(((sheet.title, chart.title), (chart, drawn)))
-                seen.add(chart.series)
-        return charts
+    def charts(self) -> list[tuple[Chart, list[Line]]]:
+        """The charts of its book that have lines, each once: first the timing diagram."""
+        every = dict[tuple[Series, ...], Chart]()
+        for chart in (chart for sheet in self.book.sheets for chart, *_ in sheet.charts):
+            every.setdefault(chart.series, chart)
+        drawn = [(chart, [curve for series in chart.series if (curve := line(self.book, chart, series)).x.size])
+                 for chart in every.values()]  # fmt: skip
+        return sorted(((chart, lines) for chart, lines in drawn if lines), key=lambda drawn: not drawn[0].lanes)
 
     @cached_property
     def summary(self) -> dict[Key, Figure]:
@@ -61,14 +59,9 @@ def failing(new: ShownDesign) -> list[list[str]]:
     return [[check.place, check.label, check.says] for check in new.checks().values() if check.value == "FAIL"]
 
 
-def charts_drawn(shown: ShownDesign) -> list[tuple[Chart, list[Line]]]:
-    """Return the charts of a design with their lines: first the timing diagram."""
-    return sorted((drawn for _, drawn in shown.charts), key=lambda drawn: not drawn[0].lanes)
-
-
 def pictures(shown: ShownDesign, most: int) -> list[str]:
     """Return pictures of the first charts of a design."""
-    drawn = charts_drawn(shown)[:most]
+    drawn = shown.charts[:most]
     return [plot(chart.title, (chart.x, chart.y), lines, (False, chart.log_y)) for chart, lines in drawn]
 
 

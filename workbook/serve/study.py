@@ -4,9 +4,9 @@ import re
 import time
 import tomllib
 from collections.abc import Mapping
-from contextlib import suppress
+from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 from urllib.parse import urlencode
 
 import tomlkit
@@ -26,6 +26,7 @@ from workbook.reports.html import shown
 from workbook.serve import pages
 from workbook.serve.handler import Page
 from workbook.serve.tables import edited
+from workbook.serve.typed import PLAIN, number
 from workbook.serve.words import spoken
 from workbook.studies import folder
 from workbook.studies.evaluate import Label, listed_results, require_names
@@ -50,6 +51,7 @@ ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
 SHARE, STEPS = 0.1, 5  # of a number, to either side, and in so many values: what is proposed
 GOALS = ("minimise", "maximise", "results")
 BOUNDS = {"at least": "min", "at most": "max"}
+value_of = partial(number, unit="", expected="a number")
 
 
 async def vary(page: Page, name: str) -> str:
@@ -74,7 +76,7 @@ async def new(page: Page) -> None:
 def study_file(page: Page, name: str) -> Path:
     """Return the file of a study; raise ReadError where its base lies outside the folder."""
     path = page.folder.file(name)
-    page.folder.file(str(parse_toml(read_text(path, "a study, a .toml file"), path).get("base", path.name)))
+    page.folder.file(pages.item(path).base or name)
     return path
 
 
@@ -98,10 +100,8 @@ async def cancel(page: Page) -> None:
 
 async def show(page: Page, name: str) -> str:
     """Show a study; the script fetches how far it is."""
-    path, do = page.folder.file(name), []
-    with suppress(MotionbookError, KeyError):  # of a study that is no TOML there is nothing to edit
-        base = str(parse_toml(read_text(path, "a study, a .toml file"), path)["base"])
-        do = [pages.link(pages.address("edit", base), f"Design {base}")]
+    base = pages.item(page.folder.file(name)).base
+    do = [pages.link(pages.address("edit", base), f"Design {base}")] if base else []
     return pages.page(name, "study", "study", do=do)
 
 
@@ -133,27 +133,17 @@ def forecast(path: Path) -> str:
     return " ".join(announced(plan, seconds, max(1, cores() - 1))) or f"{plan.space.size:,} designs, soon done."
 
 
-class Field(NamedTuple):
-    """An entry that can vary: its value, over what, the words it may be, the phases that can give the room it takes."""
-
-    key: str
-    now: str
-    over: str
-    known: list[str]
-    givers: list[str]
-
-
-def choices(base: Path) -> tuple[dict[str, list[Field]], list[tuple[str, Label]]]:
+def choices(base: Path) -> tuple[dict[str, list[dict[str, Any]]], list[tuple[str, Label]]]:
     """Return the entries that can vary by their tables, and the results that are proposed, by their names."""
     machine = read_description(base)
     return fields_of(machine), proposed(machine)
 
 
-def fields_of(machine: Any) -> dict[str, list[Field]]:
+def fields_of(machine: Any) -> dict[str, list[dict[str, Any]]]:
     """Return the entries that can vary by their tables."""
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
     words = {reference.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for reference in references(machine)}
-    tables: dict[str, list[Field]] = {}
+    tables: dict[str, list[dict[str, Any]]] = {}
     for part in PRODUCTS:  # a product without a name of the catalogue can be given a name
         for _, row in spread(data, ("axes", "*", part)):
             if isinstance(row, dict):
@@ -180,8 +170,8 @@ def proposed(machine: Any) -> list[tuple[str, Label]]:
     return chosen or results
 
 
-def field_to_vary(data: Mapping[str, Any], path: Place, value: Any, words: list[str]) -> Field:
-    """Return an entry that can vary: over all its words, or over a range about its value; phases beside an edge."""
+def field_to_vary(data: Mapping[str, Any], path: Place, value: Any, words: list[str]) -> dict[str, Any]:
+    """Return an entry as the form has it: over all its words, or a range about its value; phases beside an edge."""
     *above, last = path
     known, over = [ALL, *words] if words else [], ALL
     if not known:
@@ -189,7 +179,7 @@ def field_to_vary(data: Mapping[str, Any], path: Place, value: Any, words: list[
         over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
     rows = len(get(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
     givers = [spell([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
-    return Field(spell(path), figure(value), over, known, givers)
+    return {"key": spell(path), "now": figure(value), "over": over, "known": known, "givers": givers}
 
 
 def composed(base: str, asked: Mapping[str, list[str]]) -> str:
@@ -220,17 +210,8 @@ def varied(key: str, text: str) -> dict[str, Any]:
     if span := RANGE.fullmatch(text):
         ends = {"from": value_of(span[1]), "to": value_of(span[2])}
         return ends | ({"steps": int(span[3])} if span[3] else {})
-    return {"values": [value_of(part.strip(), or_text=True) for part in text.split(",") if part.strip()]}
-
-
-def value_of(text: str, or_text: bool = False) -> Any:
-    """Return the number of a text; the text itself where ``or_text``; else raise InputError."""
-    try:
-        return float(text)
-    except ValueError:
-        if or_text:
-            return text
-        raise InputError([f"{text!r}: expected a number"]) from None
+    parts = [part.strip() for part in text.split(",") if part.strip()]
+    return {"values": [value_of(part) if PLAIN.fullmatch(part) else part for part in parts]}
 
 
 def require_study(text: str, base: Path) -> None:

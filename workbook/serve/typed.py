@@ -45,19 +45,12 @@ def finite(value: float, text: str) -> float:
 
 def worked_out(words: str, text: str) -> float:
     """Return the number of a sum of products."""
-    total = 0.0
+    from workbook.dimensions.units import registry  # takes its time to load: only who types a sum or a unit needs it
+
     try:
-        for term in re.findall(r"[-+]?(?:[^-+eE]|[eE][-+]?)+", words.replace(" ", "")):
-            sign, rest = (-1.0 if term[0] == "-" else 1.0), term.lstrip("+-")
-            value = 1.0
-            for operator, factor in re.findall(r"(^|[*/])([^*/]+)", rest):
-                value = value / float(factor) if operator == "/" else value * float(factor)
-            total += sign * value
-    except (ValueError, ZeroDivisionError):
-        raise InputError(
-            [f"“{visible(text)}” cannot be worked out; expected a number, or a sum such as 20+5"]
-        ) from None
-    return total
+        return float(registry().parse_expression(words))
+    except Exception:  # pint has an error of its own for each fault
+        raise InputError([f"“{visible(text)}” cannot be worked out; expected a number, or a sum as 20+5"]) from None
 
 
 def converted(figure: str, given: str, unit: str, text: str) -> float:
@@ -66,9 +59,9 @@ def converted(figure: str, given: str, unit: str, text: str) -> float:
     if spelled(given) == spelled(unit):
         return value
     wanted = f"in {unit}" if unit else "without a unit"
-    try:
-        from workbook.dimensions.units import registry  # takes its time to load: only who types a unit needs it
+    from workbook.dimensions.units import registry
 
+    try:
         return float(registry().Quantity(value, spelled(given)).to(spelled(unit) or "dimensionless").magnitude)
     except Exception:  # pint has an error of its own for each of: unknown, ambiguous, of another kind
         raise InputError([f"“{visible(text)}”: {visible(given)} is no unit here; expected a number {wanted}"]) from None

@@ -94,8 +94,7 @@ export async function compare() {
 }
 
 async function reload() {
-  await post("/discard");
-  await open();
+  await open({ discard: 1 });
   s.notice.value = null;
 }
 
@@ -113,8 +112,8 @@ function tellChanged(at) {
     s.file.value = { ...s.file.value, disk: at, saved: "" };
   };
   const differ = async () => {
-    const theirs = await post("/theirs");
-    s.drawer.value = { theirs: theirs.text };
+    const theirs = await (await fetch(`/file/${encodeURIComponent(s.file.value.name)}`)).text();
+    s.drawer.value = { theirs: theirs.replaceAll("\r\n", "\n") };
   };
   s.notice.value = {
     at,
