@@ -192,7 +192,7 @@ def serve(
     from workbook.serve import app as server
 
     try:
-        asyncio.run(server.serve(folder, port, browse, lambda address: say(OUT, f"Open {address} (Ctrl+C ends)")))
+        asyncio.run(server.serve(folder, port, browse))
     except KeyboardInterrupt:
         say(OUT, "Ended")
 

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
-from itertools import zip_longest
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -52,12 +51,10 @@ def as_bytes(text: str | bytes) -> bytes:
     return text if isinstance(text, bytes) else text.encode(errors="backslashreplace")
 
 
-def table(
-    headings: Sequence[str], rows: Iterable[Sequence[str]], numbers: Container[int], places: Iterable[str] = ()
-) -> str:
-    """Return a table whose columns ``numbers`` stand to the right; ``places`` say where in a design its rows lead."""
+def table(headings: Sequence[str], rows: Iterable[Sequence[str]], numbers: Container[int]) -> str:
+    """Return a table whose columns ``numbers`` stand to the right."""
     css = [' class="number"' if k in numbers else "" for k in range(len(headings))]
-    return rendered("reports/table.html", headings=headings, rows=zip_longest(rows, places, fillvalue=""), css=css)
+    return rendered("reports/table.html", headings=headings, rows=rows, css=css)
 
 
 def xml_safe(text: str) -> str:

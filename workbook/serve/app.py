@@ -4,7 +4,6 @@ import asyncio
 import re
 import signal
 import tempfile
-from collections.abc import Callable
 from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
@@ -41,7 +40,7 @@ async def verify(page: Page) -> str:
     """Verify a workbook of the folder and return the report."""
     path = page.file()
     taken = pages.post("/inputs", path.name, "Edit what is entered")
-    return await page.reported(path, taken, design=home.design_of(path, page.folder.files()))
+    return await page.reported(path, taken, design=home.design_of(page, path))
 
 
 async def upload(page: Page) -> str:
@@ -54,7 +53,7 @@ async def compare(page: Page) -> str:
     """Tell what differs between two files of the folder."""
     old, new = page.file("old"), page.file("new")
     done, text = await page.run_with_report("diff", old, new, "--html")
-    design = home.design_of(new, page.folder.files()) or home.design_of(old, page.folder.files())
+    design = home.design_of(page, new, old)
     return pages.framed(text, design=design) if text else pages.printed("Comparison", done.text, "")
 
 
@@ -123,14 +122,14 @@ POST: dict[str, Action] = {
 }
 
 
-async def serve(path: Path, port: int, browse: bool, tell: Callable[[str], None]) -> None:
+async def serve(path: Path, port: int, browse: bool) -> None:
     """Serve a folder on this computer until it is interrupted, or terminated."""
     work, ended = Work(), asyncio.Event()
     with suppress(NotImplementedError):  # on Windows, which has no such signal
         asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, ended.set)
     shared = {"folder": Folder(path), "work": work}
     try:
-        async with serving(GET, POST, shared, port, browse, tell):
+        async with serving(GET, POST, shared, port, browse):
             work.worker().submit(tables.schema, "machine")  # the first design page asks for it
             await ended.wait()
     finally:

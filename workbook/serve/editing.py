@@ -6,7 +6,6 @@ from typing import Any
 from workbook.errors import InputError, ReadError, WriteError
 from workbook.reports.html import rendered
 from workbook.serve import design, parts, study, tables
-from workbook.serve.gains import gains_of
 from workbook.serve.handler import Page, state
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
@@ -21,8 +20,6 @@ async def edit(page: Page, name: str) -> str:
     """Show the design page of a description, or, unsaved, of a design among the best of a study of it."""
     page.folder.file(name)
     asked, number = page.get_query_argument("study", ""), page.get_query_argument("pick", "")
-    if asked and not number.isdecimal():
-        raise InputError([f"{number!r}: expected the place of a design"])
     return rendered("serve/page/design.html", name=name, study=asked, pick=number)
 
 
@@ -96,7 +93,7 @@ async def verdict(page: Page) -> dict[str, Any]:
 
 async def gains(page: Page) -> list[dict[str, str]]:
     """Return what each single change of a text would gain, and the texts with them."""
-    return await page.work.in_worker(gains_of, page.file().name, page.text(), slow=True)
+    return await page.work.in_worker(design.gains, page.file().name, page.text(), slow=True)
 
 
 async def file_state(page: Page, name: str) -> str:

@@ -28,7 +28,7 @@ KINDS = (".toml", ".xlsx", ".xlsm")  # descriptions and workbooks: what the firs
 MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")  # what is written and downloaded
 NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
 LARGEST = 60_000_000  # bytes of an upload: what verify takes of a file at most
-COOKIE = "motionbook"
+COOKIE, JSON = "motionbook", "application/json"
 REPORT = "report.html"
 BRIEF, JUDGED = "brief", "judged"  # of the cache: what a description comes to, the verdict on a book
 STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
@@ -141,24 +141,19 @@ class Page(RequestHandler):
             raise HTTPError(400) from None
         answer = await self.action(self, *names)
         if isinstance(answer, dict | list):
-            self.set_header("Content-Type", "application/json")
+            self.set_header("Content-Type", JSON)
             answer = json.dumps(finite(answer), ensure_ascii=False, default=str)
         if answer is not None:
             self.finish(answer)
 
     post = get
 
-    @property
-    def is_of_script(self) -> bool:
-        """Whether the design page asks, which takes an answer in JSON."""
-        return self.request.headers.get("Accept") == "application/json"
-
     def write_error(self, status_code: int, **kwargs: Any) -> None:
         """Answer with the message of an error of motionbook's as a page, else with the reason in a line of text."""
         error = (kwargs.get("exc_info") or (None, None))[1]
         if isinstance(error, MotionbookError):
             self.set_status(400)
-            if self.is_of_script:
+            if self.request.headers.get("Accept") == JSON:
                 self.finish({"error": str(error).replace(f"{self.folder.path}{os.sep}", "")})
                 return
             self.finish(pages.printed("This cannot be done", str(error), ""))

@@ -16,7 +16,7 @@ from workbook.reports.html import path as places
 from workbook.reports.html import rendered, scale
 from workbook.serve import pages, shown
 from workbook.serve.editing import draft_of
-from workbook.serve.handler import BRIEF, JUDGED, Page, state
+from workbook.serve.handler import BRIEF, JSON, JUDGED, Page, state
 from workbook.serve.parts import TURN, new_axis
 from workbook.serve.work import NOT_WRITTEN
 from workbook.templates import TEMPLATES
@@ -121,23 +121,24 @@ def lines_of(design: shown.ShownDesign) -> list[tuple[str, str]]:
             for k, (line, part) in enumerate(zip(lines, few, strict=True))]  # fmt: skip
 
 
-def design_of(path: Path, files: list[Path]) -> str:
-    """Return the name of the design that a file is, or is of; empty where the folder has none of it."""
-    of = {each.path: group.design for group in grouped(files) for each in (group.design, *group.others) if each}
-    return own.path.name if (own := of.get(path)) else ""
+def design_of(page: Page, *paths: Path) -> str:
+    """Return the name of the design that the first of some files is, or is of; empty where the folder has none."""
+    groups = grouped(page.folder.files())
+    of = {each.path: group.design for group in groups for each in (group.design, *group.others) if each}
+    return next((own.path.name for path in paths if (own := of.get(path))), "")
 
 
 async def build(page: Page) -> str | dict[str, Any]:
     """Build the book of a description, or its own book anew with what an engineer added; tell what fails."""
     path = page.file()
-    own = page.folder.path / f"{path.stem}.xlsx"
-    book, options = page.folder.free(own.name, own=own), list[str | Path]()
+    book, options = path.with_suffix(".xlsx"), list[str | Path]()
+    page.folder.free(book.name, own=book)
     if book.exists():
         options, before = ["--keep", book, "--force"], book.read_bytes()
     done = await page.run("build", path, "-o", book, *options)
     if options and done.written != NOT_WRITTEN and pages.was_saved(before):
         binned(book).write_bytes(before)
-    if page.is_of_script:
+    if page.request.headers.get("Accept") == JSON:
         return {"book": book.name, "code": done.code, "words": done.text, "written": done.written}
     return pages.printed(path.name, done.text, done.written, path, *filter(Path.exists, [book]))
 

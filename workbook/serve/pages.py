@@ -34,7 +34,7 @@ class Item(NamedTuple):
 
 def page(title: str, template: str, *scripts: str, do: Sequence[str] = (), **values: Any) -> str:
     """Return a page with its scripts; ``do`` are links and buttons of the bar above it."""
-    given = {"title": title, "link": link, "address": address, "post": post, "choice": choice, "is_study": is_study}
+    given = {"title": title, "link": link, "address": address, "post": post, "choice": choice, "item": item}
     tags = (f'<script src="/{script}.js" type="module"></script>' for script in scripts)
     body = rendered(f"serve/{template}.html", **given | values)
     return document(title, body + "".join(tags), bar(*do, at_home=template in ("home", "watch")))
@@ -70,11 +70,6 @@ def was_saved(book: bytes) -> bool:
     """Whether a program has saved a workbook since it was built, so that it may hold what no description has."""
     with zipfile.ZipFile(BytesIO(book)) as file:
         return AS_BUILT.encode() not in file.read(CORE)
-
-
-def is_study(path: Path) -> bool:
-    """Whether a file says what varies in a description, and is none itself."""
-    return bool(item(path).base)
 
 
 def framed(report: str, *do: str, design: str = "") -> str:

@@ -100,34 +100,20 @@ def changed(before: Design | None, design: Design) -> Changes:
     return Changes(changes(before.entries(), design.entries()), results)
 
 
-def verify_whole(path: Path, data: bytes) -> Outcome:
-    """Verify a save as ``motionbook verify`` does."""
-    return verify_sent(SentBook(Target(path, named=True), str(path), data), DAILY)
-
-
 async def read_whole(path: Path) -> bytes | None:
     """Return the bytes of a save once it is whole, or as it is at last; None of a file that is not there.
 
-    A program that writes a file, or holds it closed to others, is waited for.
+    A program that writes a file, or holds it closed to others, is waited for; a zip's directory is written last.
     """
     data = None
     for _ in range(TRIES):
         data, before = None, file_state(path)
         with suppress(OSError):
             data = path.read_bytes()
-            if before == file_state(path) and is_zip(data):
+            if before == file_state(path) and zipfile.is_zipfile(io.BytesIO(data)):
                 return data
         await asyncio.sleep(PAUSE)
     return data
-
-
-def is_zip(data: bytes) -> bool:
-    """Whether a file is a zip to its end; its directory, which is written last, stands there."""
-    try:
-        with zipfile.ZipFile(io.BytesIO(data)) as archive:
-            return bool(archive.infolist())
-    except (zipfile.BadZipFile, ValueError, NotImplementedError, OSError):
-        return False
 
 
 class Saves:
@@ -170,7 +156,9 @@ class Saves:
                 self._say(path, digest, last)
             if path in self._waiting:
                 return
-            outcome = await self._work.in_worker(verify_whole, path, data)
+            outcome = await self._work.in_worker(
+                verify_sent, SentBook(Target(path, named=True), str(path), data), DAILY
+            )
         except WorkError as error:
             outcome = no_report(path, str(error))
         except Exception as error:  # a strange file must not end the watch over others, and is told

@@ -2,7 +2,7 @@
 
 import secrets
 import webbrowser
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
@@ -11,6 +11,7 @@ from tornado.httpserver import HTTPServer
 from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError
 
+from workbook.reports.terminal import OUT, say
 from workbook.serve.handler import LARGEST, Action, Page
 
 SVG = "image/svg+xml"
@@ -30,14 +31,9 @@ async def static(page: Page, name: str) -> bytes:
 
 @asynccontextmanager
 async def serving(
-    get: Mapping[str, Action],
-    post: Mapping[str, Action],
-    shared: Mapping[str, Any],
-    port: int,
-    browse: bool,
-    tell: Callable[[str], None],
+    get: Mapping[str, Action], post: Mapping[str, Action], shared: Mapping[str, Any], port: int, browse: bool
 ) -> AsyncIterator[None]:
-    """Serve actions by their addresses, with NAME for any file, ``shared`` by all; ``tell`` where to begin."""
+    """Serve actions by their addresses, with NAME for any file, ``shared`` by all; tell where to begin."""
     token = secrets.token_urlsafe(24)
     sockets = bind_sockets(port, "127.0.0.1")
     port = sockets[0].getsockname()[1]
@@ -55,7 +51,8 @@ async def serving(
     )
     server = HTTPServer(application, max_buffer_size=LARGEST + 2**20, body_timeout=SLOWEST)
     server.add_sockets(sockets)
-    tell(address := f"http://127.0.0.1:{port}/?token={token}")
+    address = f"http://127.0.0.1:{port}/?token={token}"
+    say(OUT, f"Open {address} (Ctrl+C ends)")
     if browse:
         webbrowser.open(address)
     try:

@@ -13,6 +13,7 @@ from typing import Any
 
 from watchfiles import awatch
 
+from workbook.differences.design import Change
 from workbook.errors import ReadError
 from workbook.judging.batch import exit_code, find_workbooks
 from workbook.reading.files import SUFFIXES
@@ -85,11 +86,7 @@ class Watch:
     async def _serve(self, port: int, browse: bool) -> None:
         actions: dict[str, Action] = {"/": self._page, "/now": self._fragment, STATIC: static}
         shared = {"folder": Folder(self.paths[0].parent), "work": self._work}
-
-        def tell(address: str) -> None:
-            say(OUT, f"Open {address} (Ctrl+C ends)")
-
-        async with serving(actions, {}, shared, port, browse, tell):
+        async with serving(actions, {}, shared, port, browse):
             await asyncio.Event().wait()
 
     async def _page(self, page: Page) -> str:
@@ -157,8 +154,13 @@ def as_data(path: Path, verdict: Verdict) -> dict[str, Any]:
         "seconds": round(outcome.seconds, 3),
         "sha256": outcome.sha256,
         "sentence": verdict.sentence,
-        "entries": [{name: plain(value) for name, value in change._asdict().items()} for change in changed.entries],
-        "results": [{name: plain(value) for name, value in change._asdict().items()} for change in changed.results],
+        "entries": [*map(change_data, changed.entries)],
+        "results": [*map(change_data, changed.results)],
         "findings": findings_data(report, report.findings) if report else [],
         "failing": [check.line for check in report.failing] if report else [],
     }
+
+
+def change_data(change: Change) -> dict[str, Any]:
+    """Return a difference as JSON has it."""
+    return {name: plain(value) for name, value in change._asdict().items()}
