@@ -15,14 +15,10 @@ from workbook.errors import MotionbookError
 from workbook.fields.paths import Place, get, split
 from workbook.fields.types import DesignError, EntryError
 from workbook.laws.named import with_laws_by_code
-from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import parse_toml, template_named
 from workbook.selection.entries import COMMITTED
 from workbook.serve.shown import design, failing, pictures
 from workbook.serve.words import sentence, spoken
-from workbook.studies.design import first_design
-from workbook.studies.improve import edited as with_changes
-from workbook.studies.improve import single_gains
 from workbook.templates import AnyTemplate
 
 MARK = "\0"  # ends the key in the line of a fault
@@ -282,17 +278,6 @@ def figures(text: str, chosen: int, machine: bool = True) -> dict[str, Any]:
 def products(text: str, k: int, kind: str) -> dict[str, Any]:
     """Return the use of each motor or reducer of the catalogue in an axis of a text, by its name."""
     return edited_design(text).products(k, kind)
-
-
-def gains(name: str, text: str) -> list[dict[str, str]]:
-    """Return what each single change of a machine would gain, the best first, and the text with it.
-
-    Raises MotionbookError for a text that describes no finished machine whose drives limit its rate.
-    """
-    machine = design(name, text).machine
-    first = first_design(machine, "motion_pieces" in parse_toml(text, Path(name)).get("sizes", {}))
-    rows = sorted(single_gains(first, THIS_PROCESS, lambda *_: None), key=lambda gain: gain.after)
-    return [{"sentence": gain.sentence(first), "text": with_changes(text, gain.changes)} for gain in rows]
 
 
 def verdict(name: str, text: str) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from typing import Any
 
 from workbook.errors import InputError, ReadError, WriteError
 from workbook.reports.html import rendered
-from workbook.serve import design, parts, study, tables
+from workbook.serve import design, parts, shown, study, tables
 from workbook.serve.handler import Page, state
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
@@ -43,10 +43,10 @@ async def open_design(page: Page) -> dict[str, Any]:
 
 def opened(text: str, more: dict[str, Any]) -> dict[str, Any]:
     """Return a text as the page opens it."""
-    shown = shown_text(text)
-    name = shown["data"].get("template") if shown["data"] else None
+    read = shown_text(text)
+    name = read["data"].get("template") if read["data"] else None
     known = tables.schema(name) if name in TEMPLATES else []
-    return shown | {"schema": known} | tables.catalogue() | more
+    return read | {"schema": known} | tables.catalogue() | more
 
 
 def shown_text(text: str) -> dict[str, Any]:
@@ -93,7 +93,7 @@ async def verdict(page: Page) -> dict[str, Any]:
 
 async def gains(page: Page) -> list[dict[str, str]]:
     """Return what each single change of a text would gain, and the texts with them."""
-    return await page.work.in_worker(design.gains, page.file().name, page.text(), slow=True)
+    return await page.work.in_worker(shown.gains, page.file().name, page.text(), slow=True)
 
 
 async def file_state(page: Page, name: str) -> str:

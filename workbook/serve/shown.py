@@ -1,4 +1,4 @@
-"""The results of a description by its book: its charts, and a page to print."""
+"""The results of a description by its book: its charts, a page to print, and what single changes would gain."""
 
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -12,9 +12,12 @@ from workbook.book.rows import is_number
 from workbook.book.summary import TITLE
 from workbook.differences.design import Design, Figure, Key
 from workbook.entries.machine import Machine
+from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import counted_from_1, described, parse_toml, template_named
 from workbook.reports.differences import figure
 from workbook.reports.html import Line, document, plot, rendered
+from workbook.studies.design import first_design
+from workbook.studies.improve import edited, single_gains
 
 REMEMBERED = 4  # designs that are remembered: the saved one, and the latest
 KNOWN = ("number", "revision", "author", "date")  # what identifies a machine beside its title
@@ -50,6 +53,17 @@ def design(name: str, text: str) -> ShownDesign:
     template = template_named(data.get("template"), "template")
     machine = described(template, data, counted_from_1)
     return ShownDesign(path, machine, template.declare(machine))
+
+
+def gains(name: str, text: str) -> list[dict[str, str]]:
+    """Return what each single change of a machine would gain, the best first, and the text with it.
+
+    Raises MotionbookError for a text that describes no finished machine whose drives limit its rate.
+    """
+    machine = design(name, text).machine
+    first = first_design(machine, "motion_pieces" in parse_toml(text, Path(name)).get("sizes", {}))
+    rows = sorted(single_gains(first, THIS_PROCESS, lambda *_: None), key=lambda gain: gain.after)
+    return [{"sentence": gain.sentence(first), "text": edited(text, gain.changes)} for gain in rows]
 
 
 def failing(new: ShownDesign) -> list[list[str]]:
