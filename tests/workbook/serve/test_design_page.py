@@ -6,7 +6,7 @@ import tomllib
 
 import pytest
 
-from tests.workbook.serve.chromium import expect
+from tests.workbook.serve.chromium import Axe, expect
 from tests.workbook.serve.conftest import LONG, window
 from workbook.template import FOLDER
 
@@ -249,6 +249,29 @@ def test_the_page_fits_a_screen_without_scrolling_and_its_text_can_be_read(page,
             ".map(e => parseFloat(getComputedStyle(e).fontSize))"
         )
         assert min(sizes) >= 12.0
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_no_state_of_the_page_shuts_anybody_out_in_either_scheme_or_at_any_size(browser, server, wrapping, scheme):
+    with window(browser, server, color_scheme=scheme) as page:
+        opened(page, server)
+        settled(page)
+        for act in (
+            lambda: None,
+            lambda: enter(page, "axes.1.load.mass", "2x"),
+            lambda: enter(page, "axes.1.phases.0.stop", ""),
+            lambda: page.get_by_role("button", name="Text").click(),
+            lambda: page.locator("aside .law button").first.click(),
+            lambda: page.get_by_role("button", name="from the catalogue").last.click(),
+        ):
+            act()
+            settled(page)
+            found = Axe().run(page).response["violations"]
+            assert [(one["id"], one["nodes"][0]["html"]) for one in found] == []
+        for width, height in ((2560, 1440), (720, 450)):  # the last is 1440 × 900 at 200 %
+            page.set_viewport_size({"width": width, "height": height})
+            assert page.evaluate("document.documentElement.scrollWidth") <= width
 
 
 def test_any_of_the_kinds_of_machines_opens(page, server, wrapping):
