@@ -1,15 +1,11 @@
 """Odd places to write to, through every command that writes: one line, exit code 2, at once, nothing changed."""
 
 import os
-import sys
 import time
 
 import pytest
 
-from tests.workbook.controllers.examples import TEXT
-from workbook.build import build
-from workbook.cli import main
-from workbook.reading.descriptions import read_machine
+from tests.workbook.controllers.examples import TEXT, build_described
 
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
 AT_ONCE = 5  # seconds of the processor: verifying or exporting takes longer
@@ -41,13 +37,12 @@ ITSELF = [
 def made(tmp_path_factory):
     """A description of two axes, and its book."""
     folder = tmp_path_factory.mktemp("made")
-    (folder / "machine.toml").write_text(TEXT, encoding="utf-8")
-    build(read_machine(folder / "machine.toml"), folder / "book.xlsx")
+    build_described(TEXT, folder / "book.xlsx").rename(folder / "machine.toml")
     return folder
 
 
 @pytest.fixture
-def refused(made, tmp_path, monkeypatch, capfd):
+def refused(made, tmp_path, monkeypatch, motionbook):
     """Run a command in a folder of odd things; return its one line, after the checks that hold for all."""
     for name in ("machine.toml", "book.xlsx"):
         (tmp_path / name).write_bytes((made / name).read_bytes())
@@ -57,14 +52,10 @@ def refused(made, tmp_path, monkeypatch, capfd):
 
     def run(*arguments):
         before = state(tmp_path)
-        monkeypatch.setattr(sys, "argv", ["motionbook", *arguments])
-        capfd.readouterr()
         begin = time.process_time()
-        with pytest.raises(SystemExit) as left:
-            main()
+        code, out, err = motionbook(*arguments)
         assert time.process_time() - begin < AT_ONCE
-        out, err = capfd.readouterr()
-        assert (left.value.code, out) == (2, "")
+        assert (code, out) == (2, "")
         (line,) = err.splitlines()
         assert line.isprintable()
         assert "failed inside" not in line

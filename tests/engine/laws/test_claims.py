@@ -23,7 +23,7 @@ NAMES = ("cv", "ca_max", "ca_min", "ca_rms", "cj", "va_max", "va_min")
 def claimed(entry):
     """The claimed coefficients as numbers, each formula over the ones before."""
     known = {name: getattr(math, name) for name in ("pi", "sqrt", "inf")}
-    for name, formula in (entry.where | entry.coefficients).items():
+    for name, formula in (entry.where | entry.formulas).items():
         known[name] = float(eval(formula, {"__builtins__": {}}, known))
     return {name: known[name] for name in NAMES}
 

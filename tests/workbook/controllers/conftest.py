@@ -3,11 +3,9 @@
 import pytest
 
 from tests import cutting
-from tests.workbook.controllers.examples import TEXT
+from tests.workbook.controllers.examples import TEXT, build_described
 from workbook import build as making
-from workbook.build import build
 from workbook.judging.batch import file_digest
-from workbook.reading.descriptions import read_machine
 
 
 @pytest.fixture(scope="session")
@@ -22,10 +20,8 @@ def axes(machine):
 
 @pytest.fixture(scope="session")
 def book(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("books")
-    (folder / "two.toml").write_text(TEXT, encoding="utf-8")
-    build(read_machine(folder / "two.toml"), folder / "two.xlsx")
-    return folder / "two.xlsx"
+    build_described(TEXT, path := tmp_path_factory.mktemp("books") / "two.xlsx")
+    return path
 
 
 @pytest.fixture(scope="session")

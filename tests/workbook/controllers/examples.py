@@ -1,6 +1,7 @@
 """Machines made up for the targets: the four points of the reference, and random motions."""
 
 import random
+from pathlib import Path
 
 import numpy as np
 
@@ -10,8 +11,10 @@ from engine.laws import Dwell
 from engine.motion import Motion, Phase
 from engine.motion.profile import profile_of_motion
 from tests.engine.laws.claims import CLAIMS
+from workbook.build import build
 from workbook.controllers.tabulation import table_at
 from workbook.controllers.target import CamExport, Target
+from workbook.reading.descriptions import read_machine
 from workbook.template_outputs import CamAxis
 
 X, Y = np.array([0.0, 90.0, 180.0, 360.0]), np.array([0.0, 15.0, 30.0, 0.0])
@@ -19,7 +22,7 @@ SLOPES = np.array([0.0, 0.25, 0.0, 0.0])
 FOUR = CamAxis("Demo", quintics(X, Y, SLOPES, np.zeros(4)), "°", "mm")
 """rise over 0 to 180 with a slope of 0.25 on the way, back over 180 to 360"""
 FIVE = np.insert(X, 3, 270.0)
-MOVING = [one.law for one in CLAIMS if one.law is not Dwell and min(one.order_ends, one.order_inside) >= 2]
+MOVING = [one.law for one in CLAIMS if one.law is not Dwell and min(one.orders) >= 2]
 """laws whose acceleration does not jump"""
 
 
@@ -46,6 +49,14 @@ closes = "feed"
 phases = [ { start = 0.0, stop = 80.0, lift = 300.0, law = "CIC" } ]
 """
 """a small machine of two axes"""
+
+
+def build_described(text: str, book: Path) -> Path:
+    """Build the book of a description, which is written beside it; return where."""
+    path = book.with_suffix(".toml")
+    path.write_text(text, encoding="utf-8")
+    build(read_machine(path), book)
+    return path
 
 
 def handed(target: Target, axis: CamAxis = FOUR, x: np.ndarray | None = None) -> CamExport:

@@ -12,8 +12,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from engine.timing import Switch, compare_switches
-from tests.workbook.controllers.examples import TEXT
-from workbook.build import build
+from tests.workbook.controllers.examples import TEXT, build_described
 from workbook.controllers.registry import TARGETS, target
 from workbook.controllers.target import MOST_OFF, SwitchExport, differences, tracks
 from workbook.errors import TargetError
@@ -155,10 +154,8 @@ LANED = TEXT + '[[switches]]\nname = "Valve 3"\non = [ [20.0, 95.0], [345.0, 15.
 
 @pytest.fixture(scope="module")
 def laned(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("laned")
-    (folder / "laned.toml").write_text(LANED, encoding="utf-8")
-    build(read_machine(folder / "laned.toml"), folder / "laned.xlsx")
-    return folder / "laned.xlsx"
+    build_described(LANED, path := tmp_path_factory.mktemp("laned") / "laned.xlsx")
+    return path
 
 
 def test_all_writes_the_switches_too_where_the_target_takes_them(run, laned, tmp_path):

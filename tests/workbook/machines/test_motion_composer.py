@@ -1,15 +1,12 @@
 """S3's composed motions as machines of one axis: exercise and examples in cells, junctions, closure, entries."""
 
 import math
-import random
 import subprocess
 
 import openpyxl
 import pytest
 
-from tests.laws import MOVING
-from tests.mutation.machines import own_pieces, stages
-from tests.workbook.cells import computed, disagreeing
+from tests.workbook.cells import computed
 from tests.workbook.composed import EXERCISE, MACHINE, composed
 from workbook.build import COMMITTED, DIGESTS, build, committed_descriptions, stale_templates
 from workbook.reading.descriptions import read_machine, write_machine
@@ -112,34 +109,6 @@ def test_axis_titles_follow_the_units_entered(tmp_path):
         ends = [axis.title for chart in charts for axis in (chart.x_axis, chart.y_axis) if axis.title]
         titles = {"".join(run.t for part in title.tx.rich.p for run in part.r or []) for title in ends}
         assert titles == expected
-
-
-# --- Against the engine ---------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("seed", range(25))
-@pytest.mark.sample(3)
-def test_random_motions_agree_with_the_engine(seed):
-    assert disagreeing(MACHINE, drawn(random.Random(seed)))[0] == []
-
-
-def drawn(dice):
-    """A motion of any length over any abscissa, its durations over four decades."""
-    low, high = sorted(dice.uniform(0.02, 0.98) for _ in range(2))
-    laws = {
-        "MTP": {"durations": stages(dice)}, "TVP": {"rise_end": low, "fall_start": high},
-        "OWN": {"pieces": own_pieces(dice, 4)},
-    }  # fmt: skip
-    size = 10 ** dice.uniform(-4, 3)
-    phases = []
-    for _ in range(dice.choice((1, 2, 5, 24))):
-        law = dice.choice(("DWL", *MOVING))
-        lift = 0.0 if law == "DWL" else dice.choice((0.0, dice.uniform(-size, size), dice.uniform(-size, size)))
-        phases.append((law, lift, 10 ** dice.uniform(-2, 2)))
-    over, unit = dice.choice(("°", "rad", "mm", "s")), dice.choice(("mm", "°"))
-    sizes = {"cycle": dice.choice((7, 24)), "motion_pieces": 220}
-    closes = dice.choice(("position", "open"))
-    return composed(phases, laws, sizes, over=over, unit=unit, closes=closes, position=dice.uniform(-size, size))
 
 
 # --- The committed files --------------------------------------------------------------------------
