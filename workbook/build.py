@@ -6,13 +6,15 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from openpyxl.worksheet.worksheet import Worksheet
+
 from workbook.book.declare import Book
 from workbook.book.quantity import OK, SAYS
 from workbook.book.rows import as_rows
 from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, WriteError
-from workbook.judging.carry_over import find_additions, not_carried
+from workbook.judging.carry_over import find_additions, not_carried, with_sheet
 from workbook.judging.matching import Match
 from workbook.judging.repair import repair_book
 from workbook.pool import collecting_between, collector_paused
@@ -53,8 +55,14 @@ def write_book(machine: Machine, path: Path, overwrite: bool = False) -> Book:
     return write_keeping(machine, path, None, overwrite)[0]
 
 
-def write_keeping(machine: Machine, path: Path, old: Match | None, overwrite: bool = False) -> tuple[Book, list[str]]:
-    """Write the workbook of a machine, with what an engineer has added to an old book.
+def write_keeping(
+    machine: Machine,
+    path: Path,
+    old: Match | None,
+    overwrite: bool = False,
+    sheet: Callable[[Book], Worksheet] | None = None,
+) -> tuple[Book, list[str]]:
+    """Write the workbook of a machine, with what an engineer has added to an old book, and a ``sheet`` for it.
 
     Returns
     -------
@@ -79,6 +87,8 @@ def write_keeping(machine: Machine, path: Path, old: Match | None, overwrite: bo
         if old is not None:
             own = find_additions(old, book)
             left = not_carried(old, machine.template, own)
+        if sheet is not None:
+            own = with_sheet(own, sheet(book))
         is_kept = old is not None and is_same_file(path, old.file.path)
         refuse_loss(path, left if is_kept else own_work(path), is_kept)
         save(book, type(machine), path, overwrite, require_readable, own)

@@ -159,6 +159,7 @@ def improve(
     frequency: float = option("HZ", "Natural frequency of --for vibration, if not as described.", min=0.0, default=0.0),
     damping: float = option("ZETA", "Its damping ratio.", min=0.0, max=0.99, default=0.0),
     freeze: bool = flag("--freeze", "Only shape the laws anew that the description has shaped for their drives."),
+    sheet: Path | None = option("BOOK.xlsx", "Build its book, with these lines on a sheet Improve.", "--sheet"),
     jobs: int | None = option("N", "Processes at once; else this process alone.", "--jobs", min=1),
     force: Force = False,
 ) -> None:
@@ -166,6 +167,8 @@ def improve(
 
     Tried are other laws for each phase, laws shaped for their drive, edges moved within their order or what the
     description's timing says, the next motors, other ratios, less inertia and smaller reserves of the axis that limits.
+    With --sheet the book has the lines too; --force replaces a book, whose own work comes along.
+
     Then the best laws, the best timing, both together, and motors and ratios too. Every gain is worked out by the exact
     engine; a change that breaks a check is left out. With --for an axis has less of something at the same rate. Ctrl+C
     leaves the best so far.
@@ -175,11 +178,14 @@ def improve(
     """
     from workbook.commands import improve as improving
 
+    if freeze and sheet is not None:
+        raise typer.BadParameter("--freeze prints no gains for a sheet; expected --sheet without it")
     if freeze:
         raise typer.Exit(improving.freeze(machine, output, force))
     if aim != "vibration" and frequency > 0.0:
         raise typer.BadParameter("expected --frequency with --for vibration alone")
-    raise typer.Exit(improving.improve(machine, output, change, (aim, frequency, damping), axis, jobs, force))
+    asked = aim, frequency, damping
+    raise typer.Exit(improving.improve(machine, output, change, asked, axis, jobs, force, sheet))
 
 
 @app.command()

@@ -1,9 +1,12 @@
 """Say what would make a machine better; write the description of the best design."""
 
+from datetime import datetime
+from functools import partial
 from pathlib import Path
 
-from workbook.build import failing_checks, read_description
+from workbook.build import failing_checks, read_description, read_entered, write_keeping
 from workbook.cluster import pool
+from workbook.entries.machine import Machine
 from workbook.errors import AGREES, FAILS, InputError
 from workbook.fields.paths import spell
 from workbook.fields.units import PER_MINUTE, shown
@@ -24,10 +27,11 @@ from workbook.studies.improve import (
     reshaped_laws,
     single_gains,
 )
+from workbook.studies.improve_sheet import TITLE, improve_sheet
 from workbook.studies.timing import Done
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
-from workbook.writing.output_files import refuse_existing, refuse_itself, write_text
+from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_suffix, write_text
 
 DESCRIPTION = "a machine description, a .toml file"
 
@@ -40,25 +44,34 @@ def improve(
     axis: str,
     jobs: int | None,
     force: bool,
+    sheet: Path | None = None,
 ) -> int:
     """Print what limits a machine and what changes gain; write the best design of a stage; return the exit code.
 
-    ``asked`` are the name of the aim, and natural frequency (Hz) and damping of a load that vibrates.
+    Into the book ``sheet`` goes what is printed, on a sheet of it. ``asked`` are the name of the aim, and natural
+    frequency (Hz) and damping of a load that vibrates.
     """
     name, frequency, damping = asked
     aim = AIMS[name]._replace(frequency=frequency, damping=damping)
     refuse_itself(output, path)
     if output is not None:
         refuse_existing(output, force)
+    if sheet is not None:
+        refuse_suffix(sheet)
+        refuse_existing(sheet, force)
     with ERR.status("Looking for what limits …") as status:
 
         def done(count: int, total: int, words: str) -> None:
             status.update(escaped(f"Trying {count} of {total}: {words}"))
 
-        design = first_design(read_description(path), is_roomy(path), aim, axis)
-        show_limits(design)
+        machine, lines = read_description(path), list[str]()
+        design = first_design(machine, is_roomy(path), aim, axis)
+        show_limits(design, lines)
+        show_fit(design, lines)
         with pool(jobs or 1, None) as workers:
-            best = show_gains(design, stage, workers, done)
+            best = show_gains(design, stage, workers, done, lines)
+        if sheet is not None:
+            write_sheet(machine, sheet, lines, force)
     return AGREES if output is None else write_best(path, best, output, force)
 
 
@@ -83,18 +96,43 @@ def freeze(path: Path, output: Path | None, force: bool) -> int:
     return write_best(path, laws[-1][0], output, force)
 
 
-def show_limits(design: Design) -> None:
+def write_sheet(machine: Machine, path: Path, lines: list[str], force: bool) -> None:
+    """Write the book of a machine with lines on the sheet Improve, and what was added to the book that is there."""
+    old = read_entered(path)[0] if path.exists() else None
+    _, notes = write_keeping(machine, path, old, force, partial(improve_sheet, lines, datetime.now()))
+    say(OUT, f"Built {path.absolute()}, with the sheet {TITLE}")
+    for note in notes:
+        say(ERR, f"Note: {note}")
+
+
+def show(lines: list[str], line: str, style: str = "") -> None:
+    """Print a line, and add it to those that are printed."""
+    say(OUT, line, style)
+    lines.append(line)
+
+
+def show_limits(design: Design, lines: list[str]) -> None:
     """Print the limits of a design in their order, or what is to be less."""
     if not design.aim.is_rate:
         words = f"{design.aim.words} of {design.limiting}: {design.cost:.5g} {design.aim.unit}"
-        say(OUT, f"{words} at {per_minute(design.rate)}", "bold")
+        show(lines, f"{words} at {per_minute(design.rate)}", "bold")
         return
     for n, obstacle in enumerate(obstacles(design)):
         words = f"{obstacle.axis}, {obstacle.limit.limit} ({obstacle.where})"
-        say(OUT, f"{'then' if n else 'Highest rate:'} {per_minute(obstacle.limit.rate)}: {words}", "" if n else "bold")
+        begin = "then" if n else "Highest rate:"
+        show(lines, f"{begin} {per_minute(obstacle.limit.rate)}: {words}", "" if n else "bold")
 
 
-def show_gains(design: Design, stage: str, workers: Pool, done: Done) -> Design:
+def show_fit(design: Design, lines: list[str]) -> None:
+    """Print whether laws that are shaped still fit their drives, or what shaping them anew gains."""
+    try:
+        for _, words, gain in reshaped_laws(design):
+            show(lines, f"{words}, {gain or 'fits its drive'}")
+    except InputError as error:  # of a law that several phases have, or none
+        show(lines, str(error), "yellow")
+
+
+def show_gains(design: Design, stage: str, workers: Pool, done: Done, lines: list[str]) -> Design:
     """Print the gains of single changes, and the best design of each stage; return that of a stage.
 
     Where that of a stage is not known yet, it is the best so far.
@@ -102,18 +140,18 @@ def show_gains(design: Design, stage: str, workers: Pool, done: Done) -> Design:
     best, before = {"": design}, design.exact_cost
     try:
         for gain in single_gains(design, workers, done):
-            say(OUT, f"  {gain.sentence(design)}")
+            show(lines, f"  {gain.sentence(design)}")
         for name, (words, kinds, begin) in STAGES.items():
             best[name] = best[begin]
             for other in better(best[begin], kinds, workers, done):
                 best[name] = other
-            say(OUT, f"Best {words}: {gain_in_words(design, before, best[name].exact_cost)}", "bold")
+            show(lines, f"Best {words}: {gain_in_words(design, before, best[name].exact_cost)}", "bold")
     except KeyboardInterrupt:
         say(ERR, "Interrupted: the best so far stands.", "yellow")
     chosen = best.get(stage) or min(best.values(), key=lambda each: each.cost)
     for place, value in chosen.changes.items():
         if place[0] != "laws":
-            say(OUT, f"  {spell(place)} = {value}")
+            show(lines, f"  {spell(place)} = {value}")
     return chosen
 
 

@@ -11,7 +11,7 @@ from openpyxl.worksheet.worksheet import Worksheet
 from workbook.book.address import Address
 from workbook.book.declare import Book, Sheet
 from workbook.book.formula import FormulaError
-from workbook.errors import listed
+from workbook.errors import WriteError, listed
 from workbook.judging.display.cells import rule_words
 from workbook.judging.display.charts import pair_charts, read_charts
 from workbook.judging.matching import Match
@@ -170,3 +170,19 @@ def own_names(match: Match) -> list[DefinedName]:
     declared = {name.casefold() for name, _ in match.declared.names()}
     held = match.file.workbook.defined_names.items()
     return [own for name, own in held if name.casefold() not in declared and not name.startswith("_xl")]
+
+
+def with_sheet(own: Additions, sheet: Worksheet) -> Additions:
+    """Return additions with a sheet in place of an older one that begins alike; raise WriteError where none does."""
+    title = sheet.title
+    if any(each.title == title and each["A1"].value != sheet["A1"].value for each in own.sheets):
+        raise WriteError(f"the sheet {title!r} is your own; expected another title of it")
+    cells = ((cell, Address.parse(cell.coordinate, title)) for row in sheet.iter_rows() for cell in row)
+    return own._replace(
+        sheets=(*(each for each in own.sheets if each.title != title), sheet),
+        cells=(
+            *(each for each in own.cells if each[1].sheet != title),
+            *((cell, at, cell.value) for cell, at in cells if cell.value is not None),
+        ),
+        notes=tuple(each for each in own.notes if each[1].sheet != title),
+    )

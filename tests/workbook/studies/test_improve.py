@@ -2,25 +2,28 @@
 
 import math
 import re
-from itertools import islice, pairwise, permutations
+from itertools import chain, islice, pairwise, permutations
 
 import pytest
+from openpyxl import load_workbook
 
 from engine.drive.limits import at_speed
 from engine.drive.rate_range import rate_range
 from engine.laws import PieceLaw
 from tests.tiers import seed
+from tests.workbook.evaluated import by_formulon
 from tests.workbook.machines.drawn_drives import drawn_machine
 from tests.workbook.studies.studied import base
 from workbook.build import read_entered, write_book
 from workbook.commands import improve as command
-from workbook.errors import AGREES, FAILS, InputError
+from workbook.errors import AGREES, FAILS, InputError, WriteError
 from workbook.fields.paths import table
 from workbook.fields.units import PER_MINUTE, si
 from workbook.machines.machine.exact import drives_of, limits_of
 from workbook.machines.machine.studies import changes, timing
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
+from workbook.studies import improve_sheet
 from workbook.studies.design import first_design
 from workbook.studies.improve import RATE, STAGES, better, edited, obstacles, rate_to_write, single_gains
 from workbook.studies.plan import changed_machine
@@ -138,7 +141,7 @@ def test_interrupted_it_keeps_the_best_so_far(cutting, monkeypatch, capsys) -> N
 
     monkeypatch.setattr(command, "better", interrupted)
     monkeypatch.setattr(command, "single_gains", lambda *_: iter(()))
-    assert command.show_gains(cutting, "laws", THIS_PROCESS, silent) is kept
+    assert command.show_gains(cutting, "laws", THIS_PROCESS, silent, []) is kept
     assert "best so far" in capsys.readouterr().err
 
 
@@ -147,6 +150,39 @@ def test_where_nothing_is_better_no_file_is_written_and_that_is_said(tmp_path, m
     assert command.improve(base(tmp_path), tmp_path / "faster.toml", "laws", RATE_AIM, "", None, False) == AGREES
     assert not (tmp_path / "faster.toml").exists()
     assert "is not written" in capsys.readouterr().err.replace("\n", " ")
+
+
+def test_a_book_has_what_was_printed_and_tells_entries_that_changed_since(tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr(command, "show_gains", lambda design, *_: design)
+    path, book = base(tmp_path), tmp_path / "feed.xlsx"
+
+    def improve(force: bool) -> int:
+        return command.improve(path, None, "laws", RATE_AIM, "", None, force, book)
+
+    assert improve(False) == AGREES
+    with pytest.raises(WriteError, match="exists"):
+        improve(False)
+    written = load_workbook(book)
+    sheet = written["Improve"]
+    assert sheet["A6"].value.startswith("Highest rate: 205.1 cycles/min")
+    (row,) = (cell.row for cell in sheet["A"] if cell.value == "master.rate")
+    entry = sheet.cell(row, 3).value.removeprefix("=Timing!")
+    valued = load_workbook(book, data_only=True)  # of formulas elsewhere the values that the book has
+    for cell in chain(*sheet.iter_rows()):
+        valued["Improve"][cell.coordinate] = cell.value
+    for rate, says, mark in ((60, improve_sheet.SAME, ""), (61, improve_sheet.OTHER, improve_sheet.CHANGED)):
+        valued["Timing"][entry.replace("$", "")] = rate
+        values = by_formulon(valued)
+        assert (values["Improve", 4, 1], values["Improve", row, 3]) == (says, rate)
+        assert values["Improve", row, 4] == mark
+    written.create_sheet("Mine")["A1"] = "kept"
+    written.save(book)
+    assert improve(True) == AGREES
+    assert load_workbook(book)["Mine"]["A1"].value == "kept"
+    sheet["A1"] = "an engineer's own"
+    written.save(book)
+    with pytest.raises(WriteError, match="'Improve' is your own"):
+        improve(True)
 
 
 def shaped_feed(tmp_path, of: str = 'shaped = "torque"', **changes):
@@ -181,7 +217,8 @@ def test_a_law_is_shaped_with_no_more_jerk_than_its_bound(tmp_path, capsys) -> N
     law = read_machine(frozen).laws["OPT"]
     assert 69.0 < PieceLaw([piece.engine_piece for piece in law.pieces]).coefficients.cj <= 70.0
     assert law.max_jerk == 70.0
-    assert command.freeze(frozen, None, False) == AGREES
+    command.show_fit(first_design(read_machine(frozen), False), lines := [])
+    assert [line.partition(", ")[2] for line in lines] == ["fits its drive"]
 
 
 def test_a_book_keeps_what_its_law_is_shaped_for(tmp_path) -> None:
