@@ -17,7 +17,7 @@ class Bounds(NamedTuple):
     mean_torque: float = 2e-3  # cubic mean behind the reducer
     speed: float = 5e-3  # the largest
     mean_speed: float = 1e-3
-    peak_power: float = 0.08  # highest and lowest
+    peak_power: float = 0.03  # highest and lowest
     mean_power: float = 0.01
     energy: float = 0.03  # driven, and regenerated, of both together
 
@@ -25,7 +25,7 @@ class Bounds(NamedTuple):
 # without viscous friction peaks are exact, if the acceleration is monotone in each piece
 CONSTANT = Bounds()
 CHANGING = Bounds()
-TABLE = Bounds(peak_torque=2e-2, rms_torque=1.5e-2, mean_torque=1e-2, speed=1e-2, peak_power=0.1)
+TABLE = Bounds(peak_torque=2e-2, rms_torque=1.5e-2, mean_torque=1e-2, speed=1e-2)
 """of a table of positions, whose ratio bends at each of its points"""
 BY_ANGLE = Bounds(peak_torque=2.5e-2)  # of an axis that turns most of the way in one interval
 

@@ -12,6 +12,7 @@ from engine.drive.quadrature import LoadPoints
 from engine.laws.base import Array
 
 TIED = 1e-9  # share of the largest absolute value by which equal peaks may differ
+SEEN = 1e-4  # share of the gap between neighbours: a peak so near to its point needs no second look
 
 
 class Peak(NamedTuple):
@@ -35,16 +36,39 @@ def peak(values: Array, place: Array) -> Peak:
     limit = y.max() - TIED * np.abs(y).max()
     k = int((y >= limit).argmax())
     low, high = max(k - 1, 0), min(k + 1, y.size - 1)
-    three = float(y[low]), float(y[k]), float(y[high])
-    if k % values.shape[1] in (0, values.shape[1] - 1):
-        return Peak(k, three, 0.0, 0.0, three[1])
-    before, after = float(x[k] - x[low]), float(x[high] - x[k])
-    rise, fall = (three[1] - three[0]) / before, (three[1] - three[2]) / after
-    bend, lean = rise + fall, rise * after - fall * before
-    if not (bend > 0.0 and -2.0 * before * bend <= lean <= 2.0 * after * bend):
-        return Peak(k, three, before, after, float(y.max()))
-    top = three[1] + lean**2 / (4.0 * bend * (before + after))
-    return Peak(k, three, before, after, top, lean / (2.0 * bend))
+    is_end = k % values.shape[1] in (0, values.shape[1] - 1)
+    gaps = (0.0, 0.0) if is_end else (float(x[k] - x[low]), float(x[high] - x[k]))
+    found = peak_between(k, (float(y[low]), float(y[k]), float(y[high])), gaps)
+    return found._replace(top=max(found.top, float(y.max())))
+
+
+def peak_between(at: int, values: tuple[float, float, float], gaps: tuple[float, float]) -> Peak:
+    """Return the maximum of the parabola through three values, the second that of point ``at``, with gaps between."""
+    before, after = gaps
+    if min(gaps) > 0.0:
+        rise, fall = (values[1] - values[0]) / before, (values[1] - values[2]) / after
+        bend, lean = rise + fall, rise * after - fall * before
+        if bend > 0.0 and -2.0 * before * bend <= lean <= 2.0 * after * bend:
+            top = values[1] + lean**2 / (4.0 * bend * (before + after))
+            return Peak(at, values, before, after, top, lean / (2.0 * bend))
+    return Peak(at, values, before, after, values[1])
+
+
+def second_look(first: Peak, there: float) -> Peak:
+    """Return the peak of the parabola through the top of a first one, where the quantity is known, and neighbours.
+
+    Parameters
+    ----------
+    first : Peak
+    there : float
+        The quantity at the first's offset from its point; that of the result is from there.
+    """
+    low, middle, high = first.values
+    if abs(first.offset) <= SEEN * (first.before + first.after):
+        return Peak(first.at, (low, there, middle), first.before, 0.0, there)
+    if first.offset > 0.0:
+        return peak_between(first.at, (middle, there, high), (first.offset, first.after - first.offset))
+    return peak_between(first.at, (low, there, middle), (first.before + first.offset, -first.offset))
 
 
 @dataclass(frozen=True)

@@ -56,14 +56,14 @@ def sheet_results(view):
     points, energy, behind = view.points, view.energy, view.load.output_torque
     return {
         "rms": points.rms_torque,
-        "peak": view.size("T"),
+        "peak": view.peaks.size("T"),
         "speed": view.speed,
         "mean speed": points.mean_speed,
-        "power": view.top("P"),
-        "back power": max(0.0, view.top("P", -1)),
+        "power": view.peaks.top("P"),
+        "back power": max(0.0, view.peaks.top("P", -1)),
         "driving": energy.driving,
         "returned": energy.regenerated,
-        "output peak": view.size("S"),
+        "output peak": view.peaks.size("S"),
         "output mean": points.cubic_mean(behind),
     }
 

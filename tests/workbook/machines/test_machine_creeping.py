@@ -46,7 +46,7 @@ def test_what_stands_on_a_screw_is_friction_over_its_ratio_and_inertia_next_to_n
 def test_a_press_that_holds_at_its_rate_fails_while_it_creeps_loaded_and_not_empty(tmp_path):
     """The force acts while the screw is braked: at the rate inertia takes half of it."""
     swift = FAST | {"rated_torque": 1e3, "peak_torque": 1e3}
-    inertia = max(view.size("T") for view in drives_of(small([screwed(motor=swift)])))
+    inertia = max(view.peaks.size("T") for view in drives_of(small([screwed(motor=swift)])))
     window = {"start": 68.0, "stop": 82.0, "force": 1.5 * inertia * 0.8 * 4.0 * RATIO}
     machine = small([screwed(window, motor=swift | {"peak_torque": 1.05 * inertia})])
     path = tmp_path / "press.toml"

@@ -164,7 +164,11 @@ def driven(view: DriveView, x: Array, charts: list[dict[str, Any]]) -> dict[str,
         "use": [use for name, check in checks.items() if (use := used(name, check))],
         "highest": rates.high if isinstance(rates.high, float) else None,
         "reason": rates.high_limit,
-        "power": {"sampled": [round(p, 3) for p in power.tolist()], "peak": view.top("P"), "low": -view.top("P", -1)},
+        "power": {
+            "sampled": [round(p, 3) for p in power.tolist()],
+            "peak": view.peaks.top("P"),
+            "low": -view.peaks.top("P", -1),
+        },
         "own_rate": view.driven.entered.rate is not None,
     }
 

@@ -41,7 +41,7 @@ class Mains:
         self.over, eta = drives[0].tables.machine.over, entered.efficiency
         self.each = [drive.energy.mean_bus_power(drive.driven.drive_cycle.time, eta) for drive in drives]
         self.alone = total_bus_power(self.each)
-        most = [(drive.top("P"), -drive.top("P", -1)) for drive in drives]
+        most = [(drive.peaks.top("P"), -drive.peaks.top("P", -1)) for drive in drives]
         tops = [peak_bus_power(powers, eta) for powers in most]
         self.size = max(1e-3, math.fsum(max(top) for top in tops))  # how large all together grow
         self.mains, self.resistor = np.array(tops).T  # the peaks of each without a bus

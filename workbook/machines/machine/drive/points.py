@@ -21,7 +21,8 @@ from workbook.machines.machine.boundary.bends import bends_name
 from workbook.machines.machine.drive import brake, by_angle, other_rates, stages
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.drive.view import PEAK_UNITS, DriveView
+from workbook.machines.machine.drive.peaks import PEAK_UNITS
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.motion.pieces import FROM_START, arguments, sampled
 
@@ -50,20 +51,28 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
 
 def tops_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive once more where its quantities have their peaks, and these."""
-    cell = CELLS["tops"]
-    there, each = view.at_peaks, list(view.peaks)
-    values = [shown(way * top, PEAK_UNITS[name]) for (name, way, _), top in view.tops.items()]
-    formulas = [f"={'MAX' if way > 0 else 'MIN'}([@peaks.y.same],[{name}])" for name, way, _ in each]
+    cell, peaks = CELLS["tops"], view.peaks
+    there, first = view.at_peaks, {key: row for row, key in enumerate(peaks.places, 1)}
+    values = [shown(way * top, PEAK_UNITS[name]) for (name, way, _), top in peaks.tops.items()]
+    at, formulas, places = list[str](), list[str](), list[str]()
+    for key in peaks.places:
+        name, way, _ = key
+        row = f"{first[name, way, 1]}" if key in peaks.again else "same"
+        before = f"[@tops.top.{row}]" if key in peaks.again else "[@peaks.y.same]"
+        place = f"again.place.{list(peaks.again).index(key) + 1}" if key in peaks.again else "peaks.place.same"
+        at.append(f"[@peaks.at.{row}]")
+        formulas.append(f"={'MAX' if way > 0 else 'MIN'}({before},[{name}])")
+        places.append(f"=[@{place}]+0")
     size = max(view.scales.torque, view.scales.behind, view.scales.power, view.scales.rpm if view.varies else 0.0)
     cell.place(
         sheet,
-        cell("iv", (there.numbers.ravel() + 1).tolist()),
-        *chain(there, "=[@peaks.place.same]+0"),
+        cell("iv", (there.numbers.ravel() + 1).tolist(), at=at),
+        *chain(there, places),
         cell("top", values, formula=formulas, scale=size),
     )
 
 
-def chain(view: DriveView, place: str) -> list[Quantity]:
+def chain(view: DriveView, place: str | list[str]) -> list[Quantity]:
     """Return the columns from the motion to the motor's power, at a ``place`` of an interval ``iv``."""
     cell = CELLS["chain"].sharing(**view.parts)
     load, points = view.load, view.points
@@ -96,7 +105,7 @@ def chain(view: DriveView, place: str) -> list[Quantity]:
     ]
 
 
-def motion(view: DriveView, place: str) -> list[Quantity]:
+def motion(view: DriveView, place: str | list[str]) -> list[Quantity]:
     """Return the columns of the motion: place, powers of u, velocity and acceleration of the load."""
     rows, load, axis = view.tables.pieces, view.load, view.driven.axis
     of = view.by_point

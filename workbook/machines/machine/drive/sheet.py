@@ -40,7 +40,7 @@ from workbook.machines.machine.drive.points import (
 from workbook.machines.machine.drive.reach import linkage_checks, reach_table
 from workbook.machines.machine.drive.turns import turns_check, turns_table
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.drive.workings import peaks_table, workings
+from workbook.machines.machine.drive.workings import again_table, peaks_table, workings
 from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.mechanism import SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
@@ -81,6 +81,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         if driven.linkage:
             reach_table(sheet, view, driven.linkage)
         peaks_table(sheet, view)
+        again_table(sheet, view)
         rates_between.rates_table(sheet, view)
         creeping.creeping_table(sheet, view)
         if view.for_selection:
@@ -172,9 +173,9 @@ def outcome(view: DriveView) -> list[Quantity]:
         cell("@inertias", view.inertia_ratio),
         cell("@j_all", shown(driven.motor_used.inertia + view.inertia, KG_CM2)),
         cell("@j_figures", Sentence(" + ".join(map(rounded, shown(inertias, KG_CM2))))),
-        cell("@largest", view.size("T"), source=to(bound.peak_torque)),
-        cell("@tmax", view.top("T"), source=to(bound.peak_torque) + damped),
-        cell("@tmin", -view.top("T", -1), source=to(bound.peak_torque)),
+        cell("@largest", view.peaks.size("T"), source=to(bound.peak_torque)),
+        cell("@tmax", view.peaks.top("T"), source=to(bound.peak_torque) + damped),
+        cell("@tmin", -view.peaks.top("T", -1), source=to(bound.peak_torque)),
         cell("@rms", points.rms_torque, bound=to(bound.rms_torque, "the peak")),
         cell("@t_hold", points.holding_torque),
         cell("@speed", shown(view.speed, RPM), formula=fastest, source=speed),
@@ -207,14 +208,14 @@ def energies(view: DriveView) -> list[Quantity]:
     """Return the results of the motor's energy and power over the cycle."""
     (driving, returned), bound = view.energy, stated_bounds(view.driven.train)
     mean = shown((driving - returned) / view.driven.drive_cycle.time, KW)
-    lowest = shown(min(0.0, -view.top("P", -1)), KW)
+    lowest, rows = shown(min(0.0, -view.peaks.top("P", -1)), KW), len(view.peaks.places)
     cell = CELLS["energies"].sharing(**view.parts)
     return [
         cell("@energy", driving, bound=to(bound.energy, "both energies")),
         cell("@returned", returned, source=to(bound.energy, "both energies")),
         cell("@power", mean, source=to(bound.mean_power, "the peak")),
-        cell("@pmax", shown(max(0.0, view.top("P")), KW), source=to(bound.peak_power)),
-        cell("@pmin", lowest, bound=to(bound.peak_power, "the larger")),
+        cell("@pmax", shown(max(0.0, view.peaks.top("P")), KW), source=to(bound.peak_power), row=rows - 1),
+        cell("@pmin", lowest, bound=to(bound.peak_power, "the larger"), row=rows),
         *([brake.torque(view)] if view.brakes else []),
     ]
 

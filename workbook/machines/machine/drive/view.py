@@ -1,7 +1,6 @@
 """The engine's view of a drive at the points of its cycle, in the order of its sheet."""
 
 import math
-from collections.abc import Callable
 from copy import copy
 from dataclasses import replace
 from functools import cached_property
@@ -10,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.drive.creeping import creep_checks, creep_factor
-from engine.drive.drive_points import DrivePoints, Peak, peak
+from engine.drive.drive_points import DrivePoints
 from engine.drive.limit_use import RateSearch
 from engine.drive.limits import BELOW
 from engine.drive.motor import LimitCheck, Reserve, reserve
@@ -23,18 +22,11 @@ from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.boundary.bends import bend_angles, polynomials
 from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.drive.peaks import Peaks
 from workbook.machines.machine.drive.shown_rates import Rates
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.machines.machine.motion_tables import AxisTables
 
-PEAKED: dict[str, Callable[[DrivePoints], Array]] = {
-    "T": lambda points: points.torque,
-    "S": lambda points: points.load.output_torque,
-    "P": lambda points: points.power,
-    "n": lambda points: points.speed,
-}
-"""the quantities whose peaks are sought, by their columns"""
-PEAK_UNITS = {"T": 1.0, "S": 1.0, "P": KW, "n": RPM}  # of these on the sheet
 LEAST = 1e-3  # of torques and powers: what is smaller is next to nothing
 
 
@@ -86,12 +78,12 @@ class DriveView:
         self.numbers = np.arange(len(self.cycle.intervals))[:, None]
         self.point_rows = self.rows * POINTS
         turns = abs(driven.mechanism.ratio) * driven.max_geometric_velocity * driven.axis.speed
-        self.speed = self.size("n") if self.varies else turns  # the largest of the motor (rad/s)
+        self.speed = self.peaks.size("n") if self.varies else turns  # the largest of the motor (rad/s)
 
     @cached_property
     def search(self) -> RateSearch:
         """The search of the rates that hold all limits."""
-        driven, peaks = self.driven, (self.size("T"), self.size("S"))
+        driven, peaks = self.driven, (self.peaks.size("T"), self.peaks.size("S"))
         return RateSearch(self.points, self.speed, driven.motor, driven.reducer.limits, 1.0 / self.time, peaks)
 
     @property
@@ -115,57 +107,18 @@ class DriveView:
         return creep_checks(self.creeping, self.driven.motor, self.driven.reducer.limits, self.slow / self.time)
 
     @cached_property
-    def peaks(self) -> dict[tuple[str, int, int], Peak]:
-        """The largest point of each quantity by its column, 1 for the highest or −1 for the lowest, and its rank.
-
-        Of speeds also the largest point of the other intervals, of rank 2: of two peaks nearly alike, the one with the
-        lower point may be the higher, by 1.5 % in drawn drives; a torque's by 0.01 %.
-        """
-        keys = [(name, way, 1) for name in PEAKED if name != "n" or self.varies for way in (1, -1)]
-        found = {key: peak(self.upward(*key[:2]), self.load.x) for key in keys}
-        for way in (1, -1) if self.varies else ():
-            others = np.where(self.numbers == found["n", way, 1].at // POINTS, 0.0, self.upward("n", way))
-            found["n", way, 2] = peak(others, self.load.x)
-        return found
-
-    def upward(self, name: str, way: int) -> Array:
-        """Return a column at the points; −1 times it, where its lowest value is sought."""
-        return way * PEAKED[name](self.points)
-
-    @cached_property
-    def peak_points(self) -> DrivePoints:
-        """The drive where each of :attr:`peaks` has the top of its parabola, a row each."""
-        at = np.array([[peak.at] for peak in self.peaks.values()])
-        places = self.load.x.ravel()[at] + [[peak.offset] for peak in self.peaks.values()]
-        load = self.cycle.points_at(at // POINTS, places, np.zeros(at.shape))
-        return DrivePoints(replace(load, train=self.driven.train))
+    def peaks(self) -> Peaks:
+        """The peaks of its quantities."""
+        return Peaks(self.cycle, self.points, self.driven.train, self.varies)
 
     @property
     def at_peaks(self) -> "DriveView":
-        """The view of :attr:`peak_points`, measured by the same scales."""
+        """The view of the drive at its peaks, measured by the same scales."""
         _ = self.scales
-        other = copy(self)
-        other.points, other.load = self.peak_points, self.peak_points.load
-        other.point_rows = len(self.peaks)
-        other.numbers = np.array([[peak.at // POINTS] for peak in self.peaks.values()])
+        other, peaks = copy(self), self.peaks
+        other.points, other.load, other.numbers = peaks.there, peaks.there.load, peaks.intervals
+        other.point_rows = len(peaks.places)
         return other
-
-    def top(self, name: str, way: int = 1) -> float:
-        """Return the highest value of a column, or −1 times the lowest: at a point, or beside it."""
-        return max(self.tops[key] for key in self.peaks if key[:2] == (name, way))
-
-    @cached_property
-    def tops(self) -> dict[tuple[str, int, int], float]:
-        """The larger of each of :attr:`peaks` and of what is at the top of its parabola; −1 times the lowest."""
-        there = {name: PEAKED[name](self.peak_points)[:, 0] for name, *_ in self.peaks}
-        return {
-            (name, way, rank): float(max(self.upward(name, way).flat[peak.at], way * there[name][row]))
-            for row, ((name, way, rank), peak) in enumerate(self.peaks.items())
-        }
-
-    def size(self, name: str) -> float:
-        """Return the largest absolute value of a column."""
-        return max(self.top(name), self.top(name, -1))
 
     @cached_property
     def between(self) -> Interpolation:
@@ -224,14 +177,14 @@ class DriveView:
     def reserve(self) -> Reserve:
         """The largest figures of a cycle, each with its limit."""
         points = self.points
-        return reserve(self.driven.motor, points.rms_torque, self.size("T"), self.speed, points.mean_speed)
+        return reserve(self.driven.motor, points.rms_torque, self.peaks.size("T"), self.speed, points.mean_speed)
 
     @property
     def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
         """The peak and the mean torque behind the reducer (Nm) and the speed before it (rad/s), against its limits."""
         limits, mean = self.driven.reducer.limits, self.points.cubic_mean(self.load.output_torque)
         return (
-            LimitCheck("peak torque", self.size("S"), limits.peak_at(1.0 / self.time)),
+            LimitCheck("peak torque", self.peaks.size("S"), limits.peak_at(1.0 / self.time)),
             LimitCheck("mean torque", mean, limits.mean_torque),
             LimitCheck("input speed", self.speed, limits.input_speed),
         )

@@ -8,19 +8,23 @@ a point itself.
 import numpy as np
 
 from engine.drive.chain import held_factor
+from engine.drive.drive_points import Peak
 from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import STANDSTILL
+from engine.laws.base import Array
 from engine.laws.points import POINTS
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import CellTable, cell_tables
 from workbook.book.declare import Quantity, Sheet
-from workbook.fields.units import DEGREE, shown
+from workbook.fields.units import DEGREE, KW, shown
 from workbook.machines.machine.drive import brake, stages
 from workbook.machines.machine.drive.entered import on_shaft
-from workbook.machines.machine.drive.view import PEAK_UNITS, DriveView
+from workbook.machines.machine.drive.peaks import PEAK_UNITS, Key
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.mechanism import BELTED, SCREWS
 
 CELLS = cell_tables(__file__)
-WAYS, OTHERS = ("", "highest", "lowest"), " of the other intervals"
+PEAK_NAMES = {"T": "motor torque", "S": "output torque", "P": "motor power", "n": "motor speed"}
+PARABOLA = ("y0", "y", "y1", "a", "b", "s0", "s1")  # the columns of a parabola
 
 
 def losses(view: DriveView) -> list[Quantity]:
@@ -123,41 +127,58 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
 
 def peaks_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the peaks, a row for the highest and one for the lowest of each quantity; of speeds, two rows each."""
-    sizes, keys, last = view.scales, list(view.peaks), view.rows * POINTS
-    words = {
-        "T": ("motor torque", sizes.torque),
-        "S": ("output torque", sizes.behind),
-        "P": ("motor power", sizes.power),
-        "n": ("motor speed", sizes.rpm),
-    }
-    what = [f"{words[name][0]}, {WAYS[way]}{OTHERS * (rank - 1)}" for name, way, rank in keys]
-    columns = [f"[@pt.{name}]" for name, *_ in keys]
-    first = {key: number for number, key in enumerate(keys, 1)}
-    elsewhere = [f"([@pt.iv]<>[@tops.iv.{first[name, way, 1]}])*" * (rank - 1) for name, way, rank in keys]
-
-    found = list(view.peaks.values())
-    at = np.array([peak.at for peak in found])
-    near = (at[:, None] + (-1, 0, 1)).clip(0, view.load.x.size - 1)
-    units = [PEAK_UNITS[name] for name, *_ in keys]
-    most = [shown(peak.values[1], unit) for peak, unit in zip(found, units, strict=True)]
-    each = zip(keys, near, units, strict=True)
-    values = np.array([shown(view.upward(name, 1).flat[k], unit) for (name, *_), k, unit in each])
-    gaps = shown(np.array([(peak.before, peak.after) for peak in found]), DEGREE)
-    slopes = np.divide(np.diff(values), gaps, out=np.zeros(gaps.shape), where=gaps > 0.0)
-    CELLS["peaks"].begin(sheet)
-    cell = CELLS["peaks"].sharing(column=columns, elsewhere=elsewhere, size=max(words[name][1] for name, *_ in keys))
+    found, last = view.peaks.beside_points, view.rows * POINTS
+    first = {key: number for number, key in enumerate(found, 1)}
+    elsewhere = [f"([@pt.iv]<>[@tops.iv.{first[name, way, 1]}])*" * (rank - 1) for name, way, rank in found]
+    at = np.array([peak.at for peak in found.values()])
+    near = zip(found, (at[:, None] + (-1, 0, 1)).clip(0, view.load.x.size - 1), strict=True)
+    values = [shown(view.peaks.upward(name, 1).flat[k], PEAK_UNITS[name]) for (name, *_), k in near]
+    size, columns = max(sizes_of(view)[name] for name, *_ in found), [f"[@pt.{name}]" for name, *_ in found]
+    cell = CELLS["peaks"].sharing(column=columns, elsewhere=elsewhere, size=size, last=last)
+    cell.begin(sheet)
     cell.place(
         sheet,
-        cell("what", what),
-        cell("sign", [way for _, way, _ in keys]),
-        cell("most", most),
+        cell("what", [named(key, " of the other intervals") for key in found]),
+        cell("sign", [way for _, way, _ in found]),
+        cell("most", [shown(peak.values[1], PEAK_UNITS[name]) for (name, *_), peak in found.items()]),
         cell("at", (at + 1).tolist(), beyond=last + 1),
-        cell("y0", values[:, 0].tolist()),
-        cell("y", values[:, 1].tolist()),
-        cell("y1", values[:, 2].tolist(), last=last),
-        cell("a", gaps[:, 0].tolist()),
-        cell("b", gaps[:, 1].tolist()),
-        cell("s0", slopes[:, 0].tolist()),
-        cell("s1", slopes[:, 1].tolist()),
-        cell("place", shown(view.at_peaks.load.x.ravel(), DEGREE).tolist()),
+        *parabolas(cell, values, list(found.values())),
+        cell("place", shown(view.at_peaks.load.x.ravel()[: len(found)], DEGREE).tolist()),
     )
+
+
+def again_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the second look at the highest and the lowest power, beside the tops of the first parabolas."""
+    beside, found = view.peaks.beside_points, view.peaks.again
+    rows = [list(beside).index(("P", way, 1)) + 1 for _, way, _ in found]
+    values = [shown(way * np.array(peak.values), KW) for (_, way, _), peak in found.items()]
+    at = [f"INDEX([@pt.theta],[@peaks.at.{row}])" for row in rows]
+    cell = CELLS["again"].sharing(row=rows, at=at, size=view.scales.power)
+    cell.place(
+        sheet,
+        cell("what", [named(key, " once more") for key in found]),
+        cell("sign", [way for _, way, _ in found]),
+        cell("off", [shown(view.peaks.offset_seen(way), DEGREE) for _, way, _ in found]),
+        *parabolas(cell, values, list(found.values())),
+        cell("place", shown(view.at_peaks.load.x.ravel()[-len(found) :], DEGREE).tolist()),
+    )
+
+
+def parabolas(cell: CellTable, values: list[Array], found: list[Peak]) -> list[Quantity]:
+    """Return the columns of parabolas: three values each in the unit of the sheet, the gaps between, the slopes."""
+    gaps = shown(np.array([(peak.before, peak.after) for peak in found]), DEGREE)
+    slopes = np.divide(np.diff(values), gaps, out=np.zeros(gaps.shape), where=gaps > 0.0)
+    columns = np.column_stack([values, gaps, slopes]).T.tolist()
+    return [cell(name, column) for name, column in zip(PARABOLA, columns, strict=True)]
+
+
+def named(key: Key, more: str) -> str:
+    """Return what a row of peaks is of; behind rows of rank 2 stands more."""
+    name, way, rank = key
+    return f"{PEAK_NAMES[name]}, {'highest' if way > 0 else 'lowest'}{more * (rank - 1)}"
+
+
+def sizes_of(view: DriveView) -> dict[str, float]:
+    """Return the scales of the quantities whose peaks are sought."""
+    scales = view.scales
+    return {"T": scales.torque, "S": scales.behind, "P": scales.power, "n": scales.rpm}
