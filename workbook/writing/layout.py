@@ -226,10 +226,13 @@ def unbroken_spans(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple
     for _, row, _, _, height in sheet.charts:
         if row <= last:
             yield row, bisect_left(ends, ends[row - 1] + height * ROW), CHART
-    judged = {block.row for block in sheet.blocks if block.quantities[0].role == "check"}
+    judged, headed = {block.row for block in sheet.blocks if block.quantities[0].role == "check"}, {0}
     for block in sheet.blocks:
         if block.is_table and block.lead is None:
-            above = [block.row - 1] if block.shared_heads else text_rows(sheet, "subheading", block.row - 1)
+            heads = block.shared_heads  # of the first below them they are a part
+            above = [block.row - 1 if heads in headed else heads - 1]
+            above = above if heads else text_rows(sheet, "subheading", block.row - 1)
+            headed.add(heads)
             title, end = max(above, default=block.row), block.row + block.size - 1
             yield title, end + 2 if end + 2 in judged else end, TABLE
             yield title, block.row + CLOSE - 1, TABLE

@@ -27,7 +27,7 @@ VALVES = (("Valve 3", [[20.0, 95.0], [200.0, 215.0]]), ("Sensor", [[345.0, 15.0]
 def test_they_are_on_as_long_as_they_say():
     value = computed(TEMPLATE, switched(*VALVES))
     assert value("switches", "on") == pytest.approx([90.0, 30.0, 0.0, 360.0])
-    assert value("switches", "time") == pytest.approx([0.075, 0.025, 0.0, 0.3])  # a turn takes 0.3 s
+    assert value("switches", "time") == pytest.approx([75.0, 25.0, 0.0, 300.0])  # a turn takes 0.3 s
 
 
 def lane(value, i):

@@ -13,7 +13,7 @@ from workbook.laws.entries import RisingLaw
 from workbook.motion.requirements import Smoothness, settle_room
 from workbook.selection.entries import Limits, Selection, SelectionSizes, require_room
 
-DRUM = "drum"
+DRUM, SAW = "drum", "saw"
 MORE = 3  # pieces of the tool's motion beside the law's: a wait, the piece that it interrupts, the work
 
 

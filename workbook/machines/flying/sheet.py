@@ -12,6 +12,7 @@ from workbook.book.sentence import amount
 from workbook.entries.facts import entry_cells
 from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown, si
 from workbook.law_sheets.library import NamedLaw
+from workbook.machines.flying.entries import DRUM, SAW
 from workbook.machines.flying.lengths import IS_DRUM, cases, waits
 from workbook.machines.flying.view import LEAST_CV, CutterView, does
 from workbook.motion.pieces import ROOM
@@ -31,12 +32,11 @@ OF_LOAD = (
 )
 """the charts of the tool's motion and of its shaft's load"""
 
-OTHER_KIND = dict.fromkeys(("fly_saw", "fly_lead", "fly_room"), 'fly_kind="drum"') | dict.fromkeys(
-    ("fly_tools", "fly_radius", "fly_angle", "fly_beyond"), 'fly_kind="saw"'
-)
-"""by entry, where it does not count, and is grey"""
+OF_KIND = {DRUM: ("fly_tools", "fly_radius", "fly_angle", "fly_beyond"), SAW: ("fly_saw", "fly_lead", "fly_room")}
+"""by kind of machine its own entries; those of the other kind stand below what is printed"""
 WAITS = waits("fly_length", "fly_beyond")
-BELOW_CHARTS = 60  # the row from which the sheet is free in its whole width
+# the row from which the sheet is free in its whole width; that of the entries of the other kind
+BELOW_CHARTS, BELOW_PRINT = 60, 70
 
 
 def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float, laws: Sequence[NamedLaw]) -> None:
@@ -53,6 +53,7 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
     charts(sheet)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     sheet.not_printed_below()
+    sheet.row = BELOW_PRINT + 8
     cases(sheet, machine)
     sheet.heading("Workings")
     sheet.rows(*geometry(machine), *superimposed(machine))
@@ -66,10 +67,18 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
 
 
 def entries(sheet: Sheet, machine: CutterView) -> None:
-    """Declare what the engineer enters."""
+    """Declare what the engineer enters of any kind of machine and of this; of the other, below the print."""
     sheet.heading("Enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft.")
-    rows = entry_cells(machine.given, "cutter", ["lengths"])
-    sheet.rows(*(q._replace(grey=OTHER_KIND.get(q.name, "")) for q in rows))
+    own = {name for names in OF_KIND.values() for name in names}
+    rows = [*entry_cells(machine.given, "cutter", ["lengths"])]
+    sheet.rows(*(q for q in rows if q.name not in own))
+    for kind, names in OF_KIND.items():  # in this order for any kind, as the stamp sums them up
+        below, is_other = sheet.row, kind != machine.given.kind
+        if is_other:
+            sheet.row = BELOW_PRINT
+            sheet.heading(f"Enter, where the kind of machine is {kind}")
+        sheet.rows(*(q for q in rows if q.name in names))
+        sheet.row = below if is_other else sheet.row
 
 
 def cycle(sheet: Sheet, machine: CutterView) -> None:

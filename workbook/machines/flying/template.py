@@ -7,6 +7,7 @@ from engine.flying.pieces import cut_pieces
 from engine.motion.profile import profile_of
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book
+from workbook.book.public_names import names_in, names_sheet, place_names
 from workbook.book.summary import summary_sheet
 from workbook.entries.facts import vary
 from workbook.entries.rules import limits
@@ -74,6 +75,7 @@ def declare(given: FlyingCutter) -> Book:
             )
         ],
     )
+    place_names(names_sheet(book), names_in(__file__)["Results"], "machine")
     return finish(book, ("S5", "S1", "S3"))
 
 

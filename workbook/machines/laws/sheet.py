@@ -4,6 +4,7 @@ from engine.laws.inverse import DERIVATIVES, joint_code
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, result
+from workbook.book.public_names import names_in, place_names
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
 from workbook.law_sheets.page import finite
 from workbook.laws.sampling import Pieces
@@ -103,6 +104,11 @@ def names_sheet(book: Book, view: ComparedLaws) -> None:
         cell("law", [law.name for law in laws], i=list(range(1, len(laws) + 1))),
         *(cell(vendor, [getattr(law.law.vendors, vendor) or NONE for law in laws]) for vendor in VENDORS),
     )
+    sheet.not_printed_below()
+    names = names_in(__file__)
+    place_names(sheet, names["Results"], "machine")
+    for n, law in enumerate(laws, 1):
+        place_names(sheet, names["Law"], f"law{n}", law.name, n)
 
 
 def samples(sheet: Sheet, view: ComparedLaws) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 from engine.drive.motor import Reserve
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
+from workbook.book.public_names import ENTERED
 from workbook.fields.units import PERCENT, shown
 from workbook.machines.machine.drive.max_rate import RATE_LOOK
 from workbook.machines.machine.drive.view import DriveView
@@ -15,7 +16,7 @@ from workbook.machines.machine.view import MachineView, MovingAxis
 CELLS = cell_tables(__file__)
 
 WHOLE = 100.0  # % of a limit
-NO_DRIVE, ENTERED, MACHINES = "–", "as entered", "machine's"
+NO_DRIVE, MACHINES = "–", "machine's"
 
 
 def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveView]) -> None:

@@ -88,7 +88,7 @@ def switches_sheet(book: Book, machine: MachineView) -> None:
     for lane in lanes:
         times_of(sheet, lane, over)
     corners(sheet, lanes, over, machine.near)
-    sheet.print_columns = 16
+    sheet.print_columns = 17
 
 
 def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
@@ -102,12 +102,14 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
         return cell("{name}{t}", values, name=name, t=t, t_before=t - 1, label=label, **own)
 
     times = [column(*end, t) for t in NUMBERS for end in (("start", "on from"), ("stop", "to"))]
-    on = cell("on", [shown(lane.switch.total, DEGREE) for lane in lanes], number=[lane.number for lane in lanes])
-    lasts = cell("time", [lane.switch.total / machine.speed for lane in lanes], symbol=over.lasting)
-    if over.measured:
-        lasting = [lasts._replace(source="in all"), on._replace(role="calculation")]
-    else:
-        lasting = [on, lasts._replace(unit="s", source="at the production rate")]
+    on = cell(
+        "on", [shown(lane.switch.total, DEGREE) for lane in lanes], number=[*range(1, len(lanes) + 1)], limit=TURN
+    )
+    lasts, factor, look = [lane.switch.total / machine.speed for lane in lanes], "", {}
+    if not over.measured:
+        lasts, factor, look = [1000.0 * time for time in lasts], "1000*", {"unit": "ms", "source": "at the rate"}
+    time = cell("time", lasts, symbol=over.lasting, factor=factor, **look)
+    lasting = [time._replace(source="in all"), on._replace(role="calculation")] if over.measured else [on, time]
     CELLS["switches"].place(
         sheet,
         CELLS["switches"]("name", [lane.given.name for lane in lanes]),

@@ -8,6 +8,7 @@ from engine.overlap.schedule import pieces_of_parts, size_of_parts
 from engine.timing import FULL_TURN
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book
+from workbook.book.public_names import names_in, names_sheet, place_names
 from workbook.book.summary import summary_sheet
 from workbook.entries.facts import vary
 from workbook.entries.phase import TURN
@@ -62,6 +63,7 @@ def declare(given: IndexingOverlap) -> Book:
     inverse_sheet(book, view, book_laws.stack)
     book_laws.sheets(book)
     export_sheet(book, given, exportables(view, book_laws.stack))
+    place_names(names_sheet(book), names_in(__file__)["Results"], "machine")
     return finish(book, ("S2", "S1", "S3"))
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 from engine.drive import Motor, derating
 from engine.drive.limits import ReducerLimits
 from engine.drive.motor import TorqueFall
-from workbook.book.cell_tables import cell_tables
+from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity
 from workbook.entries.facts import entry_cells, table_of
 from workbook.fields.texts import place_of
@@ -28,34 +28,8 @@ LISTED: dict[str, tuple[type[MotorRow | ReducerRow], tuple[str, ...]]] = {
     "reducer": (ReducerRow, ("i", "eta", "inertia", "t012", "tmax", "full", "fs", "t2n", "nmax")),
 }
 """by product, the columns of its catalogue that a drive reads"""
-IN_USE = {
-    "motor": {
-        "jm": "inertia",
-        "motor_stall": "stall_torque",
-        "motor_rated": "rated_torque",
-        "motor_nn": "rated_speed",
-        "motor_peak": "peak_torque",
-        "motor_nmax": "max_speed",
-        "motor_row": "row",
-        "motor_shaft": "shaft",
-        "motor_kg": "known_mass",
-    },
-    "reducer": {
-        "i1": "ratio",
-        "eta1": "efficiency",
-        "j_reducer": "inertia",
-        "no_load": "no_load_torque",
-        "reducer_peak": "peak_torque",
-        "reducer_full": "full_cycles",
-        "reducer_fs": "cycle_factor",
-        "reducer_mean": "mean_torque",
-        "reducer_nmax": "max_speed",
-        "reducer_row": "row",
-        "reducer_hub": "hub",
-        "reducer_kg": "known_mass",
-    },
-}
-"""by product, the cells of its figures in use; limits are over their reserves"""
+IN_USE = formulas_by_row(__file__, "in use")
+"""products, the cells of their figures in use, and these figures; limits are over their reserves"""
 UNITS = {"inertia": KG_CM2}  # of these cells, where not that of the figures
 
 
@@ -182,13 +156,13 @@ def entries(driven: "Driven", key: str) -> list[Quantity]:
 
 def catalogued(driven: "Driven") -> Iterator[Quantity]:
     """Yield the catalogue's figures of motor and reducer, where a product is named."""
-    rows = {"motor": driven.motor_used.row, "reducer": driven.reducer.row}
-    products: dict[str, Sequence[MotorRow | ReducerRow]] = {
-        "motor": driven.products.motors,
-        "reducer": driven.products.reducers,
+    listed: dict[str, tuple[Sequence[MotorRow | ReducerRow], int]] = {
+        "motor": (driven.products.motors, driven.motor_used.row),
+        "reducer": (driven.products.reducers, driven.reducer.row),
     }
     for kind, (model, columns) in LISTED.items():
-        product = products[kind][rows[kind] - 1] if rows[kind] else None
+        products, row = listed[kind]
+        product = products[row - 1] if row else None
         for column in columns:
             figure = getattr(product, table_of(model)[column].texts["key"]) or 0.0 if product else ""
             yield CELLS["catalogue"]("@listed_{kind}_{column}", figure, kind=kind, column=column)
@@ -212,10 +186,9 @@ def figures(driven: "Driven") -> list[Quantity]:
         "@input_most": reducer.max_speed,
     }
     values |= {f"@{name}": getattr(limits, name) for name in Limits.model_fields}
-    for kind, used in (("motor", motor), ("reducer", reducer)):
-        values |= {
-            f"@{name}": shown(getattr(used, figure), UNITS.get(figure, 1.0)) for name, figure in IN_USE[kind].items()
-        }
+    used = {"motor": motor, "reducer": reducer}
+    for product, name, figure in zip(*IN_USE.values(), strict=True):
+        values[f"@{name}"] = shown(getattr(used[product], figure), UNITS.get(figure, 1.0))
     return [*catalogued(driven), *(cell(name, values[name]) for name in cell)]
 
 

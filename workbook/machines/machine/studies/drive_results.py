@@ -60,11 +60,8 @@ def results(study: DriveStudy) -> Computations:
     """Return all results by name, each worked out when it is called."""
     asked = RESULTS | ({"brake_load": lambda study: study.brake_load} if study.bases[0].brakes else {})
     asked |= {"spare": lambda study: study.extremes.spare} if study.products.knows_falling else {}
-    for kind, figures in IN_USE.items():
-        cells = figures | {f"{kind}_{name}": name for name in WEIGHED}
-        used = attrgetter(f"{kind}s_used")
-        asked |= {
-            cell: lambda study, used=used, name=name: shown(used(study)[name], UNITS.get(name, 1.0))
-            for cell, name in cells.items()
-        }
+    weighed = [(product, f"{product}_{name}", name) for product in ("motor", "reducer") for name in WEIGHED]
+    for product, cell, name in (*zip(*IN_USE.values(), strict=True), *weighed):
+        used = attrgetter(f"{product}s_used")
+        asked[cell] = lambda study, used=used, name=name: shown(used(study)[name], UNITS.get(name, 1.0))
     return {f"drive{study.axis.number}_{name}": partial(figure, study) for name, figure in asked.items()}

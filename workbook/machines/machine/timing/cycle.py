@@ -49,7 +49,8 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
             cell("p", shown(unshifted.x, DEGREE), scale=360.0),
             *finding(tables.pieces, "p", unshifted.x),
         )
-    sheet.unprinted, sheet.widths = True, {FIRST: 14}
+    sheet.not_printed_below()
+    sheet.unprinted, sheet.widths = "workings" not in book.print_also, {FIRST: 14}
 
 
 def results(tables: AxisTables) -> list[Quantity]:

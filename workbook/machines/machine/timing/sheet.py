@@ -16,7 +16,7 @@ CELLS = cell_tables(__file__)
 MARKS = {"mm": "mm", "°": "deg"}
 
 # the row and the column that the diagram begins at; rows of the other charts
-TOP, DIAGRAM, CURVE_ROWS = 5, 11, 13
+TOP, DIAGRAM, CURVE_ROWS = 5, 11, 12
 LABELS = 32.0  # width of the column of labels
 RATES = 12.5  # width of the columns of velocity, acceleration and jerk, whose units are long
 LEAST, COMPARED, PASSING = 13, 15, 16
