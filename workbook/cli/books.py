@@ -156,7 +156,7 @@ def verify(
     jobs: Jobs = None,
     scheduler: Scheduler = None,
     everything: bool = flag("--all", "List every finding, also what only follows from others."),
-    against: Path | None = option("FILE.py", "Compare any workbook with what this file declares of it."),
+    against: Path | None = option("FILE", "Compare any workbook with what this .py or .xlsx declares of it."),
     cases: int = option("N", "With --against: values tried.", default=100, min=1, max=100_000),
     cover: float | None = option("PER CENT", "With --against: fail if less is covered.", min=0, max=100),
     marked: Path | None = to("OUT.xlsx", "With --against: colour a copy by class.", "--marked"),

@@ -228,7 +228,7 @@ def watch(
 @app.command()
 def oracle(
     book: Path = Argument(..., metavar="BOOK", help="Any workbook."),
-    output: Path | None = to("FILE.py", "Where to write; else it is printed."),
+    output: Path | None = to("FILE.py|COPY.xlsx", "Where to write, or a copy with a sheet of them; else printed."),
     force: Force = False,
     proposed: bool = flag("--proposed", "Translate formulas to Python, each marked as a proposal."),
 ) -> None:

@@ -8,20 +8,21 @@ from openpyxl import load_workbook
 from openpyxl.styles import PatternFill
 
 from workbook.differences.design import compare, read_design
-from workbook.errors import AGREES, DISAGREES, UNREADABLE, InputError
+from workbook.errors import AGREES, DISAGREES, UNREADABLE, InputError, WriteError
 from workbook.judging.verify import available_witnesses
 from workbook.oracle.declarations import load_oracle
 from workbook.oracle.draft import draft
 from workbook.oracle.findings import OracleReport, describe
 from workbook.oracle.judge import Judge
-from workbook.reading.files import BookFile, open_book
+from workbook.oracle.sheet import oracle_of_sheet, write_sheet
+from workbook.reading.files import SUFFIXES, BookFile, open_book
 from workbook.reports import differences as difference_reports
 from workbook.reports import page
 from workbook.reports.page import figure
 from workbook.reports.terminal import ERR, OUT, print_or_write, say, say_json, show_table, shown
 from workbook.witnesses.calibration import FIRST, NAMES, present
 from workbook.witnesses.registry import WITNESSES as REGISTER
-from workbook.writing.output_files import refuse_existing, refuse_itself, replace
+from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_suffix, replace
 
 COLOURS = {"compared": "C6E9C9", "step": "FFF2B3", "unaccounted": "F4B8B0"}
 
@@ -66,7 +67,8 @@ def against(
         file = open_book(path)
         asked = witnesses or present(NAMES)
         names = [name for name in available_witnesses(asked)[0] if not REGISTER[name]().kept]
-        report = Judge(file, load_oracle(declarations)).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
+        oracle = (oracle_of_sheet if declarations.suffix.lower() in SUFFIXES else load_oracle)(declarations)
+        report = Judge(file, oracle).judge(number, witnesses=list(dict.fromkeys((FIRST, *names))))
     # a copy in which the formula cells of each class have a colour of their own
     if marked is not None:
         copy = load_workbook(path)
@@ -99,8 +101,19 @@ def data_of(report: OracleReport) -> dict[str, Any]:
 
 
 def write_draft(path: Path, output: Path | None, force: bool, proposed: bool = False) -> None:
-    """Write a first file of declarations for a workbook; ``proposed`` translates its formulas."""
-    print_or_write(draft(open_book(path), proposed), output, force)
+    """Write a first file of declarations for a workbook, or a copy of it with a sheet of them.
+
+    ``proposed`` translates its formulas.
+    """
+    if output is None or output.suffix.lower() not in SUFFIXES:
+        print_or_write(draft(open_book(path), proposed), output, force)
+        return
+    if proposed:
+        raise WriteError(f"{output}: proposals are functions in Python; expected FILE.py")
+    refuse_itself(output, path)
+    refuse_suffix(output)
+    replace(output, write_sheet(open_book(path)).save, force)
+    say(OUT, f"Wrote {output.absolute()}")
 
 
 def show(file: BookFile, report: OracleReport) -> None:

@@ -29,10 +29,32 @@ book = Oracle("{title}")
 
 
 def draft(file: BookFile, proposed: bool = False) -> str:
-    """Return the text of a first file: inputs are numbers that formulas read, outputs formulas that nothing reads.
+    """Return the text of a first file of declarations for a workbook.
 
-    A formula that is copied is one output over a range; numbers in a long column are data, and no inputs. Where
-    ``proposed``, the functions are translated from the formulas, each marked as a proposal.
+    Where ``proposed``, the functions are translated from the formulas, each marked as a proposal.
+    """
+    inputs, outputs = inputs_and_outputs(file)
+    imports = "import math\nfrom statistics import mean\n\n" if proposed else ""
+    lines = [HEAD.format(book=file.path.name, title=file.path.stem, imports=imports)]
+    lines += [input_line(file, cell, name) for cell, name in inputs.items()]
+    proposals = Proposals(file, inputs)
+    for cell, name in variable_names(file, list(outputs), tuple(inputs.values())).items():
+        cells, needed = outputs[cell]
+        body = proposals.body(cell) if proposed and len(cells) == 1 else ""
+        mark = ", proposed=True" if body else ""
+        lines += [
+            f"\n\n@book.output({place_of(cells)!r}, unit={unit_of(file, cell)!r}, source=''{mark})\n",
+            f"def {name}({', '.join(needed)}):\n",
+            body or f"    raise NotImplementedError({label_of(file, cell)!r})\n",
+        ]
+    return "".join(lines)
+
+
+def inputs_and_outputs(file: BookFile) -> tuple[dict[Address, str], dict[Address, tuple[list[Address], list[str]]]]:
+    """Return the inputs of a workbook with their variables, and its outputs by their first cells.
+
+    Inputs are numbers that formulas read; numbers in a long column are data. Outputs are formulas that nothing reads,
+    each with all of its cells (a formula that is copied is one output over a range) and the inputs that it needs.
     """
     contents = file.contents
     graph = PycelModel(contents).graph({x: contents.rough_areas(x) for x in contents.failed})
@@ -42,23 +64,16 @@ def draft(file: BookFile, proposed: bool = False) -> str:
     names = variable_names(file, [cell for cell in inputs.values() if cell not in data])
     needs = inputs_needed(graph, {number: cell for number, cell in inputs.items() if cell in names})
     numbers = {x: n for n, x in graph.cells.items() if n in graph.reads and n not in read}
-    imports = "import math\nfrom statistics import mean\n\n" if proposed else ""
-    lines = [HEAD.format(book=file.path.name, title=file.path.stem, imports=imports)]
-    lines += [input_line(file, cell, name) for cell, name in names.items()]
-    blocks = {cells[0]: cells for cells in copied_blocks(contents, numbers)}
-    proposals = Proposals(file, names)
-    for cell, name in variable_names(file, list(blocks), tuple(names.values())).items():
-        mask = reduce(or_, (needs[numbers[other]] for other in blocks[cell]))
-        needed = ", ".join(name for i, name in enumerate(names.values()) if mask >> i & 1)
-        place = f"{cell}:{blocks[cell][-1].a1}" if len(blocks[cell]) > 1 else str(cell)
-        body = proposals.body(cell) if proposed and len(blocks[cell]) == 1 else ""
-        mark = ", proposed=True" if body else ""
-        lines += [
-            f"\n\n@book.output({place!r}, unit={unit_of(file, cell)!r}, source=''{mark})\n",
-            f"def {name}({needed}):\n",
-            body or f"    raise NotImplementedError({label_of(file, cell)!r})\n",
-        ]
-    return "".join(lines)
+    outputs = {}
+    for cells in copied_blocks(contents, numbers):
+        mask = reduce(or_, (needs[numbers[cell]] for cell in cells))
+        outputs[cells[0]] = cells, [name for i, name in enumerate(names.values()) if mask >> i & 1]
+    return names, outputs
+
+
+def place_of(cells: list[Address]) -> str:
+    """Return the address of a cell, or of the range of cells."""
+    return f"{cells[0]}:{cells[-1].a1}" if len(cells) > 1 else str(cells[0])
 
 
 def input_line(file: BookFile, cell: Address, name: str) -> str:

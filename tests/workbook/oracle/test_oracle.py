@@ -229,6 +229,31 @@ def test_proposals_give_what_the_formulas_give_and_count_as_steps(tmp_path):
     assert any("are proposed" in note for note in found.notes)
 
 
+def test_a_sheet_declares_what_a_file_would(tmp_path, motionbook):
+    path, copy = build(tmp_path / "p.xlsx"), tmp_path / "c.xlsx"
+    assert motionbook("oracle", path, "-o", copy)[0] == 0
+    code, _, err = motionbook("verify", path, "--against", copy)
+    assert (code, "Oracle has no formula in Python" in " ".join(err.split())) == (2, True)
+    book = openpyxl.load_workbook(copy)
+    rows = {row[0].value: row for row in book["Oracle"].iter_rows(min_row=2)}
+    assert [cell.value for cell in rows["Sheet!B1"]] == ["Sheet!B1", "m³/h", 40, 40, None, None]
+    rows["Sheet!B1"][2].value = 5
+    for text, code, says in [
+        ("=B4 * 9.81 * flow / 3600 * B2 / 1000 / efficiency", 0, "1 compared"),
+        ("math.sqrt(flow)", 1, "Sheet!B6"),
+        ("1 / (flow - 40)", 2, "Oracle, row 10 at B1 = 40: ZeroDivisionError"),
+        ("().__class__", 2, "'.__class__' is not known; expected functions of math"),
+        ("open('x')", 2, "'open' is not known; expected functions of math"),
+        ("1 +", 2, "is no expression of Python"),
+    ]:
+        rows["Sheet!B6"][5].value = text
+        book.save(copy)
+        for judged in (path, copy):
+            ended, out, err = motionbook("verify", judged, "--against", copy)
+            assert ended == code, out + err
+            assert says in " ".join((out + err).split())
+
+
 def test_a_draft_declares_inputs_outputs_labels_and_units(tmp_path):
     text = draft(open_book(build(tmp_path / "p.xlsx")))
     ast.parse(text)
