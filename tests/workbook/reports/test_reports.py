@@ -105,7 +105,7 @@ def test_the_page_is_well_formed_escaped_and_fetches_nothing():
         "table", "thead", "tbody", "tr", "th", "td",
     }  # fmt: skip
     assert {name for _, given in read.tags for name in given} <= {
-        "lang", "charset", "name", "content", "class", "id", "href", "scope",
+        "lang", "charset", "name", "content", "class", "id", "href", "scope", "data-at",
     }  # fmt: skip
     assert all(given["href"].startswith("#book") for _, given in read.tags if "href" in given)
     assert "url(" not in text

@@ -138,7 +138,7 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     cell.begin(sheet)
     cell.place(
         sheet,
-        cell("what", [named(key, " of the other intervals") for key in found]),
+        cell("what", [named(key, " elsewhere") for key in found]),
         cell("sign", [way for _, way, _ in found]),
         cell("most", [shown(peak.values[1], PEAK_UNITS[name]) for (name, *_), peak in found.items()]),
         cell("at", (at + 1).tolist(), beyond=last + 1),
@@ -156,7 +156,7 @@ def again_table(sheet: Sheet, view: DriveView) -> None:
     cell = CELLS["again"].sharing(row=rows, at=at, size=view.scales.power)
     cell.place(
         sheet,
-        cell("what", [named(key, " once more") for key in found]),
+        cell("what", [named(key, " again") for key in found]),
         cell("sign", [way for _, way, _ in found]),
         cell("off", [shown(view.peaks.offset_seen(way), DEGREE) for _, way, _ in found]),
         *parabolas(cell, values, list(found.values())),
