@@ -5,11 +5,14 @@ import random
 import pytest
 from openpyxl import load_workbook
 
+from tests.mutation.bench import smaller
+from tests.tiers import seed
 from tests.workbook import press
-from workbook.build import build
+from workbook.build import build, committed_descriptions
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.verify import verify
 from workbook.judging.warm import WarmBook
+from workbook.reading.descriptions import read_machine
 from workbook.reading.files import open_book
 from workbook.witnesses.pycel.model import Pycel, PycelModel
 
@@ -110,3 +113,50 @@ def test_a_design_that_is_unfinished_for_a_save_is_judged_as_verify_judges_it(bo
         report, whole = warm.judge_values(path).report, verify(path)
         assert (told(report), report.unfinished) == (told(whole), whole.unfinished)
     assert report.agrees
+
+
+def other_result(workbook, cell):
+    cell.value = f'=IF(ISNUMBER({cell.value[1:]}),1.001*({cell.value[1:]})+1,"other")'
+
+
+def typed_over(workbook, cell):
+    cell.value = 12345.678
+
+
+def per_cent(workbook, cell):
+    cell.number_format = "0.0%"
+
+
+def name_a_row_lower(workbook, cell):
+    names = [name for name in workbook.defined_names.values() if name.hidden and name.attr_text.count("$") == 2]
+    name = names[(cell.row * cell.column) % len(names)]
+    sheet, _, place = name.attr_text.rpartition("!")
+    column, row = place[1:].split("$")
+    name.attr_text = f"{sheet}!${column}${int(row) + 1}"
+
+
+FAULTS = (other_result, typed_over, per_cent, name_a_row_lower)
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
+def test_twenty_faults_of_every_book_are_found_and_alike_when_warm(path, tmp_path):
+    draw, book, warm = random.Random(f"{path.stem} {seed('faults')}"), tmp_path / "book.xlsx", WarmBook()
+    build(smaller(read_machine(path)), book)
+    sound = book.read_bytes()
+    for k in range(20):
+        book.write_bytes(sound)
+        workbook, fault = load_workbook(book), FAULTS[k % len(FAULTS)]
+        cells = [cell for sheet in workbook for row in sheet.iter_rows() for cell in row if cell.data_type == "f"]
+        cell = draw.choice([cell for cell in cells if isinstance(cell.value, str) and cell.number_format != "General"])
+        fault(workbook, cell)
+        workbook.save(book)
+        try:
+            whole = verify(book)
+        except MotionbookError as error:
+            with pytest.raises(type(error)):
+                warm.judge_values(book)
+            continue
+        told_of = f"{fault.__name__} {cell.parent.title}!{cell.coordinate}"
+        assert whole.findings, told_of
+        assert told(warm.judge_values(book).report) == told(whole), told_of
