@@ -130,7 +130,7 @@ class BookVerdict(NamedTuple):
 def judge_book(machine: Machine, book: Book) -> BookVerdict:
     """Return the verdict of a machine's book and the exact engine; of an unfinished design its faults."""
     if faults := machine.design.faults:
-        return BookVerdict([f"{counted_from_1(fault.key)}: {fault.message}" for fault in faults], [])
+        return BookVerdict([f"{counted_from_1(fault.key)}: {fault.sentence}" for fault in faults], [])
     exact = TEMPLATES[machine.template].judge(machine)
     return BookVerdict(failing_checks(book, exact), exact.notes)
 

@@ -36,6 +36,11 @@ class Fault(NamedTuple):
     value: Any = None  # what was entered, if it is beyond the entry's own limits
     is_missing: bool = False
 
+    @property
+    def sentence(self) -> str:
+        """What is wrong, behind a number that is beyond the entry's own limits."""
+        return f"{self.value:g}; {self.message}" if isinstance(self.value, int | float) else self.message
+
 
 class Design(NamedTuple):
     """The entries of an unfinished design where the engine is given others, by key, and its faults."""

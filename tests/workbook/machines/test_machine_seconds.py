@@ -99,7 +99,7 @@ def test_the_same_machine_in_degrees_and_in_seconds_gives_the_same(name):
     data["master"]["rate"] = 137.3
     given = type(small(name)).model_validate(data)
     moved, found = require_same(given)
-    assert {column for _, column in moved} <= {"at", "x1", "x2"}
+    assert {column for _, column in moved} <= {"at", "time", "x1", "x2"}
     assert {"drive1_rms", "power_mains", "axis1_position"} < {name for name, *_ in found}
     assert name != "machine" or {"bus_mains_peak", "sel_best"} & {name for name, *_ in found}
 
@@ -142,8 +142,8 @@ CASES = {
     "a time of no length": (told(switches=[{"name": "V", "on": [[0.25, 0.25]]}]), "V time 1 does not last"),
     "a jump": (told(axis("A", {"start": 0.1, "stop": 0.2, "lift": 10.0, "law": "CUB"}, closes="feed")),
                "A at 0.1 s: acceleration jumps by 6 m/s²"),
-    "no cycle": (told(cycle=0.0), "Time of a cycle: 0; expected a number greater than 0"),
-    "a negative cycle": (told(cycle=-12.0), "Time of a cycle: -12; expected a number greater than 0"),
+    "no cycle": (told(cycle=0.0), "0; expected a number greater than 0"),
+    "a negative cycle": (told(cycle=-12.0), "-12; expected a number greater than 0"),
 }  # fmt: skip
 
 

