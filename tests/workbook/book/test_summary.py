@@ -18,7 +18,7 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert
 from workbook.writing.style import BEYOND
 
-PAGES = {"cutting-machine": 8, "machine": 11, "motion-composer": 16, "flying-cutter": 10, "indexing-overlap": 8}
+PAGES = {"cutting-machine": 8, "machine": 12, "motion-composer": 16, "flying-cutter": 10, "indexing-overlap": 8}
 """sheets of A4 at most"""
 SMALLEST = 6.98  # points: 7, but for the rounding of a page's scale
 HIGH = 1.22  # of the em: the box of a word in Carlito
