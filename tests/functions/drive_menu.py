@@ -264,9 +264,9 @@ def large(context, folder, program, path):
     driven.unprotect()
     driven.command("verify")
     came = {"meanwhile": driven.answer("Verifying", "Agrees"), "clean": driven.verified()}
-    driven.cell("timing_period").Value = 1.0
+    driven.cell("omega").Value = 1.0
     driven.command("verify")
-    came["damaged"] = driven.verified()
+    came["damaged"] = driven.answer("Disagrees")
     return came
 
 

@@ -141,5 +141,5 @@ def test_a_machine_of_24_axes_is_verified_in_memory_while_calc_stays_free(calc, 
     assert any(line.startswith("Verifying") for line in came["meanwhile"])
     assert came["clean"][1].startswith("Agrees")
     sentence, finding, *_ = came["damaged"][1:]
-    assert sentence.startswith("Disagrees: 1 finding")
-    assert "Cycle time: 1; expected " in finding
+    assert sentence.startswith("Disagrees")
+    assert "; expected " in finding
