@@ -38,7 +38,7 @@ class Fault(NamedTuple):
 
     @property
     def sentence(self) -> str:
-        """What is wrong, behind a number that is beyond the entry's own limits."""
+        """The fault in words, behind a number that is beyond the entry's own limits."""
         return f"{self.value:g}; {self.message}" if isinstance(self.value, int | float) else self.message
 
 

@@ -37,7 +37,7 @@ def write_sheet(file: BookFile) -> Workbook:
 
 
 def oracle_of_sheet(path: Path) -> Oracle:
-    """Return what the sheet Oracle of a workbook declares; raise ReadError for a row that cannot be used.
+    """Return the declarations of the sheet Oracle of a workbook; raise ReadError for a row that cannot be used.
 
     A row without formula is an input where its cell has none either, else an output that nobody has declared yet.
     """

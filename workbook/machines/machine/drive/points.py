@@ -52,7 +52,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
 def tops_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the drive once more where its quantities have their peaks, and these."""
     cell, peaks = CELLS["tops"], view.peaks
-    there, first = view.at_peaks, {key: row for row, key in enumerate(peaks.places, 1)}
+    there, first = view.at_peaks, peaks.rows
     values = [shown(way * top, PEAK_UNITS[name]) for (name, way, _), top in peaks.tops.items()]
     at, formulas, places = list[str](), list[str](), list[str]()
     for key in peaks.places:

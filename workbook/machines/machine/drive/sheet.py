@@ -149,7 +149,7 @@ def to(bound: float, of: str = "") -> str:
 
 def outcome(view: DriveView) -> list[Quantity]:
     """Return the results: torques, speeds, energies that the cycle asks of the motor, and the range of rates."""
-    driven, points = view.driven, view.points
+    driven, points, rows = view.driven, view.points, view.peaks.rows
     reducer, own, bound = view.reducer_checks, driven.entered.rate, stated_bounds(driven.train)
     inertias = np.array(
         [driven.motor_used.inertia, driven.reducer.inertia, driven.beside_motor, reducer_load.behind_reducer(view)]
@@ -174,15 +174,15 @@ def outcome(view: DriveView) -> list[Quantity]:
         cell("@j_all", shown(driven.motor_used.inertia + view.inertia, KG_CM2)),
         cell("@j_figures", Sentence(" + ".join(map(rounded, shown(inertias, KG_CM2))))),
         cell("@largest", view.peaks.size("T"), source=to(bound.peak_torque)),
-        cell("@tmax", view.peaks.top("T"), source=to(bound.peak_torque) + damped),
-        cell("@tmin", -view.peaks.top("T", -1), source=to(bound.peak_torque)),
+        cell("@tmax", view.peaks.top("T"), source=to(bound.peak_torque) + damped, row=rows["T", 1, 2]),
+        cell("@tmin", -view.peaks.top("T", -1), source=to(bound.peak_torque), row=rows["T", -1, 2]),
         cell("@rms", points.rms_torque, bound=to(bound.rms_torque, "the peak")),
         cell("@t_hold", points.holding_torque),
         cell("@speed", shown(view.speed, RPM), formula=fastest, source=speed),
         cell("@mean", shown(points.mean_speed, RPM)),
         motor.continuous(view.driven.motor, points.mean_speed),
         *([cell("@spare", view.spare)] if view.knows_falling else []),
-        cell("@smax", reducer[0].value, source=to(bound.peak_torque)),
+        cell("@smax", reducer[0].value, source=to(bound.peak_torque), row=rows["S", 1, 2], lowest=rows["S", -1, 2]),
         cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]")),
         *energies(view),
         *max_rate.range_results(view),
@@ -208,14 +208,14 @@ def energies(view: DriveView) -> list[Quantity]:
     """Return the results of the motor's energy and power over the cycle."""
     (driving, returned), bound = view.energy, stated_bounds(view.driven.train)
     mean = shown((driving - returned) / view.driven.drive_cycle.time, KW)
-    lowest, rows = shown(min(0.0, -view.peaks.top("P", -1)), KW), len(view.peaks.places)
+    lowest, rows = shown(min(0.0, -view.peaks.top("P", -1)), KW), view.peaks.rows
     cell = CELLS["energies"].sharing(**view.parts)
     return [
         cell("@energy", driving, bound=to(bound.energy, "both energies")),
         cell("@returned", returned, source=to(bound.energy, "both energies")),
         cell("@power", mean, source=to(bound.mean_power, "the peak")),
-        cell("@pmax", shown(max(0.0, view.peaks.top("P")), KW), source=to(bound.peak_power), row=rows - 1),
-        cell("@pmin", lowest, bound=to(bound.peak_power, "the larger"), row=rows),
+        cell("@pmax", shown(max(0.0, view.peaks.top("P")), KW), source=to(bound.peak_power), row=rows["P", 1, 2]),
+        cell("@pmin", lowest, bound=to(bound.peak_power, "the larger"), row=rows["P", -1, 2]),
         *([brake.torque(view)] if view.brakes else []),
     ]
 

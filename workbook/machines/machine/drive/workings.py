@@ -8,14 +8,14 @@ a point itself.
 import numpy as np
 
 from engine.drive.chain import held_factor
-from engine.drive.drive_points import Peak
+from engine.drive.drive_points import SEEN, Peak
 from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import STANDSTILL
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import CellTable, cell_tables
 from workbook.book.declare import Quantity, Sheet
-from workbook.fields.units import DEGREE, KW, shown
+from workbook.fields.units import DEGREE, shown
 from workbook.machines.machine.drive import brake, stages
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.peaks import PEAK_UNITS, Key
@@ -148,20 +148,29 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
 
 
 def again_table(sheet: Sheet, view: DriveView) -> None:
-    """Declare the second look at the highest and the lowest power, beside the tops of the first parabolas."""
-    beside, found = view.peaks.beside_points, view.peaks.again
-    rows = [list(beside).index(("P", way, 1)) + 1 for _, way, _ in found]
-    values = [shown(way * np.array(peak.values), KW) for (_, way, _), peak in found.items()]
+    """Declare the second look at torques and powers, beside the tops of the first parabolas."""
+    beside, found, numbers = view.peaks.beside_points, view.peaks.again, view.peaks.rows
+    first = [(name, way, 1) for name, way, _ in found]
+    rows = [numbers[key] for key in first]
+    units = [PEAK_UNITS[name] for name, *_ in first]
+    each = zip(first, found.values(), units, strict=True)
+    values = [shown(way * np.array(peak.values), unit) for (_, way, _), peak, unit in each]
     at = [f"INDEX([@pt.theta],[@peaks.at.{row}])" for row in rows]
-    cell = CELLS["again"].sharing(row=rows, at=at, size=view.scales.power)
+    size = max(sizes_of(view)[name] for name, *_ in first)
+    cell = CELLS["again"].sharing(row=rows, column=[name for name, *_ in first], at=at, size=size)
     cell.place(
         sheet,
         cell("what", [named(key, " again") for key in found]),
         cell("sign", [way for _, way, _ in found]),
-        cell("off", [shown(view.peaks.offset_seen(way), DEGREE) for _, way, _ in found]),
+        cell("off", [shown(seen(beside[key]), DEGREE) for key in first]),
         *parabolas(cell, values, list(found.values())),
         cell("place", shown(view.at_peaks.load.x.ravel()[-len(found) :], DEGREE).tolist()),
     )
+
+
+def seen(first: Peak) -> float:
+    """Return how far behind its point a first parabola has its top; 0 where that needs no second look."""
+    return first.offset if abs(first.offset) > SEEN * (first.before + first.after) else 0.0
 
 
 def parabolas(cell: CellTable, values: list[Array], found: list[Peak]) -> list[Quantity]:
@@ -173,7 +182,7 @@ def parabolas(cell: CellTable, values: list[Array], found: list[Peak]) -> list[Q
 
 
 def named(key: Key, more: str) -> str:
-    """Return what a row of peaks is of; behind rows of rank 2 stands more."""
+    """Return the name of a row of peaks; behind rows of rank 2 stands more."""
     name, way, rank = key
     return f"{PEAK_NAMES[name]}, {'highest' if way > 0 else 'lowest'}{more * (rank - 1)}"
 
