@@ -25,6 +25,11 @@ class Peak(NamedTuple):
     top: float  # maximum of the parabola through the three values
     offset: float = 0.0  # how far behind the point that is; 0 where the point itself is the largest
 
+    @property
+    def second_offset(self) -> float:
+        """How far behind the point a second look is taken; 0 where the top is so near that none is needed."""
+        return self.offset if abs(self.offset) > SEEN * (self.before + self.after) else 0.0
+
 
 def peak(values: Array, place: Array) -> Peak:
     """Return the first of the largest values, with the maximum of the parabola through it and its neighbours.
@@ -63,12 +68,10 @@ def second_look(first: Peak, there: float) -> Peak:
     there : float
         The quantity at the first's offset from its point; that of the result is from there.
     """
-    low, middle, high = first.values
-    if abs(first.offset) <= SEEN * (first.before + first.after):
-        return Peak(first.at, (low, there, middle), first.before, 0.0, there)
-    if first.offset > 0.0:
-        return peak_between(first.at, (middle, there, high), (first.offset, first.after - first.offset))
-    return peak_between(first.at, (low, there, middle), (first.before + first.offset, -first.offset))
+    (low, middle, high), offset = first.values, first.second_offset
+    if offset > 0.0:
+        return peak_between(first.at, (middle, there, high), (offset, first.after - offset))
+    return peak_between(first.at, (low, there, middle), (first.before + offset, -offset))
 
 
 @dataclass(frozen=True)

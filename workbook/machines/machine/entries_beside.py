@@ -100,7 +100,7 @@ class Vibration(Model):
     settled: Positive | None = None
 
     def design_faults(self) -> Iterator[DesignError]:
-        """Yield an oscillator of which no frequency follows."""
+        """Yield an oscillator that lacks its frequency, or one of stiffness and inertia."""
         if self.frequency is None and None in (self.stiffness, self.inertia):
             yield DesignError("", UNTUNED, self.model_dump() | {"frequency": 10.0})
 

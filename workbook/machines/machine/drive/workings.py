@@ -8,7 +8,7 @@ a point itself.
 import numpy as np
 
 from engine.drive.chain import held_factor
-from engine.drive.drive_points import SEEN, Peak
+from engine.drive.drive_points import Peak
 from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import STANDSTILL
 from engine.laws.base import Array
@@ -162,15 +162,10 @@ def again_table(sheet: Sheet, view: DriveView) -> None:
         sheet,
         cell("what", [named(key, " again") for key in found]),
         cell("sign", [way for _, way, _ in found]),
-        cell("off", [shown(seen(beside[key]), DEGREE) for key in first]),
+        cell("off", [shown(beside[key].second_offset, DEGREE) for key in first]),
         *parabolas(cell, values, list(found.values())),
         cell("place", shown(view.at_peaks.load.x.ravel()[-len(found) :], DEGREE).tolist()),
     )
-
-
-def seen(first: Peak) -> float:
-    """Return how far behind its point a first parabola has its top; 0 where that needs no second look."""
-    return first.offset if abs(first.offset) > SEEN * (first.before + first.after) else 0.0
 
 
 def parabolas(cell: CellTable, values: list[Array], found: list[Peak]) -> list[Quantity]:
