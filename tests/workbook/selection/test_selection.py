@@ -225,7 +225,7 @@ def test_every_fault_of_a_catalogue_is_told_at_once(tmp_path):
     [
         (
             [MOTOR_HEAD, "A,0.02,180,600,3000", "B,-1,2,3,3000"],
-            "motors[2].inertia (counted from 1): expected a number",
+            "motors[2].inertia (counted from 1): -1; expected a number greater than 0",
         ),
         (
             [MOTOR_HEAD, "A,0.02,180,600,3000", "B,0.01,2,3,"],
@@ -243,7 +243,7 @@ def test_a_catalogue_with_figures_that_cannot_be_is_built_and_fails(lines, said,
     whole = CliRunner().invoke(app, ["build", str(TEMPLATE.description), *rest, str(out)])
     assert (whole.exit_code, said in " ".join(whole.output.split())) == (3, True), whole.output
     both = CliRunner().invoke(app, ["build", str(gap), *rest, str(out)])
-    assert "cutter.drum.radius: expected a number greater than 0" in " ".join(both.output.split())
+    assert "cutter.drum.radius: 0; expected a number greater than 0" in " ".join(both.output.split())
     assert CliRunner().invoke(app, ["verify", str(out)]).exit_code == 3
 
 
