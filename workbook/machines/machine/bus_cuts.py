@@ -31,6 +31,13 @@ ACTS = "([bus_cuts.from]<[at])*([at]<[bus_cuts.to])+([at]+360<[bus_cuts.to])"
 SINCE = "([at]-[bus_cuts.from]+360*([bus_cuts.from]>[at]))"
 """in cells: whether a half acts behind a cut, and how far it has come there"""
 
+BOUNDS = (
+    ",SUMPRODUCT(MAX([bus_cuts.most]+([bus_cuts.more]>0)*[bus_cuts.more]))",
+    ",SUMPRODUCT(MAX(0-[bus_cuts.all_least]-([bus_cuts.all_more]<0)*[bus_cuts.all_more]))",
+    ",bus_apart-(bus_net+SUMPRODUCT([bus_cuts.span],[bus_cuts.sure])/360)/2",
+)
+"""in cells: the most that the bus takes, burns and saves between its cuts, each behind other bounds of the same"""
+
 
 class HalfLines(NamedTuple):
     """The power of drives in halves of their intervals, beside straight lines: arrays, in degrees and W."""
@@ -102,14 +109,28 @@ class BusCuts:
         self.sum_grows = self.span * (acts @ self.grows)
 
     @property
+    def meet(self) -> bool:
+        """Whether drives meet on the bus: the peaks of one alone bound it."""
+        return len(self.drives) > 1
+
+    @property
+    def bounds(self) -> tuple[str, ...]:
+        """The bounds by its cuts in cells, of what it takes, burns and saves: empty where one drive is alone."""
+        return BOUNDS if self.meet else ("", "", "")
+
+    @property
     def peak_most(self) -> float:
         """The most that the bus takes from the mains (W)."""
+        if not self.meet:
+            return max(0.0, self.alone[0])
         most = float((self.sum_most + np.maximum(self.sum_climbs, 0.0)).max())
         return max(0.0, min(self.alone[0], most))
 
     @property
     def burnt_most(self) -> float:
         """The most that goes into its resistor (W)."""
+        if not self.meet:
+            return max(0.0, self.alone[1])
         most = float((-self.sum_least - np.minimum(self.sum_grows, 0.0)).max())
         return max(0.0, min(self.alone[1], most))
 

@@ -94,7 +94,8 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.heading("Workings: the common DC bus")
     sheet.rows(*on_the_bus(bus))
     bus_table(sheet, bus)
-    cuts_table(sheet, bus.cuts)
+    if bus.cuts.meet:
+        cuts_table(sheet, bus.cuts)
 
 
 def power_chart(bus: Mains) -> Chart:
@@ -119,18 +120,19 @@ def results(bus: Mains) -> list[Quantity]:
     apart = max(float(bus.apart.max()), float((bus.on_bus * bus.mains).max()))
     year = shown(MeanBusPower(bus.saved, 0.0).energy_a_year(entered.hours), KWH)
     beside = BESIDE.format("peak")
+    _, burnt, saved = bus.cuts.bounds
     return [
         cell("power_peak", kw(bus.peak + bus.beside), beside=beside, on_bus=ON_BUS),
         cell("power_peak_most", kw(bus.cuts.peak_most + bus.beside), beside=beside),
         cell("bus_alone", kw(apart + bus.beside), beside=beside),
         cell("bus_resistor_peak", kw(bus.burnt_peak)),
-        cell("bus_resistor_most", kw(bus.cuts.burnt_most), of_all=OF_ALL.format("burnt")),
+        cell("bus_resistor_most", kw(bus.cuts.burnt_most), of_all=OF_ALL.format("burnt"), between_cuts=burnt),
         cell("power_mean", kw(whole.mains)),
         cell("power_mains", kw(alone.mains), total=total("power.mains")),
         cell("power_burnt", kw(whole.resistor)),
         cell("power_resistors", kw(alone.resistor), total=total("power.resistor")),
         cell("bus_saved", kw(bus.saved)),
-        cell("bus_saved_most", kw(bus.saved_most)),
+        cell("bus_saved_most", kw(bus.saved_most), between_cuts=saved),
         cell("power_bus_year", shown(whole.energy_a_year(entered.hours), KWH)),
         cell("power_year", shown(alone.energy_a_year(entered.hours), KWH)),
         cell("bus_saved_year", year),
@@ -140,10 +142,10 @@ def results(bus: Mains) -> list[Quantity]:
 
 def on_the_bus(bus: Mains) -> list[Quantity]:
     """Return the powers of the drives on the common bus, from which its results are summed."""
-    cell, without = CELLS["on the bus"], bus.without
+    cell, without, taken = CELLS["on the bus"], bus.without, bus.cuts.bounds[0]
     return [
         cell("bus_mains_peak", kw(bus.peak)),
-        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=OF_ALL.format("peak")),
+        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=OF_ALL.format("peak"), between_cuts=taken),
         cell("bus_apart", kw(without.mains), of_all=OF_ALL.format("mains")),
         cell("bus_net", kw(without.net), of_all=OF_ALL.format("resistor")),
     ]
