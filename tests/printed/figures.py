@@ -10,13 +10,13 @@ from dataclasses import dataclass
 from math import degrees, pi
 
 from engine.drive import derating
+from engine.laws import law
 from engine.laws.inverse import inverse
 from engine.laws.simple import ConstantAcceleration, Cycloidal
 from engine.overlap.schedule import movement_time
 from engine.timing import shaft_speed
 from tests.printed import test_s1 as s1
 from tests.printed import test_s2 as s2
-from tests.printed import test_s3 as s3
 from tests.printed import test_s4 as s4
 
 
@@ -106,7 +106,7 @@ def overlapped_motions() -> Iterator[Figure]:
 
 def composed_motion() -> Iterator[Figure]:
     """S3, Functional Mechanical Design, Exercise 1."""
-    tvp = s3.law("TVP").coefficients
+    tvp = law("TVP").coefficients
     for quantity, printed, ours, cell in (
         ("coefficient of velocity c_v", "1.5", tvp.cv, "TVP_cv"),
         ("coefficient of acceleration c_a", "4.5", tvp.ca, "TVP_ca_max"),

@@ -9,12 +9,15 @@ import numpy as np
 
 from engine.drive import KINDS, Drive, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
+from engine.drive.drive_points import DrivePoints
 from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import PositionTable
+from engine.drive.quadrature import QuadratureCycle
 from engine.laws import Dwell
 from engine.motion import Motion, Phase
 from engine.motion.joining import Rates, join_phases
+from engine.motion.pieces import motion_pieces
 from tests.engine.families import ENTRIES
 
 TURN = 2 * pi
@@ -102,6 +105,12 @@ def reaches(linkage, motion):
     """Whether a linkage reaches all positions of a motion."""
     low, high, *_ = linkage.reach
     return bool(np.all(np.clip(y := motion.at(np.linspace(0, TURN, 2000)).y, low, high) == y))
+
+
+def points_of(drive_cycle):
+    """A drive at the points of its cycle."""
+    pieces = motion_pieces(drive_cycle.motion)
+    return DrivePoints(QuadratureCycle(drive_cycle, pieces, 3e-9 * drive_cycle.unshifted.total).points())
 
 
 def sampled(drive_cycle, n=4001):

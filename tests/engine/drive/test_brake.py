@@ -8,12 +8,11 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drive_points import DrivePoints
 from engine.drive.drivetrain import Brake, Drivetrain, dwell_times
-from engine.drive.quadrature import QuadratureCycle
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
 from engine.motion import Motion
+from tests.engine.drive.machines import points_of
 
 TURN = 2 * pi
 
@@ -57,7 +56,7 @@ def test_the_motor_holds_in_dwells_that_are_shorter_than_the_brake_takes(time, s
     assert DriveResults(by_motor).rms_torque ** 2 - none == pytest.approx(0.4 * STATIC**2)
     found = DriveResults(by_brake)
     assert found.rms_torque**2 - none == pytest.approx(share * STATIC**2, abs=1e-9)
-    points = DrivePoints(QuadratureCycle(by_brake, by_brake.unshifted.pieces, 1e-9).points())
+    points = points_of(by_brake)
     assert points.rms_torque == pytest.approx(found.rms_torque, rel=1e-9)
     held = STATIC if share < 0.4 else 0.0
     assert exact(found.drive_cycle) == pytest.approx(held)

@@ -7,14 +7,12 @@ import pytest
 
 from engine.drive import KINDS, Drive, Load, Part, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drive_points import DrivePoints
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.mechanisms.by_angle import Arm, PressCrank
-from engine.drive.quadrature import QuadratureCycle
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
 from engine.motion import Motion
-from engine.motion.pieces import motion_pieces
+from tests.engine.drive.machines import points_of
 
 R, ROD, TURN = 0.06, 0.24, 2 * pi
 PRESS = PressCrank(R, ROD)
@@ -27,11 +25,6 @@ def cycle_of(by_angle, load, motion=ROUND, speed=TURN, *, eta=1.0, inertia=0.0, 
     parts = [Part("flywheel", inertia, 1)]
     mechanism = KINDS["press crank"].of(load, 1.0, eta, [Stage("reducer", 5.0, eta)], parts)
     return DriveCycle(Drivetrain(Drive(mechanism, 0.0, **more), None, 0.0, tuple(windows), by_angle), motion, speed)
-
-
-def points_of(drive_cycle):
-    pieces = motion_pieces(drive_cycle.motion)
-    return DrivePoints(QuadratureCycle(drive_cycle, pieces, 3e-9 * drive_cycle.unshifted.total).points())
 
 
 def test_the_acceleration_in_the_dead_centres_is_that_of_the_textbook():

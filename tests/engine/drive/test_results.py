@@ -148,41 +148,6 @@ def test_what_a_lossless_motor_gives_is_the_work_of_loads_and_friction(request, 
     assert found.energy.net == pytest.approx(friction_work(one), rel=1e-9, abs=1e-9 * most)
 
 
-@machines(4)
-def test_losses_are_what_the_motor_gives_more(request, number):
-    """What each stage takes from the power through it, summed up, is the difference to the work of the load."""
-    one = drawn(request, number)
-    lost = 0.0
-    for stretch in one.torque_intervals:
-        for k, stage in enumerate(one.train.drive.mechanism.stages):
-            behind = np.linspace(stretch.low, stretch.high, 3001)
-            ratio = stage_speed(stretch, k + 1, behind)
-            through = stretch.torque(behind, k + 1) * ratio
-            if one.train.drive.method == "document":
-                loss = through * (1 / stage.efficiency - 1)
-            else:
-                back = stage.efficiency if stage.back_efficiency is None else stage.back_efficiency
-                loss = np.where(through > 0, through * (1 / stage.efficiency - 1), through * (back - 1))
-            loss = loss + stage.friction * np.abs(ratio)
-            if stretch.direction:
-                lost += simpson(loss, behind) / one.speed
-    found = DriveResults(one).energy
-    most = found.driving + found.regenerated
-    assert found.net == pytest.approx(friction_work(one) + lost, rel=1e-7, abs=1e-7 * most)
-    if one.train.drive.method == "physical":
-        assert lost >= -1e-9 * most
-
-
-def stage_speed(stretch, shaft, u):
-    """Speed of a shaft: the load's own, or that of the motor divided by the gears before it."""
-    m = stretch.train.drive.mechanism
-    return stretch.load(u).v if shaft == m.last else stretch.motor_speed(u) / m.ratio_to(shaft)
-
-
-def simpson(values, x):
-    return float((values[0:-2:2] + 4 * values[1::2] + values[2::2]).sum() * (x[2] - x[0]) / 6)
-
-
 # Invariance
 
 

@@ -15,7 +15,7 @@ from engine.motion import Motion
 from engine.selection.catalogue import Motors, Reducers
 from engine.selection.pair_matrix import RANKS, PairMatrix, Requirements
 from engine.selection.point_load import PointLoad, ShaftPoints
-from tests.engine.drive.test_quadrature import points_of
+from tests.engine.drive.machines import points_of
 
 MOTORS = Motors(("small", "large"), np.array([1e-4, 2e-3]), np.array([2.0, 30.0]), np.array([6.0, 90.0]),
                 np.array([5000.0, 4000.0]), size=np.array([3.0, np.nan]),

@@ -53,20 +53,6 @@ def test_each_cell_agrees_and_what_is_entered_comes_back(rank):
     assert entered(TEMPLATE, given) == (given, [])
 
 
-def test_a_pair_of_the_grid_does_what_a_drive_with_it_does():
-    """RMS and peak torque, speed and inertia ratio of two pairs, by the sheet of a drive that has them."""
-    value = computed(TEMPLATE, machine(**WIDE))
-    for m, r in ((4, 2), (2, 4)):
-        given = machine().model_dump()
-        given["axes"][1] |= {"motor": {"name": f"M{m}"}, "reducer": {"name": f"R{r}"}}
-        drive = computed(TEMPLATE, TEMPLATE.model.model_validate(given))
-        share, rated = value(f"sel_share{r}", "v"), value("sel_motors", "rated")
-        assert share[m - 1] * rated[m - 1] == pytest.approx(drive("drive2_rms"), rel=1e-9)
-        peak = max(drive("drive2_tmax"), -drive("drive2_tmin"))
-        assert value(f"sel_peak{r}", "v")[m - 1] == pytest.approx(peak, rel=1e-9)
-        assert value("sel_reducers", "n")[r - 1] == pytest.approx(drive("drive2_speed"), rel=1e-9)
-
-
 @pytest.mark.parametrize(("limit", "beyond", "word"), [
     ("inertia_ratio", 1e-6, "inertia"), ("rms_reserve", 1e6, "RMS"), ("greatest_margin", 1e-6, "large"),
     ("largest_mass", 1e-6, "mass"),

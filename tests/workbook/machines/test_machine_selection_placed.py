@@ -31,6 +31,8 @@ def choosing(*axes, **selection):
 
 def placed(kind, **entries):
     """An axis with losses, a process force and parts, on a mechanism that is worked out place by place."""
+    if kind == "plain":
+        return driven((20, 140, 60.0, "CIC"), (190, 330, -60.0, "MTP")) | LOSSY | entries
     if kind == "viscous":
         axis = driven((20, 140, 60.0, "CIC"), (190, 330, -60.0, "MTP")) | LOSSY
         return axis | {"load": LOSSY["load"] | {"viscous": 150.0}} | entries
@@ -56,8 +58,8 @@ def require_pairs_of_the_grid(axis, pairs):
         assert own == pytest.approx(there, rel=1e-9)
 
 
-@pytest.mark.parametrize("kind", ["viscous", *LIFTS])
-@pytest.mark.sample(1)
+@pytest.mark.parametrize("kind", ["plain", "viscous", *LIFTS])
+@pytest.mark.sample(2)
 def test_each_cell_agrees_and_a_pair_does_what_a_drive_with_it_does(kind):
     axis = placed(kind)
     given = choosing(axis)
