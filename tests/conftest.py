@@ -11,7 +11,7 @@ import pytest
 from hypothesis import settings
 
 import workbook  # noqa: F401 - before openpyxl, whose choice of an XML writer it makes
-from tests import known_red, tiers
+from tests import tiers
 from tests.workbook.judging.hands import Known
 from tests.workbook.press import registered
 from workbook.build import COMMITTED, build
@@ -64,7 +64,6 @@ def pytest_ignore_collect(collection_path, config):
 @pytest.hookimpl(tryfirst=True)  # before the cases of a night are left out
 def pytest_collection_modifyitems(config, items):
     tiers.sampled(items)
-    known_red.mark_listed(items)
     for item in items:
         if is_quick(item.path):
             item.add_marker("quick")
@@ -83,18 +82,6 @@ def pytest_collection_finish():
     """Search less often for garbage: the cells of a book live until its test ends."""
     gc.freeze()
     gc.set_threshold(100_000, 10, 10)
-
-
-def entries_mended(config):
-    """Return the entries of the list of known red of which no test failed."""
-    of = config.pluginmanager.get_plugin("terminalreporter").stats.get
-    return known_red.mended(*([report.nodeid for report in of(kind, ())] for kind in ("xfailed", "xpassed")))
-
-
-def pytest_terminal_summary(terminalreporter, config):
-    terminalreporter.write_line(f"known red: {len(known_red.LISTED)} entries in tests/known_red.toml")
-    for pattern in entries_mended(config):
-        terminalreporter.write_line(f"none of these was red: {pattern}; is it mended?", red=True)
 
 
 @pytest.fixture

@@ -26,11 +26,11 @@ def stages(law):
 
 
 def integrals(law):
-    """For each stage of a law its begin and end, and the integrals of v, a, j and a² over it, by Gauss-Legendre."""
+    """For each stage of a law its begin and end, and the integrals of v, a, j, a² and v² over it, by Gauss-Legendre."""
     for begin, end in stages(law):
         half = (end - begin) / 2
         at = law.evaluate(begin + half * (NODES + 1))
-        yield begin, end, [float(half * WEIGHTS @ values) for values in (at.v, at.a, at.j, at.a**2)]
+        yield begin, end, [float(half * WEIGHTS @ values) for values in (at.v, at.a, at.j, at.a**2, at.v**2)]
 
 
 def carried(law):

@@ -4,14 +4,16 @@ Each function returns what disagrees, in words; nothing where all is true.
 """
 
 import math
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
 from numpy.polynomial import chebyshev
+from scipy.optimize import brentq
 
-from engine.laws.base import BREAK_TOLERANCE
+from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import breaks, velocity_peak
-from tests.engine.integrals import crossings, integral
+from tests.engine.families import integrals
 
 DEGREE = 40
 SMOOTH = 1e-9  # of a column's peak: so near does a polynomial of DEGREE come to what is smooth within a stage
@@ -44,6 +46,18 @@ def wrong_breaks(law):
     return found
 
 
+def crossings(function: Callable[[Array], Array], edges: Array) -> Array:
+    """Return where a function of ξ changes its sign between samples within the sections."""
+    found = []
+    for begin, end in pairwise(edges):
+        off = min(max(1e-9 * (end - begin), 2.0 * BREAK_TOLERANCE), 0.5 * (end - begin))
+        xi = np.linspace(begin + off, end - off, 257)
+        above = function(xi) > 0.0
+        found += [brentq(lambda x: float(function(np.array([x]))[0]), xi[k], xi[k + 1], xtol=1e-15)
+                  for k in np.flatnonzero(above[1:] != above[:-1])]  # fmt: skip
+    return np.array(found)
+
+
 def coefficients(law):
     """The coefficients of a law, from its stages and the zeros of its derivatives within them."""
     edges = breaks(law)
@@ -54,7 +68,7 @@ def coefficients(law):
     steps = np.abs(np.concatenate([[0.0], at.a[:, -1]]) - np.concatenate([at.a[:, 0], [0.0]]))
     return {
         "cv": np.abs(v).max(), "ca_max": a.max(), "ca_min": a.min(),
-        "ca_rms": math.sqrt(integral(lambda xi: law.a(xi) ** 2, edges)),
+        "ca_rms": math.sqrt(sum(found[3] for *_, found in integrals(law))),
         "cj": math.inf if steps.max() > 1e-6 * max(np.abs(a).max(), 1e-3) else np.abs(j).max(),
         "va_max": (v * a).max(), "va_min": (v * a).min(),
     }  # fmt: skip

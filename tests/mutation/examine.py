@@ -1,7 +1,7 @@
 """Mutants judged and counted."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from tests.mutation.bench import Bench, Inputs
 from tests.mutation.mutants import Mutant
@@ -39,25 +39,11 @@ def examined(bench: Bench, mutants: Iterable[Mutant], elsewhere: list[Inputs]) -
             yield Verdict(mutant, by_text, VARIED if at else ENTERED)
 
 
+def survivors(verdicts: Iterable[Verdict], values_only: bool = False) -> list[Verdict]:
+    """Return the mutants that are not found and not harmless."""
+    return [v for v in verdicts if not v.found(values_only) and not v.is_harmless]
+
+
 def names_it_first(report: Report, mutant: Mutant) -> bool:
     """Whether the first finding of a report is the mutant's cell."""
     return [(f.sheet, f.cell) for f in report.findings[:1]] == [(mutant.address.sheet, mutant.address.a1)]
-
-
-@dataclass
-class Tally:
-    """The verdicts, and the mutants that all of ``verify`` was asked about."""
-
-    values_only: bool
-    verdicts: list[Verdict] = field(default_factory=list)
-    whole: list[tuple[Mutant, bool]] = field(default_factory=list)  # with whether its cell was named first
-
-    @property
-    def survivors(self) -> list[Verdict]:
-        """Mutants that are not found and not harmless."""
-        return [v for v in self.verdicts if not v.found(self.values_only) and not v.is_harmless]
-
-    @property
-    def not_first(self) -> list[Mutant]:
-        """Mutants of which ``verify`` names another cell first, or none."""
-        return [mutant for mutant, first in self.whole if not first]

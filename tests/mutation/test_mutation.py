@@ -5,7 +5,7 @@ from functools import cache
 import pytest
 
 from tests.mutation.bench import Bench, OfValues, smaller
-from tests.mutation.examine import Tally, examined, names_it_first
+from tests.mutation.examine import examined, names_it_first, survivors
 from tests.mutation.machines import machines
 from tests.mutation.mutants import KINDS, Mutant
 from tests.tiers import by_day, seed
@@ -55,10 +55,10 @@ def test_the_sample_spreads_over_every_quantity_and_kind(name: str) -> None:
 @pytest.mark.parametrize("part", range(PARTS))
 def test_every_mutant_is_found(name: str, part: int) -> None:
     mutants = sample(name)[part::PARTS]
-    tally = Tally(values_only=False, verdicts=list(examined(bench(name), mutants, [])))
-    assert len(tally.verdicts) == len(mutants)
-    assert [str(v.mutant) for v in tally.survivors] == []
-    unseen = [v for v in tally.verdicts if not v.by_text and v.mutant.kind != "anchor"]
+    verdicts = list(examined(bench(name), mutants, []))
+    assert len(verdicts) == len(mutants)
+    assert [str(v.mutant) for v in survivors(verdicts)] == []
+    unseen = [v for v in verdicts if not v.by_text and v.mutant.kind != "anchor"]
     assert [str(v.mutant) for v in unseen] == []
 
 
@@ -85,9 +85,9 @@ def test_one_cell_evaluated_alone_tells_what_verify_reports_of_it(name: str, kin
 def test_values_alone_find_most_of_what_shows_at_any_valid_input(name: str) -> None:
     here = bench(name)
     elsewhere = [here.inputs(m) for m in machines(here.machine, 12, SEED)]
-    tally = Tally(values_only=True, verdicts=list(examined(here, sample(name)[::4], elsewhere)))
-    found = sum(v.found(values_only=True) for v in tally.verdicts)
-    missed = [str(v.mutant) for v in tally.survivors if v.by_value]
+    verdicts = list(examined(here, sample(name)[::4], elsewhere))
+    found = sum(v.found(values_only=True) for v in verdicts)
+    missed = [str(v.mutant) for v in survivors(verdicts, values_only=True) if v.by_value]
     assert found / (found + len(missed)) >= LOOKED_AT, "\n".join(missed)
 
 
@@ -98,8 +98,7 @@ def test_a_night_s_mutants_are_found_and_named_first(name: str, run: int) -> Non
     here = bench(name)
     mutants = here.orchard.sample(MANY, seed("mutants"))[run::RUNS]
     elsewhere = [here.inputs(m) for m in machines(here.machine, 20, seed("machines"))]
-    tally = Tally(values_only=False, verdicts=list(examined(here, mutants, elsewhere)))
-    found = [v.mutant for v in tally.verdicts if v.found(values_only=False)]
-    tally.whole = [(m, names_it_first(here.verified(m), m)) for m in found[::25]]
-    assert [str(v.mutant) for v in tally.survivors] == []
-    assert [str(m) for m in tally.not_first] == []
+    verdicts = list(examined(here, mutants, elsewhere))
+    found = [v.mutant for v in verdicts if v.found(values_only=False)]
+    assert [str(v.mutant) for v in survivors(verdicts)] == []
+    assert [str(m) for m in found[::25] if not names_it_first(here.verified(m), m)] == []

@@ -52,7 +52,7 @@ def test_the_law_is_its_pieces_one_after_the_other(law):
 @EVERY
 def test_position_and_velocity_are_the_integrals(law):
     sizes = largest(law)
-    for begin, end, (ds, dv, da, _) in integrals(law):
+    for begin, end, (ds, dv, da, *_) in integrals(law):
         one, other = law.evaluate(begin), law.evaluate(end)
         assert other.s - one.s == pytest.approx(ds, abs=1e-12 * sizes[0])
         assert other.v - one.v == pytest.approx(dv, abs=1e-12 * sizes[1])

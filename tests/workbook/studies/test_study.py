@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 import tomli_w
 
+from tests.workbook.machines.test_machine_drives import TOOTHED
+from tests.workbook.machines.test_machine_stages import WORM
 from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, SIZES, base, laws, planned, stops, written
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
@@ -82,9 +84,9 @@ def require_alike(pairs):
     assert {name: pairs[name] for name, value in apart.items() if value > allowed[name]} == {}
 
 
-@pytest.mark.parametrize("changes", [LOADED, LOADED | {"rate": 41.0}], ids=["machine", "own"])
-def test_every_result_without_a_book_is_what_the_book_says(tmp_path, changes):
-    base(tmp_path, **changes)
+@pytest.mark.parametrize("more", [{}, {"rate": 41.0, "stages": [TOOTHED, WORM]}], ids=["machine", "own"])
+def test_every_result_without_a_book_is_what_the_book_says(tmp_path, more):
+    base(tmp_path, **LOADED, **more)
     plan = planned(tmp_path, laws("MTP", "PO5", "ACS"), RATES, MOTORS, REDUCERS, results=["drive1_rms"])
     for number in random.Random(1).sample(range(plan.space.size), 2):
         pairs, alone = compared(plan, number)
