@@ -38,7 +38,7 @@ def study(page: Page, root: str) -> None:
     """Show the front of the study in docs."""
     page.goto(f"{root}/study/study.toml")
     page.get_by_role("button", name="Begin").click()
-    page.wait_for_selector("#study svg")
+    page.wait_for_selector("[data-from] svg")
 
 
 def new(page: Page, root: str) -> None:

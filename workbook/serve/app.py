@@ -1,7 +1,6 @@
 """The server: addresses, and what is done at each by the commands of motionbook."""
 
 import asyncio
-import re
 import signal
 import tempfile
 from contextlib import suppress
@@ -13,12 +12,11 @@ from workbook.build import read_inputs
 from workbook.controllers.registry import STATED, TARGETS
 from workbook.serve import editing, home, pages, shown, study, tables
 from workbook.serve.handler import REPORT, Action, Folder, Page, state
-from workbook.serve.server import serving, static
+from workbook.serve.server import STATIC, serving, static
 from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 
-STATIC = ("favicon.ico", "busy.js", "home.js", "study.js")
 MODULES = r"/(page/(?:vendor/)?[\w-]+\.(?:js|css))"
 ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
@@ -110,7 +108,7 @@ GET: dict[str, Action] = {
     "/": home.home, "/file/NAME": home.download, "/edit/NAME": editing.edit, "/state/NAME": editing.file_state,
     "/brief/NAME": home.brief, "/print/NAME": print_page, "/vary/NAME": study.vary,
     "/study/NAME": study.show, "/progress/NAME": study.progress, "/controller/NAME": controller, MODULES: static,
-    f"/({'|'.join(map(re.escape, STATIC))})": static,
+    STATIC: static,
 }  # fmt: skip
 EDITING = (editing.change, editing.figures, editing.products, editing.verdict, editing.gains)
 KEEPING = (editing.save, home.build, home.new, home.keep)

@@ -66,7 +66,7 @@ async def home(page: Page) -> str:
     return pages.page(
         "motionbook",
         "home",
-        "home",
+        at_home=True,
         do=(pages.link("#compare", "Compare"), pages.link("#verify", "Verify"), pages.link("#new", "New machine")),
         folder=page.folder.path,
         groups=grouped(files),

@@ -32,12 +32,10 @@ class Item(NamedTuple):
     base: str
 
 
-def page(title: str, template: str, *scripts: str, do: Sequence[str] = (), **values: Any) -> str:
-    """Return a page with its scripts; ``do`` are links and buttons of the bar above it."""
+def page(title: str, template: str, do: Sequence[str] = (), at_home: bool = False, **values: Any) -> str:
+    """Return a page; ``do`` are links and buttons of the bar above it, which leads to the first page but ``at_home``."""
     given = {"title": title, "link": link, "address": address, "post": post, "choice": choice, "item": item}
-    tags = (f'<script src="/{script}.js" type="module"></script>' for script in scripts)
-    body = rendered(f"serve/{template}.html", **given | values)
-    return document(title, body + "".join(tags), bar(*do, at_home=template in ("home", "watch")))
+    return document(title, rendered(f"serve/{template}.html", **given | values), bar(*do, at_home=at_home))
 
 
 def bar(*do: str, at_home: bool = False) -> str:

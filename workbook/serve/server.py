@@ -14,6 +14,7 @@ from tornado.web import Application, HTTPError
 from workbook.reports.terminal import OUT, say
 from workbook.serve.handler import LARGEST, Action, Page
 
+STATIC = r"/(pages\.js|OK\.svg|FAIL\.svg|favicon\.ico)"
 SVG = "image/svg+xml"
 SLOWEST = 60.0  # seconds of a body
 ELSEWHERE = {"favicon.ico": "icon.svg", "page/colors.css": "../reports/colors.css"}

@@ -99,10 +99,10 @@ async def cancel(page: Page) -> None:
 
 
 async def show(page: Page, name: str) -> str:
-    """Show a study; the script fetches how far it is."""
+    """Show a study; the page fetches how far it is."""
     base = pages.item(page.folder.file(name)).base
     do = [pages.link(pages.address("edit", base), f"Design {base}")] if base else []
-    return pages.page(name, "study", "study", do=do)
+    return pages.page(name, "followed", do=do, follow=pages.address("progress", name))
 
 
 async def progress(page: Page, name: str) -> str:
@@ -114,7 +114,7 @@ async def progress(page: Page, name: str) -> str:
         rate = (done - job.before) / max(time.monotonic() - job.begun, 1.0)
         words = f"{done:,} of {size:,} designs, {rate:,.1f}/s" if size else "Measuring how long a design takes …"
         bar = f'<p><progress value="{done}" max="{max(size, 1)}"></progress> {words}</p>'
-        return f'<div data-running="yes">{bar}{pages.post("/cancel", path.name, "Cancel")}</div>'
+        return f'<div data-again>{bar}{pages.post("/cancel", path.name, "Cancel")}</div>'
     if path.with_suffix(".json").exists():
         front_page = await page.work.in_worker(front, path)
         return front_page + pages.link(pages.address("file", results.name), "Download all designs")

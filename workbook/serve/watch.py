@@ -25,10 +25,9 @@ from workbook.reports.terminal import OUT, say, say_data
 from workbook.serve import pages
 from workbook.serve.handler import Action, Folder, Page
 from workbook.serve.saves import Saves, Verdict
-from workbook.serve.server import serving, static
+from workbook.serve.server import STATIC, serving, static
 from workbook.serve.work import Work
 
-STATIC = r"/(busy\.js|watch\.js|ok\.svg|fail\.svg|favicon\.ico)"
 MOST = 12  # findings, entries and results that are listed
 LONGEST = 600.0  # seconds of a verdict
 
@@ -91,7 +90,7 @@ class Watch:
 
     async def _page(self, page: Page) -> str:
         """Return the page."""
-        return pages.page("motionbook watch", "watch", "watch", now=await self._fragment(page))
+        return pages.page("motionbook watch", "followed", at_home=True, follow="/now")
 
     async def _fragment(self, page: Page) -> str:
         """Return the verdicts as they are now."""

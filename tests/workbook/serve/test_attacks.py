@@ -154,7 +154,7 @@ def test_a_study_ends_with_the_server_and_its_parts_stay(tmp_path):
         server.ask("/study", server.form(name="long.toml", **LONG))
         server.ask("/begin", server.form(name="long-study.toml"))
         while not [*tmp_path.glob("*.parts/part-*.json")]:
-            assert "data-running" in server.ask("/progress/long-study.toml").body.decode()
+            assert "data-again" in server.ask("/progress/long-study.toml").body.decode()
             time.sleep(0.2)
         (session,) = {os.getsid(pid) for pid in pids() if b"long-study.toml" in words_of(pid)}
         assert len(of_session(session)) >= 1

@@ -84,7 +84,7 @@ def study(page):
     page.locator("input[name=vary][value='axes[1].phases[1].law']").check()
     page.get_by_role("button", name="Show").click()
     page.get_by_role("button", name="Begin").click()
-    page.wait_for_selector("#study svg", timeout=2 * LONG)
+    page.wait_for_selector("[data-from] svg", timeout=2 * LONG)
 
 
 PAGES = ("/", "/edit/live.toml", "/controller/cutting.xlsx", "/vary/live.toml", "/print/live.toml", compare)

@@ -79,7 +79,7 @@ def test_the_first_page_tells_what_a_description_comes_to_and_keeps_it_by_its_co
     path = server.root / "told.toml"
     shutil.copy(server.root / "live.toml", path)
     path.write_text(path.read_text(encoding="utf-8").replace("lift = 80.0", f"lift = 80.0{time.time_ns()}"), "utf-8")
-    assert 'data-brief="told.toml"' in server.ask("/").body.decode()
+    assert 'data-from="/brief/told.toml"' in server.ask("/").body.decode()
     found = read_design(path)
     rate = next(one for one in found.results().values() if one.label == "Production rate")
     told = server.ask("/brief/told.toml").body.decode()
@@ -87,7 +87,7 @@ def test_the_first_page_tells_what_a_description_comes_to_and_keeps_it_by_its_co
     assert f"{sum(one.value == 'FAIL' for one in found.checks().values()) or ''}" in told
     assert "<polyline" in told
     home = server.ask("/").body.decode()
-    assert 'data-brief="told.toml"' not in home
+    assert 'data-from="/brief/told.toml"' not in home
     assert server.ask("/favicon.ico").headers["Content-Type"] == "image/svg+xml"
     assert told.strip() in home
     path.write_text("title = 3", encoding="utf-8")
@@ -183,7 +183,7 @@ def finished(server, name):
     """What the page of a study shows when it is done."""
     for _ in range(240):
         panel = server.ask(f"/progress/{name}").body.decode()
-        if "data-running" not in panel:
+        if "data-again" not in panel:
             return panel
         time.sleep(0.25)
     raise AssertionError(panel)
@@ -210,7 +210,7 @@ def test_a_study_is_cancelled_and_goes_on(server):
     server.ask("/begin", server.form(name="long-study.toml"))
     folder = server.root / "long-study.csv.parts"
     while len([*folder.glob("part-*.json")]) < 2:
-        assert "data-running" in server.ask("/progress/long-study.toml").body.decode()
+        assert "data-again" in server.ask("/progress/long-study.toml").body.decode()
         time.sleep(0.2)
     busy = server.ask("/begin", server.form(name="live-study.toml"))
     assert "long-study.toml is at work" in busy.body.decode()
@@ -219,7 +219,7 @@ def test_a_study_is_cancelled_and_goes_on(server):
     assert "Go on" in panel
     assert "Interrupted" in panel
     server.ask("/begin", server.form(name="long-study.toml"))
-    assert "data-running" in server.ask("/progress/long-study.toml").body.decode()
+    assert "data-again" in server.ask("/progress/long-study.toml").body.decode()
     server.ask("/cancel", server.form(name="long-study.toml"))
     finished(server, "long-study.toml")
 
