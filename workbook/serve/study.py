@@ -45,6 +45,7 @@ ROWS = 6  # results that a form can ask for
 ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at least": "at least",
          "at most": "at most", "off": "no constraint"}  # fmt: skip
 """what can be asked of a result, with its words in the form"""
+WAYS = {"full": "all combinations", "sobol": "spread evenly", "evolution": "bred from the best"}
 SENT = ("result", "what", "value", "key", "values", "takes")  # the fields of a form that stand in several rows
 RANGE = re.compile(r"(\S+) to (\S+?)(?: in (\d+))?")
 ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
@@ -58,7 +59,14 @@ async def vary(page: Page, name: str) -> str:
     """Show the form of a study of a description."""
     path = page.folder.file(name)
     tables, results = await page.work.in_worker(choices, path)
-    given = {"name": name, "tables": tables, "results": results, "rows": ROWS, "asked": ASKED}
+    given: dict[str, Any] = {
+        "name": name,
+        "tables": tables,
+        "results": results,
+        "rows": ROWS,
+        "asked": ASKED,
+        "ways": WAYS,
+    }
     return pages.page(f"{name}: study", "vary", do=[pages.link(pages.address("edit", name), f"Design {name}")], **given)
 
 
@@ -114,7 +122,7 @@ async def progress(page: Page, name: str) -> str:
         rate = (done - job.before) / max(time.monotonic() - job.begun, 1.0)
         words = f"{done:,} of {size:,} designs, {rate:,.1f}/s" if size else "Measuring how long a design takes …"
         bar = f'<p><progress value="{done}" max="{max(size, 1)}"></progress> {words}</p>'
-        return f'<div data-again>{bar}{pages.post("/cancel", path.name, "Cancel")}</div>'
+        return f"<div data-again>{bar}{pages.post('/cancel', path.name, 'Cancel')}</div>"
     if path.with_suffix(".json").exists():
         front_page = await page.work.in_worker(front, path)
         return front_page + pages.link(pages.address("file", results.name), "Download all designs")

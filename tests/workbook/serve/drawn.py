@@ -46,27 +46,15 @@ def charts(size=1.0):
 def fixture(count):
     """The machine template's axes, repeated to as many as asked, with its switches."""
     given = tomllib.loads((ROOT / "templates" / "machine.toml").read_text(encoding="utf-8"))
-    axes = []
-    for index in range(count):
-        axis = given["axes"][index % 4]
-        phases = [
-            {"index": k, "from": one["start"], "to": one["stop"], "lift": one["lift"], "law": one["law"]}
-            for k, one in enumerate(axis["phases"])
-        ]
-        named = {"index": index, "name": f"MC{index + 1:02}", "group": axis["group"], "unit": axis.get("unit", "mm")}
-        axes.append(named | {"phases": phases, "shift": axis.get("shift", 0), "shown": True})
-    bars = [
-        {"path": ["switches", k, "on"], "axis": None, "name": one["name"], "on": one["on"]}
-        for k, one in enumerate(given["switches"])
-    ]
-    design = {"title": given["title"], "period": {"name": "cycle", "unit": "°", "length": 360, "ms": 300}, "axes": axes}
+    data = given | {"axes": [given["axes"][k % 4] | {"name": f"MC{k + 1:02}"} for k in range(count)]}
+    data["axes"][0]["load"] = {"windows": [{"start": 200, "stop": 240}]}
     figures, saved = (
-        {"axes": {one["index"]: {"error": None, "stale": False, "start": 0, "charts": charts(size),
-                                 "pieces": [SMOOTH] * len(one["phases"])} for one in axes}, "gaps": {"0": GAP}}
+        {"axes": {k: {"error": None, "stale": False, "start": 0, "charts": charts(size),
+                      "pieces": [SMOOTH] * len(axis["phases"])} for k, axis in enumerate(data["axes"])},
+         "gaps": {"0": GAP}}
         for size in (1.0, 0.8)
     )  # fmt: skip
-    force = {"path": ["axes", 0, "load", "windows"], "axis": 0, "name": "MC01 force", "on": [[200, 240]]}
-    return {"design": design | {"bars": [*bars, force]}, "figures": figures, "saved": saved}
+    return {"data": data, "figures": figures, "saved": saved | {"data": data}}
 
 
 class Files(SimpleHTTPRequestHandler):

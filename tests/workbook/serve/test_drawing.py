@@ -89,7 +89,7 @@ def test_a_drag_of_each_kind_is_one_entry_of_the_journal(opened):
     assert page.locator(".lane.selected .line").get_attribute("d") != before
     assert drag(page, rest(page, "#axis-1-span-0 rect"), 10.2 * unit) == "100 to 165°"
     lift = drag(page, middle(page, "#axis-1-lift-0 rect"), 0, -20)
-    assert lift.startswith("lift 3")
+    assert lift.startswith("lift 4")
     assert drag(page, middle(page, "#axis-1-shift-all text"), 7 * unit) == "later by 7°"
     assert drag(page, middle(page, "#axis-1-from-1 circle"), 3 * unit, modifier="Shift") == "later by 10°"
     assert drag(page, middle(page, "[id=switches-0-span-0] rect"), 5 * unit) == "25 to 100°"
@@ -104,9 +104,9 @@ def test_a_drag_stops_at_its_neighbour_snaps_to_edges_and_goes_back_by_escape(op
     page = opened()
     unit = per_unit(page)
     edge = middle(page, "#axis-1-to-0 circle")
-    before = page.evaluate("JSON.stringify(state.design.value)")
+    before = page.evaluate("JSON.stringify(state.data.value)")
     assert drag(page, edge, 25 * unit, end="Escape") == "to 160°"
-    assert page.evaluate("JSON.stringify(state.design.value)") == before
+    assert page.evaluate("JSON.stringify(state.data.value)") == before
     assert (commits(page), page.locator(".bubble").count()) == ([], 0)
     assert drag(page, edge, 250 * unit, end="Escape") == "to 305° · Ctrl pushes phase 2"  # where the next begins
     page.mouse.move(*edge)
@@ -178,11 +178,10 @@ def test_the_keyboard_does_what_a_drag_does(opened):
 def test_handles_never_cover_one_another_and_the_nearer_is_taken(opened):
     page = opened()
     page.evaluate("""() => {
-      const phase = (index, from, to, lift) => ({ index, from, to, lift, law: "MTP" });
-      const axes = state.design.value.axes.map((axis) => (axis.index === 1
-        ? { ...axis, phases: [phase(0, 90, 92, 20), phase(1, 92, 94, -20),
-            phase(2, 94, 96, 5), phase(3, null, 300, 5)] } : axis));
-      state.design.value = { ...state.design.value, axes };
+      const phase = (start, stop, lift) => ({ start, stop, lift, law: "MTP" });
+      const phases = [phase(90, 92, 20), phase(92, 94, -20), phase(94, 96, 5), phase(null, 300, 5)];
+      const axes = state.data.value.axes.map((axis, k) => (k === 1 ? { ...axis, phases } : axis));
+      state.data.value = { ...state.data.value, axes };
     }""")
     page.wait_for_selector("#axis-1-to-2")
     page.wait_for_selector(".lane.selected .missing")  # a phase without its begin is told, and the others stay

@@ -132,7 +132,7 @@ function Axis({ index }) {
       <span class="do"><button onClick=${() => commit([{ path: ["axes", index], do: "copy" }])}>copy</button>
       ${s.data.value.axes.length > 1 && html`<button onClick=${() => commit([{ path: ["axes", index], do: "remove" }])}>delete</button>`}</span></h2>
     <${Wrong} path=${["axes", index]} />
-    <section><h3>Phases <small>${[...new Set([s.design.value.period.unit, axis.unit ?? "mm"])].join(" and ")}</small></h3>
+    <section><h3>Phases <small>${[...new Set([s.period.value.unit, axis.unit ?? "mm"])].join(" and ")}</small></h3>
       <${Rows} entry=${own.keys.find((each) => each.name === "phases")} path=${["axes", index, "phases"]} /></section>
     ${!driven && html`<button class="add" onClick=${() => commit([{ path: ["axes", index, "drive"], do: "add" }])}>+ mechanism and motor</button>`}
     ${[...new Set(missing)].map((words) => html`<small class="wrong" role="alert" key=${words}>${words}</small>`)}

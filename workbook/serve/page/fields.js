@@ -24,7 +24,7 @@ function stepped(words, unit, way, event) {
 export function unitOf(entry, path) {
   const axis = path[0] === "axes" ? (s.data.value.axes?.[path[1]]?.unit ?? "mm") : "";
   if (axis && ["lift", "position", "low", "high"].includes(entry.name)) return axis;
-  if (entry.unit.includes("cycle's unit")) return s.design.value.period.unit;
+  if (entry.unit.includes("cycle's unit")) return s.period.value.unit;
   const units = entry.unit.split(" or ");
   return units.length > 1 ? units[axis === "°" ? 1 : 0] : entry.unit;
 }

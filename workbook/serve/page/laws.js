@@ -17,7 +17,7 @@ const picture = (shape) => shape && html`<svg viewBox="0 0 24 14" aria-hidden="t
   points=${shape.map((y, k) => `${(1 + (22 * k) / (shape.length - 1)).toFixed(1)},${(13 - 12 * y).toFixed(1)}`).join(" ")} /></svg>`;
 
 /** What a law comes to for unit rise in unit time. @param {any} law */
-const figures = ({ v, a, j }) => (v ? `v ${short(v)} · a ${short(a)} · j ${j === null ? "∞" : short(j)}` : "");
+const figures = ({ v, a, j }) => (v ? `v ${short(v)} · a ${short(a)} · j ${j === null ? "∞" : short(j)}`.replaceAll(" ", "\u00a0") : "");
 
 export function LawChoice({ path, label }) {
   const [isOpen, open] = useState(false);

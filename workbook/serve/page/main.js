@@ -1,6 +1,6 @@
 // The design page: top, left, middle, right and bottom; the keys that work everywhere.
 import { html, render } from "./html.js";
-import { Cards, goTo } from "./cards.js";
+import { Cards, choosePart, goTo } from "./cards.js";
 import { laws, products } from "./catalogue.js";
 import { AxisCharts } from "./charts.js";
 import { Entries } from "./entries.js";
@@ -14,13 +14,13 @@ import * as s from "./state.js";
 
 function Middle() {
   const { axis } = s.selected.value;
-  const shown = s.design.value.axes[axis];
+  const shown = s.data.value.axes?.[axis];
   const pictures = s.verdict.value?.pictures ?? [];
   if (!s.live.value)
     return html`<main><div class="pictures">${pictures.map((svg) => html`<div class="panel" dangerouslySetInnerHTML=${{ __html: svg }}></div>`)}</div></main>`;
   return html`<main>
-    <${TimingDiagram} design=${s.design} figures=${s.figures} saved=${{ design: s.savedDesign, figures: s.saved }} selected=${s.selected} cursor=${s.cursor} propose=${propose} />
-    ${shown && html`<${AxisCharts} axis=${shown} figures=${s.figures} saved=${s.saved} cursor=${s.cursor} chosen=${s.chosen} />`}
+    <${TimingDiagram} data=${s.data} figures=${s.figures} saved=${s.saved} selected=${s.selected} cursor=${s.cursor} propose=${propose} />
+    ${shown && html`<${AxisCharts} index=${axis} axis=${shown} figures=${s.figures} saved=${s.saved} cursor=${s.cursor} chosen=${s.chosen} />`}
   </main>`;
 }
 
@@ -74,4 +74,5 @@ s.selected.subscribe(({ axis }) => {
   }
   last = axis;
 });
+if (opened.live === false) choosePart({ part: [] }); // a kind of machine without axes of its own
 goTo(new URLSearchParams(location.search).get("at"));

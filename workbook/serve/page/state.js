@@ -31,48 +31,18 @@ export const keyOf = (path) => path.join(".");
 export function put(tree, path, value) {
   const [first, ...rest] = path;
   const copy = Array.isArray(tree) ? [...tree] : { ...tree };
-  if (rest.length) copy[first] = put(copy[first] ?? {}, rest, value);
-  else if (value === null || value === undefined) delete copy[first];
-  else copy[first] = value;
+  const key = Array.isArray(tree) ? ({ start: 0, stop: 1 }[first] ?? first) : first; // a time as [from, to]
+  if (rest.length) copy[key] = put(copy[key] ?? {}, rest, value);
+  else if (value === null || value === undefined) delete copy[key];
+  else copy[key] = value;
   return copy;
 }
 
-const number = (value) => (typeof value === "number" ? value : null);
-
-/** A description as the drawing parts take it. @param {any} tree */
-export function designOf(tree) {
-  const master = tree?.master ?? {};
-  const [length, rate] = [number(master.cycle) ?? 360, number(master.rate)];
-  const isTurn = number(master.cycle) === null;
-  const ms = isTurn && rate && rate > 0 ? 60000 / rate : null; // of a turn
-  const period = { name: "cycle", unit: isTurn ? "°" : (master.unit ?? "s"), length, ms };
-  const axes = (tree?.axes ?? []).map((axis, index) => ({
-    index,
-    name: axis.name ?? `axis ${index + 1}`,
-    group: axis.group ?? "",
-    unit: axis.unit ?? "mm",
-    shift: number(axis.shift) ?? 0,
-    shown: true,
-    phases: (axis.phases ?? []).map((phase, at) => ({
-      index: at,
-      from: number(phase.start),
-      to: number(phase.stop),
-      lift: number(phase.lift) ?? 0,
-      law: phase.law ?? "DWL",
-      law_name: phase.law ?? "dwell",
-    })),
-  }));
-  const ends = (on) => (Array.isArray(on) ? on : [on?.start, on?.stop]);
-  const bars = (tree?.switches ?? []).map((each, index) => ({
-    path: ["switches", index, "on"],
-    axis: null,
-    name: each.name ?? `switch ${index + 1}`,
-    on: (each.on ?? []).map(ends),
-  }));
-  for (const [index, { name, load }] of (tree?.axes ?? []).entries())
-    if (load?.windows?.length) bars.push({ path: ["axes", index, "load", "windows"], axis: index, name: `${name} force`, on: load.windows.map(ends) });
-  return { title: tree?.title ?? "", period, axes, bars };
+/** The period of a description: a turn, with its time at the rate, or a cycle of its own. @param {any} tree */
+export function periodOf(tree) {
+  const { cycle, rate, unit } = tree?.master ?? {};
+  if (cycle > 0) return { unit: unit ?? "s", length: cycle, ms: null };
+  return { unit: "°", length: 360, ms: rate > 0 ? 60000 / rate : null };
 }
 
-export const design = computed(() => designOf(data.value));
-export const savedDesign = computed(() => designOf(saved.value.data));
+export const period = computed(() => periodOf(data.value));

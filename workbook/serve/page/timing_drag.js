@@ -1,16 +1,15 @@
 // What a drag or a key comes to: where an edge, a span, a lift or an axis may go, and the changes that say so.
 import { short } from "./colors.js";
-import { wrapped } from "./pieces.js";
+import { isWhole, wrapped } from "./timing_rows.js";
 
 /**
- * @typedef {{from: number, to: number, lift?: number|null, index: number, law?: string}} Span
- * @typedef {{id: string, path: (string|number)[], name: string, unit: string, shift: number, isRing: boolean, isAxis: boolean,
- *            isGap?: boolean, index: number, spans: Span[], item: any}} Row  an axis with its phases, or a switch or window with its bars
+ * @typedef {import("./timing_rows.js").Row} Row
+ * @typedef {import("./timing_rows.js").Span} Span
+ * @typedef {{path: (string|number)[], value: number}} Change
  * @typedef {{row: string, kind: "from"|"to"|"span"|"lift"|"shift", k: number}} Target
  * @typedef {{time: number, lift: number}} Way  how far, in the period's unit and in the axis' own
  * @typedef {{isFine: boolean, isPush?: boolean, reach: number}} Snap  reach: how near another edge holds, in the period's unit
  * @typedef {{changes: Change[], words: string, guide: number|null, stop?: Span|null, pushed?: Span[]}} Move  stop: what is in the way
- * @typedef {import("./pieces.js").Change} Change
  */
 
 /** The nearest of 1, 2, 5 with a power of ten. @param {number} value */
@@ -21,64 +20,11 @@ export function niceStep(value) {
 
 const plain = (/** @type {number} */ value) => Number(value.toPrecision(10));
 const round = (/** @type {number} */ value, /** @type {number} */ step) => plain(Math.round(value / step) * step);
-const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
-  Math.min(Math.max(value, low), high);
-
-/** The rows of a design: axes with their phases, each with the bars of its forces, clearances, switches. @param {any} design @param {Record<string, any>} gaps @returns {Row[]} */
-export function rowsOf(design, gaps = {}) {
-  const { length } = design.period;
-  const plain = { isRing: false, isAxis: false, shift: 0, unit: "", spans: [] };
-  const bars = (/** @type {number|null} */ axis) =>
-    design.bars
-      .filter((/** @type {any} */ bar) => bar.axis === axis)
-      .map((/** @type {any} */ bar) => ({
-        ...plain,
-        id: bar.path.slice(0, -1).join("-"),
-        path: bar.path,
-        name: bar.name,
-        item: bar,
-        isRing: true,
-        index: bar.axis ?? -1,
-        spans: bar.on.map(([from, to], /** @type {number} */ index) => ({
-          from,
-          to: to < from ? to + length : to,
-          index,
-        })),
-      }));
-  const axes = design.axes.flatMap((/** @type {any} */ axis) => [
-    {
-      id: `axis-${axis.index}`,
-      path: ["axes", axis.index, "phases"],
-      name: axis.name,
-      unit: axis.unit,
-      shift: axis.shift ?? 0,
-      isRing: false,
-      isAxis: true,
-      index: axis.index,
-      spans: axis.phases,
-      item: axis,
-    },
-    ...bars(axis.index),
-  ]);
-  const near = Object.entries(gaps).map(([k, gap]) => ({
-    ...plain,
-    id: `gap-${k}`,
-    path: ["clearances", Number(k)],
-    name: gap.name,
-    unit: gap.unit,
-    item: gap,
-    isGap: true,
-    index: -1,
-  }));
-  return [...axes, ...near, ...bars(null)];
-}
-
-const isThere = (/** @type {Span} */ one) => one.from !== null && one.to !== null && one.to > one.from;
 
 /** The other spans of a row before or behind a span, the nearest first, told in its turn. @param {Row} row @param {Span} span @param {number} length @param {number} way 1: behind it, -1: before */
 function othersOf(row, span, length, way) {
   const turns = row.isRing ? [-length, 0, length] : [0];
-  const all = row.spans.filter((one) => one !== span && isThere(one)).flatMap((one) =>
+  const all = row.spans.filter((one) => one !== span && isWhole(one)).flatMap((one) =>
     turns.map((turn) => ({ one, near: (way > 0 ? one.from : one.to) + turn, width: one.to - one.from })),
   );
   const edge = way > 0 ? span.to : span.from;
@@ -88,7 +34,7 @@ function othersOf(row, span, length, way) {
 
 /** Between which places a span may be: as far as its neighbours, or as far as it can push them. @param {Row} row @param {Span} span @param {number} length */
 export function roomOf(row, span, length, isPush = false) {
-  const most = Math.max(length, ...row.spans.filter(isThere).map((one) => one.to));
+  const most = Math.max(length, ...row.spans.filter(isWhole).map((one) => one.to));
   const ends = row.isRing ? [span.to - length, span.from + length] : [0, most];
   return [-1, 1].map((way, n) => {
     const others = othersOf(row, span, length, way);
@@ -111,23 +57,15 @@ function pushedBy(row, span, ends, length) {
 
 /** The edges of all other spans, in the own time of a row. @param {Row[]} rows @param {Row} row @param {Span} span @param {number} length */
 function edgesFor(rows, row, span, length) {
-  const places = rows.flatMap((other) =>
-    other.spans
-      .filter((one) => one !== span)
-      .flatMap((one) => [one.from, one.to].filter((edge) => edge !== null).map((edge) => edge + other.shift)),
-  );
-  return places.flatMap((place) => [-length, 0, length].map((turn) => wrapped(place, length) - row.shift + turn));
+  const edges = rows.flatMap(({ spans, shift }) => spans.filter((one) => one !== span && isWhole(one)).flatMap(({ from, to }) => [from + shift, to + shift]));
+  return edges.flatMap((edge) => [-length, 0, length].map((turn) => wrapped(edge, length) - row.shift + turn));
 }
 
 /** A place drawn to another edge within reach, else to a whole step. @param {number} value @param {number[]} edges @param {Snap} snap @param {number} step */
 function snapped(value, edges, { isFine, reach }, step) {
   if (isFine) return { value: round(value, step / 10), edge: null };
-  const edge = edges.reduce(
-    (/** @type {number|null} */ best, one) =>
-      Math.abs(one - value) <= reach && (best === null || Math.abs(one - value) < Math.abs(best - value)) ? one : best,
-    null,
-  );
-  return edge === null ? { value: round(value, step), edge } : { value: plain(edge), edge };
+  const [edge] = edges.filter((each) => Math.abs(each - value) <= reach).sort((a, b) => Math.abs(a - value) - Math.abs(b - value));
+  return edge === undefined ? { value: round(value, step), edge: null } : { value: plain(edge), edge };
 }
 
 /**
@@ -141,55 +79,44 @@ export function movedBy(rows, target, way, snap, period) {
   const step = niceStep(length / 360);
   const span = row.spans[target.k];
   if (target.kind === "shift") {
-    const value = snap.isFine ? round(row.shift + way.time, step / 10) : round(row.shift + way.time, step);
-    const shift = plain(wrapped(value, length));
-    return {
-      changes: [{ path: ["axes", row.index, "shift"], value: shift }],
-      words: `later by ${shift}${space(unit)}`,
-      guide: null,
-    };
+    const value = plain(wrapped(round(row.shift + way.time, snap.isFine ? step / 10 : step), length));
+    return { changes: [{ path: ["axes", row.index, "shift"], value }], words: `later by ${value}${space(unit)}`, guide: null };
   }
   const path = [...row.path, span.index];
   if (target.kind === "lift") {
-    const fine = niceStep(Math.max(Math.abs(span.lift ?? 0), 1) / 100) / (snap.isFine ? 10 : 1);
-    const value = round((span.lift ?? 0) + way.lift, fine);
+    const fine = niceStep(Math.max(Math.abs(span.lift), 1) / 100) / (snap.isFine ? 10 : 1);
+    const value = round(span.lift + way.lift, fine);
     return { changes: [{ path: [...path, "lift"], value }], words: `lift ${value}${space(row.unit)}`, guide: null };
   }
   const [low, high] = roomOf(row, span, length, snap.isPush);
   const edges = edgesFor(rows, row, span, length);
-  const put = (/** @type {number} */ value) =>
-    plain(row.isRing && (value < 0 || value > length) ? wrapped(value, length) : value);
+  const put = (/** @type {number} */ value) => plain(row.isRing && (value < 0 || value > length) ? wrapped(value, length) : value);
   const isSpan = target.kind === "span";
   const first = snapped(span.from + way.time, edges, snap, step);
   const last = snapped(span.to + way.time, edges, snap, step);
   const near = target.kind === "to" || (isSpan && first.edge === null && last.edge !== null) ? last : first;
   const by = near === last ? last.value - span.to : first.value - span.from;
+  const [least, most, width] = [low - span.from, high - span.to, span.to - span.from - step / 10];
   const moved = [
-    target.kind === "to" ? 0 : clamp(by, low - span.from, isSpan ? high - span.to : span.to - span.from - step / 10),
-    target.kind === "from" ? 0 : clamp(by, isSpan ? low - span.from : span.from - span.to + step / 10, high - span.to),
+    target.kind === "to" ? 0 : Math.min(Math.max(by, least), isSpan ? most : width),
+    target.kind === "from" ? 0 : Math.min(Math.max(by, isSpan ? least : -width), most),
   ];
   const ends = [span.from + moved[0], span.to + moved[1]];
   const pushes = snap.isPush ? pushedBy(row, span, ends, length) : [];
   const wanted = target.kind === "from" ? moved[0] : moved[1];
   const sign = Math.sign(by);
   const [stop] = !snap.isPush && wanted !== by ? othersOf(row, span, length, sign).filter(({ near: edge }) => Math.abs(edge - ends[sign > 0 ? 1 : 0]) < 1e-6) : [];
-  const edgeChange = (/** @type {Span} */ one, /** @type {number} */ n, /** @type {number} */ value) => ({
-    path: [...row.path, one.index, n ? "stop" : "start"],
-    value: put(value),
-  });
+  /** @param {Span} one @param {number} n @param {number} value */
+  const edgeChange = (one, n, value) => ({ path: [...row.path, one.index, n ? "stop" : "start"], value: put(value) });
   const changes = [0, 1].filter((n) => isSpan || (n === 1) === (target.kind === "to")).map((n) => edgeChange(span, n, ends[n]));
   changes.push(...pushes.flatMap(({ one, by: far }) => [edgeChange(one, 0, one.from + far), edgeChange(one, 1, one.to + far)]));
-  const values = ends.map(put);
-  const at = isSpan ? `${values[0]} to ${values[1]}${space(unit)}` : `${target.kind} ${values[target.kind === "to" ? 1 : 0]}${space(unit)}`;
-  const time = isSpan ? "" : timeAt(period, row.shift + ends[target.kind === "to" ? 1 : 0]);
-  const part = row.isAxis ? "phase" : "bar";
-  return {
-    changes,
-    words: `${at}${time}${stop ? ` · Ctrl pushes ${part} ${row.spans.indexOf(stop.one) + 1}` : ""}${pushes.length ? ` · pushes ${part} ${pushes.map(({ one }) => row.spans.indexOf(one) + 1).join(", ")}` : ""}`,
-    guide: near.edge === null ? null : wrapped(near.edge + row.shift, length),
-    stop: stop?.one ?? null,
-    pushed: pushes.map(({ one }) => one),
-  };
+  const [values, n] = [ends.map(put), target.kind === "to" ? 1 : 0];
+  const at = isSpan ? `${values[0]} to ${values[1]}${space(unit)}` : `${target.kind} ${values[n]}${space(unit)}${timeAt(period, row.shift + ends[n])}`;
+  const told = (/** @type {string} */ words, /** @type {{one: Span}[]} */ of) =>
+    of.length ? ` · ${words} ${row.isAxis ? "phase" : "bar"} ${of.map(({ one }) => one.index + 1).join(", ")}` : "";
+  const guide = near.edge === null ? null : wrapped(near.edge + row.shift, length);
+  const words = `${at}${told("Ctrl pushes", stop ? [stop] : [])}${told("pushes", pushes)}`;
+  return { changes, words, guide, stop: stop?.one ?? null, pushed: pushes.map(({ one }) => one) };
 }
 
 /** An angle as the time at the rate, as words. @param {{length: number, ms?: number|null}} period @param {number} angle */

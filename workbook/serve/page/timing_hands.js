@@ -18,13 +18,9 @@ const SHAPES = { from: "ew-resize", to: "ew-resize", span: "grab", lift: "ns-res
 function isOther(changes, rows) {
   return changes.some(({ path, value }) => {
     const key = path.at(-1);
-    const row = rows.find((one) =>
-      key === "shift" ? one.isAxis && one.index === path[1] : path.slice(0, -2).join() === one.path.join(),
-    );
-    const span = row?.spans.find((/** @type {any} */ one) => one.index === path.at(-2));
-    return (
-      value !== (key === "shift" ? row?.shift : key === "lift" ? span?.lift : key === "start" ? span?.from : span?.to)
-    );
+    if (key === "shift") return value !== rows.find((one) => one.isAxis && one.index === path[1])?.shift;
+    const span = rows.find((one) => path.slice(0, -2).join() === one.path.join())?.spans[path.at(-2)];
+    return value !== span?.[key === "start" ? "from" : key === "stop" ? "to" : key];
   });
 }
 
@@ -33,7 +29,7 @@ function isOther(changes, rows) {
  * drag: {value: Drag|null, peek: () => Drag|null}, propose: (changes: any[], commit: boolean) => void}} given
  */
 export function useHands({ svg, rows, layout, period, selected, cursor, drag, propose }) {
-  const point = (/** @type {any} */ event) => {
+  const point = (event) => {
     const box = svg.current.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   };
@@ -55,7 +51,7 @@ export function useHands({ svg, rows, layout, period, selected, cursor, drag, pr
     return () => removeEventListener("keydown", heard, true);
   });
 
-  const down = (/** @type {any} */ event) => {
+  const down = (event) => {
     const { x, y } = point(event);
     const place = placeAt(layout, y);
     if (event.button || !place) return;
@@ -68,27 +64,12 @@ export function useHands({ svg, rows, layout, period, selected, cursor, drag, pr
     if (!target) return;
     svg.current.setPointerCapture(event.pointerId);
     const scale = { row: place.row.id, low: place.low, high: place.high };
-    const perLift =
-      (place.high - place.low || Math.abs(place.row.spans[target.k]?.lift ?? 1) || 1) / (place.height - 20);
-    drag.value = {
-      target,
-      rows,
-      scale,
-      perLift,
-      x,
-      y,
-      hasMoved: false,
-      changes: [],
-      words: "",
-      guide: null,
-      pointer: { x, y },
-    };
-    requestAnimationFrame(() =>
-      document.getElementById(idOf(/** @type {Target} */ (target)))?.focus({ preventScroll: true }),
-    );
+    const perLift = (place.high - place.low || Math.abs(place.row.spans[target.k]?.lift) || 1) / (place.height - 20);
+    drag.value = { target, rows, scale, perLift, x, y, hasMoved: false, changes: [], words: "", guide: null, pointer: { x, y } };
+    requestAnimationFrame(() => document.getElementById(idOf(/** @type {Target} */ (target)))?.focus({ preventScroll: true }));
   };
 
-  const move = (/** @type {any} */ event) => {
+  const move = (event) => {
     const { x, y } = point(event);
     const now = drag.peek();
     if (!now) {
@@ -104,6 +85,7 @@ export function useHands({ svg, rows, layout, period, selected, cursor, drag, pr
     const snap = { isFine: event.altKey, isPush: event.ctrlKey || event.metaKey, reach: angleAt(REACH) - angleAt(0) };
     const result = movedBy(now.rows, now.target, way, snap, period);
     batch(() => {
+      cursor.value = null; // it stands where the drag began
       drag.value = { ...now, ...result, hasMoved: true, pointer: { x, y } };
       propose(isOther(result.changes, now.rows) ? result.changes : [], false);
     });
@@ -128,10 +110,7 @@ export function useHands({ svg, rows, layout, period, selected, cursor, drag, pr
     const { changes } = movedBy(rows, moved.target, moved.way, { isFine: true, isPush: event.ctrlKey || event.metaKey, reach: 0 }, period);
     if (isOther(changes, rows)) propose(changes, true);
   };
-  return {
-    svg: { onPointerDown: down, onPointerMove: move, onPointerUp: up, onPointerCancel: cancel, onPointerLeave: leave },
-    key,
-  };
+  return { svg: { onPointerDown: down, onPointerMove: move, onPointerUp: up, onPointerCancel: cancel, onPointerLeave: leave }, key };
 }
 
 /** The target and way that a key means, or null. @param {KeyboardEvent} event @param {Target} target @param {any[]} rows @param {any} period */
@@ -141,24 +120,18 @@ function keyed(event, target, rows, period) {
   const isUpright = event.key === "ArrowUp" || event.key === "ArrowDown";
   const sign = { ArrowRight: 1, ArrowUp: 1, PageUp: 10, ArrowLeft: -1, ArrowDown: -1, PageDown: -10 }[event.key] ?? 0;
   const many = (event.altKey ? 0.1 : 1) * sign;
+  const time = many * niceStep(period.length / 360);
   if (target.kind === "from" || target.kind === "to") {
     const [low, high] = roomOf(row, span, period.length);
     if (event.key === "Home") return { target, way: { time: low - span[target.kind], lift: 0 } };
     if (event.key === "End") return { target, way: { time: high - span[target.kind], lift: 0 } };
   }
   if (!sign) return null;
-  if (event.shiftKey && row.isAxis)
-    return {
-      target: { ...target, kind: /** @type {"shift"} */ ("shift") },
-      way: { time: many * niceStep(period.length / 360), lift: 0 },
-    };
+  if (event.shiftKey && row.isAxis) return { target: { ...target, kind: /** @type {const} */ ("shift") }, way: { time, lift: 0 } };
   const isLift = target.kind === "lift" || (target.kind === "span" && row.isAxis && isUpright);
-  const lift = many * niceStep(Math.max(Math.abs(span?.lift ?? 0), 1) / 100);
-  const kind = isLift ? /** @type {"lift"} */ ("lift") : target.kind;
-  return {
-    target: { ...target, kind },
-    way: { time: isLift ? 0 : many * niceStep(period.length / 360), lift: isLift ? lift : 0 },
-  };
+  if (!isLift) return { target, way: { time, lift: 0 } };
+  const lift = many * niceStep(Math.max(Math.abs(span.lift), 1) / 100);
+  return { target: { ...target, kind: /** @type {const} */ ("lift") }, way: { time: 0, lift } };
 }
 
 /** The id of the element that stands for a target. @param {Target} target */

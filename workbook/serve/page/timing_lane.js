@@ -4,47 +4,32 @@ import { classOf } from "./colors.js";
 import { roomOf, space } from "./timing_drag.js";
 import { idOf } from "./timing_hands.js";
 import { stretchesOf } from "./timing_places.js";
+import { isWhole } from "./timing_rows.js";
 
 const LETTER = 7.4; // px, about, of a letter
 const NAMES = { from: "from", to: "to", lift: "lift", span: "all of it", shift: "shift" };
 
 /** The line's path. @param {any} place @param {(angle: number) => number} x */
 export function pathOf({ runs, toY }, x) {
-  return runs
-    .map((/** @type {[number, number][]} */ run) =>
-      run.map(([angle, position], n) => `${n ? "L" : "M"}${x(angle).toFixed(1)} ${toY(position).toFixed(1)}`).join(""),
-    )
-    .join("");
+  return runs.flatMap((run) => run.map(([angle, position], n) => `${n ? "L" : "M"}${x(angle).toFixed(1)} ${toY(position).toFixed(1)}`)).join("");
 }
 
 /** The attributes with which a target is a slider for keys and for screen readers. */
-function slider(
-  /** @type {any} */ { row },
-  /** @type {any} */ target,
-  /** @type {any} */ period,
-  /** @type {any} */ key,
-) {
+function slider({ row }, target, period, key) {
   const span = row.spans[target.k];
   const unit = target.kind === "lift" ? row.unit : period.unit;
-  const value =
-    target.kind === "shift"
-      ? row.shift
-      : target.kind === "lift"
-        ? span.lift
-        : span[target.kind === "to" ? "to" : "from"];
-  const [low, high] =
-    target.kind === "lift" ? [-1e9, 1e9] : span ? roomOf(row, span, period.length) : [0, period.length];
+  const value = target.kind === "shift" ? row.shift : span[target.kind === "span" ? "from" : target.kind];
+  const [low, high] = target.kind === "lift" ? [-1e9, 1e9] : span ? roomOf(row, span, period.length) : [0, period.length];
   const place = span ? `, ${row.isAxis ? "phase" : "bar"} ${target.k + 1}` : "";
   return {
     id: idOf(target),
     role: "slider",
     tabindex: 0,
     "aria-label": `${row.name}${place}, ${NAMES[/** @type {keyof NAMES} */ (target.kind)]}`,
-    "aria-valuenow": value ?? 0,
+    "aria-valuenow": value,
     "aria-valuemin": low,
     "aria-valuemax": high,
-    "aria-valuetext":
-      target.kind === "span" ? `${span.from} to ${span.to}${space(unit)}` : `${value ?? 0}${space(unit)}`,
+    "aria-valuetext": target.kind === "span" ? `${span.from} to ${span.to}${space(unit)}` : `${value}${space(unit)}`,
     onKeyDown: (/** @type {KeyboardEvent} */ event) => key(event, target),
   };
 }
@@ -55,11 +40,9 @@ const Handle = ({ place, handle, period, onKey }) => {
   const { x, y, at } = handle;
   return html`<g class=${`handle ${handle.kind}`} ...${slider(place, target, period, onKey)}>
     ${Math.abs(x - at) > 1 && html`<path class="leader" d=${`M${at} ${y}L${x} ${y}`} />`}
-    ${
-      handle.kind === "lift"
-        ? html`<rect x=${x - 7} y=${y - 7} width="14" height="14" rx="2" transform=${`rotate(45 ${x} ${y})`} />`
-        : html`<circle cx=${x} cy=${y} r="7" />`
-    }
+    ${handle.kind === "lift"
+      ? html`<rect x=${x - 7} y=${y - 7} width="14" height="14" rx="2" transform=${`rotate(45 ${x} ${y})`} />`
+      : html`<circle cx=${x} cy=${y} r="7" />`}
   </g>`;
 };
 
@@ -68,7 +51,7 @@ export const clipped = (/** @type {string} */ text, /** @type {number} */ room) 
 
 /** The law and lift of a phase at its line, as far as there is room for them. @param {any} span @param {string} unit @param {number} room */
 function labelOf(span, unit, room) {
-  const lift = `${String(span.lift ?? "?").replace("-", "−")}`;
+  const lift = String(span.lift).replace("-", "−");
   const all = [`${span.law} ${lift}${space(unit)}`, `${span.law} ${lift}`, lift];
   return all.find((text) => text.length * LETTER <= room) ?? "";
 }
@@ -81,17 +64,9 @@ function Span({ place, span, k, layout, period, isTold, isChosen, onKey }) {
   const room = layout.x(to) - layout.x(from);
   const target = { row: row.id, kind: "span", k };
   return html`<g class=${isChosen ? "span chosen" : "span"} ...${isTold ? slider(place, target, period, onKey) : {}}>
-    ${stretches.map(
-      ([a, b]) =>
-        html`<rect
-          x=${layout.x(a)}
-          y=${row.isAxis ? y : y + 5}
-          width=${Math.max(layout.x(b) - layout.x(a), 1)}
-          height=${row.isAxis ? height : height - 10}
-          rx=${row.isAxis ? 3 : 4}
-        />`,
-    )}
-    ${row.isAxis && html`<text class="label" x=${layout.x((from + to) / 2)} y=${y + 12}>${labelOf(span, row.unit, room)}</text>`}
+    ${stretches.map(([a, b]) => html`<rect x=${layout.x(a)} y=${row.isAxis ? y : y + 5} width=${Math.max(layout.x(b) - layout.x(a), 1)}
+      height=${row.isAxis ? height : height - 10} rx="4" />`)}
+    ${row.isAxis && html`<text class="label" x=${layout.x((from + to) / 2)} y=${y + 12}>${labelOf(span, row.unit, room - 14)}</text>`}
   </g>`;
 }
 
@@ -106,11 +81,8 @@ export function Lane({ place, layout, period, selected, onSelect, onKey }) {
   const { row, y, height, figure } = place;
   const isSelected = row.isAxis && selected?.axis === row.index;
   const isTold = isSelected || !row.isAxis;
-  const spans = row.spans
-    .map((/** @type {any} */ span, /** @type {number} */ k) => ({ span, k }))
-    .filter(({ span }) => span.from !== null && span.to > span.from);
-  const missing =
-    row.isAxis && (figure?.error ?? (spans.length < row.spans.length ? "a phase lacks its begin or end" : ""));
+  const spans = row.spans.map((span, k) => ({ span, k })).filter(({ span }) => isWhole(span));
+  const missing = row.isAxis && (figure?.error ?? (spans.length < row.spans.length ? "a phase lacks its begin or end" : ""));
   const name = clipped(row.name, 88);
   const middle = y + height / 2 + 4;
   const shift = { row: row.id, kind: "shift", k: -1 };
@@ -118,26 +90,12 @@ export function Lane({ place, layout, period, selected, onSelect, onKey }) {
   const classes = `lane ${row.isAxis ? classOf(row.index) : row.index < 0 ? "bars" : `bars ${classOf(row.index)}`}${isSelected ? " selected" : ""}${figure?.stale || missing ? " stale" : ""}`;
   return html`<g class=${classes}>
     <rect class="ground" x="0" y=${y - 2} width=${layout.width} height=${height + 4} />
-    <g class="name" ...${lead}
-      ><rect x="2" y=${y + 2} width="94" height=${height - 4} rx="4" /><title>${row.name}</title>
-      <text x="8" y=${middle}>${name}</text></g
-    >
-    ${spans.map(
-      ({ span, k }) =>
-        html`<${Span}
-          key=${k}
-          place=${place}
-          span=${span}
-          k=${k}
-          layout=${layout}
-          period=${period}
-          isTold=${isTold}
-          isChosen=${isSelected && selected.phase === span.index}
-          onKey=${onKey}
-        />`,
-    )}
+    <g class="name" ...${lead}><rect x="2" y=${y + 2} width="94" height=${height - 4} rx="4" /><title>${row.name}</title>
+      <text x="8" y=${middle}>${name}</text></g>
+    ${spans.map(({ span, k }) => html`<${Span} key=${k} ...${{ place, span, k, layout, period, isTold, onKey }}
+      isChosen=${isSelected && selected.phase === span.index} />`)}
     ${row.isAxis && html`<${Lines} place=${place} x=${layout.x} />`}
     ${missing && html`<text class="missing" x=${layout.left + 6} y=${y + height - 6}>${clipped(missing, layout.right - layout.left)}<title>${missing}</title></text>`}
-    ${isTold && place.handles.filter((/** @type {any} */ one) => one.kind !== "span").map((/** @type {any} */ handle) => html`<${Handle} key=${`${handle.kind}${handle.k}`} place=${place} handle=${handle} period=${period} onKey=${onKey} />`)}
+    ${isTold && place.handles.filter((one) => one.kind !== "span").map((handle) => html`<${Handle} key=${`${handle.kind}${handle.k}`} ...${{ place, handle, period, onKey }} />`)}
   </g>`;
 }

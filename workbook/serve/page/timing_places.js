@@ -1,8 +1,10 @@
 // Where everything in the timing diagram stands, and what is at a place in it.
-import { isWhole, lineOf, wrapped } from "./pieces.js";
+import { lineOf } from "./pieces.js";
+import { periodOf } from "./state.js";
+import { isWhole, rowsOf, wrapped } from "./timing_rows.js";
 
 /**
- * @typedef {import("./timing_drag.js").Row} Row
+ * @typedef {import("./timing_rows.js").Row} Row
  * @typedef {import("./timing_drag.js").Target} Target
  * @typedef {{row: Row, y: number, height: number, runs: [number, number][][], low: number, high: number,
  *            toY: (position: number) => number, figure: any, before: [number, number][][], handles: Handle[]}} Place
@@ -13,7 +15,7 @@ import { isWhole, lineOf, wrapped } from "./pieces.js";
 export const LEFT = 100;
 export const RIGHT = 18;
 export const HANDLE = 16; // px: how wide a handle is, with the room between it and the next
-const LANES = { least: 38, most: 84, share: 0.27 }; // px, and of the window's height for all lanes
+const LANES = { least: 38, most: 84, share: 0.25 }; // px, and of the window's height for all lanes
 const BAR = 26;
 const GAP = 46;
 const FAR = 5; // times the least gap that is asked for: gaps beyond are far, and cut off
@@ -23,14 +25,14 @@ const NEAR = 5; // px at which the line of an edge is taken where no handle is
 const lines = new WeakMap();
 const NONE = { runs: [], low: 0, high: 0 };
 
-/** The line of an axis with its range, worked out once for as long as nothing of it changes. @param {any} axis @param {any} figure @param {number} length */
-function lineFor(axis, figure, length) {
-  let line = lines.get(axis);
+/** The line of an axis with its range, worked out once for as long as nothing of it changes. @param {Row} row @param {any} figure @param {number} length */
+function lineFor(row, figure, length) {
+  let line = lines.get(row.item);
   if (line?.figure !== figure || line?.length !== length) {
-    const runs = lineOf(axis, figure, length);
+    const runs = lineOf(row, figure, length);
     const positions = runs.flat().map(([, position]) => position);
     line = { figure, length, runs, low: Math.min(...positions), high: Math.max(...positions) };
-    lines.set(axis, line);
+    lines.set(row.item, line);
   }
   return line;
 }
@@ -46,18 +48,20 @@ function lineOfGap(gap) {
  * @param {Row[]} rows @param {any} figures @param {{length: number}} period @param {number} width
  * @param {{axis: number, phase: number|null}|null} selected
  * @param {{row: string, low: number, high: number}|null} scale of the lane that is being dragged
- * @param {{design: any, figures: any}|null} saved @returns {Layout}
+ * @param {any} saved the figures of the saved design, and its data @returns {Layout}
  */
 export function layOut(rows, figures, { length }, width, selected, scale, saved = null) {
   const [left, right] = [LEFT, Math.max(width - RIGHT, LEFT + 100)];
   const x = (/** @type {number} */ angle) => left + (angle / length) * (right - left);
   const count = rows.filter((row) => row.isAxis).length;
   const lane = Math.round(Math.min(Math.max((innerHeight * LANES.share) / (count || 1), LANES.least), LANES.most));
+  const isLike = Boolean(saved?.data) && periodOf(saved.data).length === length;
+  const past = isLike ? rowsOf(saved.data).filter((row) => row.isAxis) : [];
   let y = 4;
   const places = rows.map((row) => {
     const height = row.isAxis ? lane : row.isGap ? GAP : BAR;
     const figure = row.isAxis ? figures?.axes?.[row.index] : null;
-    const before = row.isAxis && saved?.design.period.length === length ? savedLine(saved, row, length) : NONE;
+    const before = row.isAxis && isLike ? savedLine(past, saved.axes, row, length) : NONE;
     const place = placeOf(row, figure, length, y, height, before, scale?.row === row.id ? scale : null);
     /** @type {Handle[]|undefined} */
     let handles; // of few rows that are drawn or pointed at
@@ -68,53 +72,33 @@ export function layOut(rows, figures, { length }, width, selected, scale, saved 
   return { left, right, width, length, x, places, height: y + 4 };
 }
 
-/** The line of an axis as it was saved: of its name, or its place. @param {{design: any, figures: any}} saved @param {Row} row @param {number} length */
-function savedLine({ design, figures }, row, length) {
-  const axis = design.axes.find((/** @type {any} */ one) => one.name === row.name) ?? design.axes[row.index];
-  const figure = axis && figures?.axes?.[axis.index];
+/** The line of an axis as it was saved: of its name, or its place. @param {Row[]} past @param {any} figures @param {Row} row @param {number} length */
+function savedLine(past, figures, row, length) {
+  const axis = past.find((one) => one.name === row.name) ?? past[row.index];
+  const figure = figures[axis?.index];
   return figure?.pieces && axis.unit === row.unit ? lineFor(axis, figure, length) : NONE;
 }
 
-/** @returns {Place} */
-function placeOf(
-  /** @type {Row} */ row,
-  /** @type {any} */ figure,
-  /** @type {number} */ length,
-  /** @type {number} */ y,
-  /** @type {number} */ height,
-  /** @type {{runs: [number, number][][], low: number, high: number}} */ before,
-  /** @type {{low: number, high: number}|null} */ scale,
-) {
-  const line = row.isAxis ? lineFor(row.item, figure, length) : row.isGap ? lineOfGap(row.item) : NONE;
+/** @param {Row} row @param {any} figure @param {number} length @param {number} y @param {number} height @param {any} before @param {any} scale @returns {Place} */
+function placeOf(row, figure, length, y, height, before, scale) {
+  const line = row.isAxis ? lineFor(row, figure, length) : row.isGap ? lineOfGap(row.item) : NONE;
   const also = before.runs.length ? before : line;
   const low = Math.min(line.low, also.low, scale?.low ?? Infinity);
   const high = Math.max(line.high, also.high, scale?.high ?? -Infinity);
   const [top, room] = [y + 16, height - 20];
-  const toY = (/** @type {number} */ position) =>
-    row.isAxis || row.isGap
-      ? top + room * (high > low ? Math.max(0, (high - position) / (high - low)) : 1)
-      : y + height / 2;
+  const share = (/** @type {number} */ position) => (high > low ? Math.max(0, (high - position) / (high - low)) : 1);
+  const toY = (/** @type {number} */ position) => (row.isAxis || row.isGap ? top + room * share(position) : y + height / 2);
   return { row, y, height, runs: line.runs, low, high, toY, figure, before: before.runs, handles: [] };
 }
 
-/** The angle of the machine at which an edge stands; a span's end on the period's end, not its begin. */
-export const angleOf = (
-  /** @type {Row} */ row,
-  /** @type {number} */ edge,
-  /** @type {number} */ length,
-  isEnd = false,
-) => wrapped(edge + row.shift, length) || (isEnd ? length : 0);
+/** The angle of the machine at which an edge stands; a span's end on the period's end, not its begin. @param {Row} row @param {number} edge @param {number} length */
+export const angleOf = (row, edge, length, isEnd = false) => wrapped(edge + row.shift, length) || (isEnd ? length : 0);
 
 /** What of the period a span covers: two stretches where it goes on past the end. @param {Row} row @param {any} span @param {number} length */
 export function stretchesOf(row, span, length) {
   const [from, to] = [angleOf(row, span.from, length), angleOf(row, span.to, length, true)];
   if (span.to - span.from >= length) return [[0, length]];
-  return from < to
-    ? [[from, to]]
-    : [
-        [from, length],
-        [0, to],
-      ].filter(([a, b]) => b > a);
+  return (from < to ? [[from, to]] : [[from, length], [0, to]]).filter(([a, b]) => b > a);
 }
 
 /** The position that a lane's line has at an angle. @param {Place} place @param {number} angle */
@@ -127,15 +111,11 @@ export function positionOf({ runs }, angle) {
   return to > from ? before + ((after - before) * (angle - from)) / (to - from) : after;
 }
 
-/** The handles of a row, drawn so far apart that none covers another. @returns {Handle[]} */
-function handlesOf(
-  /** @type {Place} */ place,
-  /** @type {{x: (angle: number) => number, length: number}} */ { x, length },
-  /** @type {{axis: number, phase: number|null}|null} */ selected,
-) {
+/** The handles of a row, drawn so far apart that none covers another. @param {Place} place @param {any} layout @param {any} selected @returns {Handle[]} */
+function handlesOf(place, { x, length }, selected) {
   const { row } = place;
   const all = row.spans.flatMap((span, k) => {
-    if (!isWhole(/** @type {any} */ (span))) return [];
+    if (!isWhole(span)) return [];
     const made = (/** @type {Handle["kind"]} */ kind, /** @type {number} */ angle) => {
       const at = x(angle);
       return { kind, k, x: at, y: place.toY(row.isAxis ? positionOf(place, angle) : 0), at };
@@ -180,10 +160,6 @@ export function targetAt(layout, { row, handles }, x, y) {
   const edge = handles.find((one) => one.kind !== "lift" && one.kind !== "span" && Math.abs(one.at - x) <= NEAR);
   if (edge) return { row: row.id, kind: edge.kind, k: edge.k };
   const angle = ((x - layout.left) / (layout.right - layout.left)) * layout.length;
-  const k = row.spans.findIndex(
-    (span) =>
-      isWhole(/** @type {any} */ (span)) &&
-      stretchesOf(row, span, layout.length).some(([a, b]) => angle >= a && angle <= b),
-  );
+  const k = row.spans.findIndex((span) => isWhole(span) && stretchesOf(row, span, layout.length).some(([a, b]) => angle >= a && angle <= b));
   return k < 0 ? null : { row: row.id, kind: "span", k };
 }
