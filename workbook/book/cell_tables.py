@@ -59,6 +59,10 @@ HEAD = re.compile(r"^`(\S+)`: (.+)$", re.MULTILINE)
 BEGIN = re.compile(r"^> (.+)\n> (.+)$", re.MULTILINE)
 
 
+MORE = ("example", "varies", "meaning", "scale", "head")
+"""heads of columns that are no attributes of a quantity"""
+
+
 def value_of(text: str) -> Any:
     """Return the number, word or list (of TOML) that a text stands for; None of an empty one, and of the word empty."""
     try:
@@ -82,18 +86,19 @@ class CellWords(NamedTuple):
     varies: tuple[Any, ...] = ()
     meaning: str = ""
     scale: str = ""
+    head: str = ""
 
     @classmethod
     def of_row(cls, texts: dict[str, str]) -> "CellWords":
         """Return the words of a row, whose texts are given by the heads of their columns."""
         kind, name, formula = (texts.pop(head, "") for head in ("kind", "cell", "formula"))
-        example, varies, meaning, scale = (texts.pop(head, "") for head in ("example", "varies", "meaning", "scale"))
+        example, varies, meaning, scale, csv = (texts.pop(head, "") for head in MORE)
         empty = {"label": ""} if kind in ("check", "limit") else {"label": "", "symbol": "", "unit": ""}
         texts = {"name": name} | empty | texts | ({FORMULAS.get(kind, "formula"): formula} if formula else {})
         fields = (field for text in texts.values() for _, field, _, _ in Formatter().parse(text) if field)
         parts = {re.split(r"[.\[]", field)[0] for field in fields} | ({scale} if scale.isidentifier() else set())
         values = tuple(map(value_of, filter(None, varies.split(", "))))
-        return cls(kind, texts, frozenset(parts), value_of(example), values, meaning, scale)
+        return cls(kind, texts, frozenset(parts), value_of(example), values, meaning, scale, csv)
 
     def filled(self, more: dict[str, Any]) -> dict[str, Any]:
         """Return the attributes of a cell: its words with their parts, and those attributes that are given.

@@ -1,13 +1,14 @@
 """The facts of entries, in a table in Markdown beside the module of their models, under the name of each model.
 
 ``drive_entries.md`` has those of ``drive_entries.py``, a row for each entry: the name of its cell, label, symbol, unit,
-note and format as in :mod:`workbook.book.cell_tables`, and three columns more. The cell, the reference, the schema, the
+note and format as in :mod:`workbook.book.cell_tables`, and four columns more. The cell, the reference, the schema, the
 form, the variations of ``verify`` and random machines read them there.
 
 ===========  ===========================================================================================
 ``meaning``  what the reference says of it, where label and note say too little beside nothing else
 ``example``  an entry of a real machine, where no committed description has it
 ``varies``   the entry in the variations, in turn: numbers and words, ``empty`` where it is left out
+``head``     the head of its column in a catalogue's CSV file
 ===========  ===========================================================================================
 
 The part ``{place}`` in a unit is that of places in the cycle. A model has its base's facts too.

@@ -7,9 +7,10 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeVar
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from workbook.entries.design import fault_line, numbers_of
+from workbook.entries.facts import facts_of
 from workbook.errors import InputError, ReadError, quoted
 from workbook.selection.catalogue import MotorRow, ReducerRow
 from workbook.text_files import FOLDER, read_text
@@ -19,46 +20,21 @@ Product = dict[str, Any]  # what a line of a catalogue says of a product, by ent
 TEXTS = ("name", "source")
 # Python takes 1_000 and ١٢ too
 NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
-MOTOR_COLUMNS = {
-    "name": "name",
-    "inertia_kgcm2": "inertia",
-    "stall_torque_Nm": "stall_torque",
-    "rated_torque_Nm": "rated_torque",
-    "rated_speed_rpm": "rated_speed",
-    "peak_torque_Nm": "peak_torque",
-    "max_speed_rpm": "max_speed",
-    "full_torque_to_rpm": "full_torque_to",
-    "torque_at_max_speed_Nm": "end_torque",
-    "copper_losses_kW": "copper_losses",
-    "shaft_mm": "shaft",
-    "mass_kg": "mass",
-    "cost": "cost",
-    "source": "source",
-}
-REDUCER_COLUMNS = {
-    "name": "name",
-    "reduction": "reduction",
-    "efficiency": "efficiency",
-    "inertia_at_input_kgcm2": "inertia",
-    "no_load_torque_Nm": "no_load_torque",
-    "max_input_speed_rpm": "max_speed",
-    "max_output_torque_Nm": "max_torque",
-    "full_torque_to_cycles_per_h": "full_cycles",
-    "factor_beyond": "cycle_factor",
-    "max_mean_torque_Nm": "mean_torque",
-    "hub_mm": "hub",
-    "mass_kg": "mass",
-    "cost": "cost",
-    "source": "source",
-}
 
 
-def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]:
+@cache
+def columns_of(model: type[BaseModel]) -> dict[str, str]:
+    """Return the entries of a product by the heads of their columns, as the table of its facts has them."""
+    return {words.head: entry for entry, words in facts_of(model).items()}
+
+
+def read(model: type[Row], path: Path) -> list[Product]:
     """Read the rows of a CSV file: commas, or semicolons with commas in the numbers.
 
     A number beyond its bounds, or a missing number, is an unfinished design's: it is given as it is. Raises
     ReadError, or InputError with a line for each fault.
     """
+    columns = columns_of(model)
     lines = read_text(path, "a catalogue, a .csv file").splitlines()
     if not lines:
         raise ReadError(f"{path}: the file is empty; expected a head of {', '.join(columns)}")
@@ -68,7 +44,7 @@ def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]
     rows: list[Product] = []
     try:
         head = [cell.strip() for cell in next(table)]
-        require_head(path, head, model, columns)
+        require_head(path, head, model)
         for cells in table:
             where = f"{path}: line {table.line_num}"
             if not any(cell.strip() for cell in cells):
@@ -77,7 +53,7 @@ def read(model: type[Row], columns: dict[str, str], path: Path) -> list[Product]
                 faults.append(f"{where}: {len(cells)} cells; expected {len(head)}, as in the head")
                 continue
             rows.append(product_of(head, cells, columns, separator))
-            faults += [f"{where}, {problem}" for problem in useless(model, columns, rows[-1])]
+            faults += [f"{where}, {problem}" for problem in useless(model, rows[-1])]
     except csv.Error as error:
         raise ReadError(f"{path}: line {table.line_num}: {error}; expected a catalogue, a .csv file") from error
     if faults:
@@ -94,8 +70,9 @@ def product_of(head: Sequence[str], cells: Sequence[str], columns: Mapping[str, 
     return {entry: cell for entry, cell in given.items() if cell is not None}
 
 
-def require_head(path: Path, head: list[str], model: type[Row], columns: dict[str, str]) -> None:
+def require_head(path: Path, head: list[str], model: type[Row]) -> None:
     """Raise InputError for a column that is unknown, given twice, or needed and missing."""
+    columns = columns_of(model)
     unknown = [name for name in head if name not in columns]
     twice = [name for name in dict.fromkeys(head) if name in columns and head.count(name) > 1]
     needed = [name for name, entry in columns.items() if model.model_fields[entry].is_required()]
@@ -120,23 +97,23 @@ def value(cell: str, entry: str, separator: str) -> Any:
     return float(text) if NUMBER.fullmatch(text) else cell
 
 
-def useless(model: type[Row], columns: dict[str, str], given: Product) -> Iterator[str]:
+def useless(model: type[Row], given: Product) -> Iterator[str]:
     """Yield a sentence for each unusable entry: its column, the given entry, and what is expected."""
-    names = {entry: column for column, entry in columns.items()}
+    facts = facts_of(model)
     try:
         model.model_validate(given)
     except ValidationError as error:
         for fault in error.errors(include_url=False):
             if numbers_of(fault, model) is None:
-                yield fault_line(fault, model, lambda key: f"column {names[key]}")
+                yield fault_line(fault, model, lambda key: f"column {facts[key].head}")
 
 
-def committed(model: type[Row], columns: dict[str, str], name: str) -> list[Row]:
+def committed(model: type[Row], name: str) -> list[Row]:
     """Return the products of a catalogue that comes with the templates."""
-    return [model.model_validate(product) for product in read(model, columns, FOLDER / name)]
+    return [model.model_validate(product) for product in read(model, FOLDER / name)]
 
 
-read_motors = partial(read, MotorRow, MOTOR_COLUMNS)
-read_reducers = partial(read, ReducerRow, REDUCER_COLUMNS)
-committed_motors = cache(partial(committed, MotorRow, MOTOR_COLUMNS, "motors.csv"))
-committed_reducers = cache(partial(committed, ReducerRow, REDUCER_COLUMNS, "reducers.csv"))
+read_motors = partial(read, MotorRow)
+read_reducers = partial(read, ReducerRow)
+committed_motors = cache(partial(committed, MotorRow, "motors.csv"))
+committed_reducers = cache(partial(committed, ReducerRow, "reducers.csv"))
