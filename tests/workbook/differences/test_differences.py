@@ -11,6 +11,7 @@ import pytest
 from rich.console import Console
 
 from tests import cutting
+from tests.workbook.edit import cell_named
 from workbook.build import build
 from workbook.commands.oracle import diff
 from workbook.differences.design import Change, Differences, compare, read_design
@@ -110,15 +111,14 @@ def test_a_check_that_fails_now_is_worse_and_says_where(folder, data):
 
 def test_an_edited_formula_and_cells_of_ones_own_are_named(folder, tmp_path):
     book = openpyxl.load_workbook(folder / "old.xlsx")
-    place = book.defined_names["drive1_tmax"].attr_text
-    sheet, cell = place.replace("$", "").replace("'", "").split("!")
-    book[sheet][cell] = "=1+1"
-    book[sheet]["AL2"] = "=2+2"
+    cell = cell_named(book, "drive1_tmax")
+    cell.value = "=1+1"
+    cell.parent["AL2"] = "=2+2"
     book.create_sheet("Notes")["A1"] = "mine"
     book.save(tmp_path / "new.xlsx")
     found = differences(folder / "old.xlsx", tmp_path / "new.xlsx")
     assert len(found.edited["new"]) == 1
-    assert f"{sheet}!{cell}" in found.edited["new"][0]
+    assert f"{cell.parent.title}!{cell.coordinate}" in found.edited["new"][0]
     assert [line for line in found.own["new"] if "AL2" in line]
     assert "the sheet 'Notes'" in found.own["new"]
     assert found.edited["old"] == found.own["old"] == found.entries == found.results == []

@@ -7,7 +7,7 @@ from openpyxl import load_workbook
 
 from tests.mutation.bench import smaller
 from tests.tiers import seed
-from tests.workbook import press
+from tests.workbook.edit import cell_named
 from workbook.build import build, committed_descriptions
 from workbook.errors import InputError, MotionbookError
 from workbook.judging.verify import verify
@@ -20,16 +20,8 @@ VALUES = {"value", "error", "follows", "saved", "formula", "replaced", "missing"
 
 
 @pytest.fixture(scope="module")
-def book(tmp_path_factory):
-    path = tmp_path_factory.mktemp("warm") / "press.xlsx"
-    with press.registered() as machine:
-        build(machine, path)
-        yield path
-
-
-def cell_named(workbook, name):
-    ((sheet, cell),) = workbook.defined_names[name].destinations
-    return workbook[sheet][cell.replace("$", "").partition(":")[0]]
+def book(press):
+    return press.path
 
 
 def told(report):

@@ -8,6 +8,7 @@ import pytest
 from engine.drive.motor import LimitCheck
 from engine.drive.results import DriveResults
 from tests.workbook import office
+from tests.workbook.edit import cell_named
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from workbook.book.sentence import rounded
 from workbook.build import build
@@ -153,8 +154,7 @@ def test_a_law_and_a_rate_entered_by_hand_in_libreoffice_fail_there_before_any_c
     (before, now) = (openpyxl.load_workbook(path, data_only=True) for path in (tmp_path / "book.xlsx", edited))
 
     def value(book, name):
-        ((title, cell),) = book.defined_names[name].destinations
-        return book[title][cell].value
+        return cell_named(book, name).value
 
     assert (value(before, "drive1_ok_peak"), value(now, "drive1_ok_peak")) == ("OK", "FAIL")
     assert max(value(now, "drive1_tmax"), -value(now, "drive1_tmin")) == pytest.approx(2.357, abs=0.001)

@@ -5,11 +5,12 @@ import re
 import openpyxl
 import pytest
 
+from tests.workbook.edit import enter
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described, driven
 from workbook.build import build, read_inputs
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
-from workbook.reading.files import find_places, open_book
+from workbook.reading.files import open_book
 from workbook.witnesses.agreement import agreed_values
 
 AWKWARD = ["a/b", "a:b", "[x] 'y'", "'", "\U0001f529" * 12 + "1", "\U0001f529" * 12 + "2", "Drive 1", "History"]
@@ -53,19 +54,10 @@ def path(tmp_path_factory):
     return made
 
 
-def changed(path, values):
-    """The book with other values in cells that are told by name and row."""
-    book, other = openpyxl.load_workbook(path), path.with_suffix(".other.xlsx")
-    for (name, row), value in values.items():
-        place = find_places(book)[name]
-        book[place.sheet].cell(place.row + row, place.column).value = value
-    book.save(other)
-    return other
-
-
 def test_regenerate_gives_the_sheets_of_a_renamed_axis_and_law_their_new_names(path):
     """Also where another axis has taken the old one."""
-    renamed = changed(path, {("axis_name", 0): "Punch / cam", ("axis_name", 1): "MC01", ("CUB8_called", 0): "Harder"})
+    others = {"axis_name": "Punch / cam", ("axis_name", 1): "MC01", "CUB8_called": "Harder"}
+    renamed = enter(path, path.with_suffix(".other.xlsx"), others)
     held = Entries(open_book(renamed), agreed_values).machine()
     assert drives(TEMPLATE.declare(held)) == ["Drive MC01"]
     machine, lost = read_inputs(renamed)
@@ -81,5 +73,5 @@ def test_regenerate_gives_the_sheets_of_a_renamed_axis_and_law_their_new_names(p
 
 @pytest.mark.parametrize("held", [None, "x" * 90])
 def test_whatever_stands_for_the_name_that_was_built_the_inputs_come_back(path, held):
-    machine, _ = read_inputs(changed(path, {("axis1_built", 0): held}))
+    machine, _ = read_inputs(enter(path, path.with_suffix(".other.xlsx"), {"axis1_built": held}))
     assert [one.name for one in machine.axes] == ["MC01", "MC02"]

@@ -4,12 +4,12 @@ import copy
 import random
 
 import numpy as np
-import openpyxl
 import pytest
 import tomli_w
 
 from tests.tiers import by_day, nights
 from tests.workbook.cells import computed
+from tests.workbook.edit import enter
 from tests.workbook.machines.in_seconds import convert_to_seconds
 from workbook.build import build, read_description, read_inputs
 from workbook.entries.design import as_entered
@@ -170,10 +170,7 @@ def test_a_shorter_cycle_in_the_book_fails_and_comes_back(value, said, tmp_path)
     """The engineer changes the time on the sheet: what ends behind it FAILs; an empty cell is told."""
     given = machine()
     build(given, tmp_path / "book.xlsx")
-    place = MACHINE.declare(given).blocks["timing_cycle"]
-    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
-    book[place.sheet.title].cell(place.row, place.columns["timing_cycle"]).value = value
-    book.save(tmp_path / "edited.xlsx")
+    enter(tmp_path / "book.xlsx", tmp_path / "edited.xlsx", {"timing_cycle": value})
     report = verify(tmp_path / "edited.xlsx")
     assert report.findings == []
     assert any(said in check.says for check in report.failing)

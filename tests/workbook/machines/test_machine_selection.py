@@ -1,15 +1,14 @@
 """The sheet Selection of a machine: its pairs against drives that have them, its limits, the axis that is named."""
 
 import numpy as np
-import openpyxl
 import pytest
 
 from tests.workbook.cells import computed, disagreeing, entered
+from tests.workbook.edit import enter
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from workbook.build import build, read_inputs
 from workbook.entries.design import as_entered
 from workbook.judging.verify import verify
-from workbook.reading.files import find_places
 from workbook.selection.entries import Limits
 
 PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
@@ -85,10 +84,7 @@ def test_no_torque_of_a_listed_pair_comes_nearer_to_its_motors_curve_than_is_sai
 def test_an_axis_that_is_renamed_while_selection_names_it_fails_by_the_name(axes, row, name, tmp_path):
     """Its book is one of an unfinished design: nothing is refused, and what was entered stays."""
     build(machine(axes=axes, axis=name), tmp_path / "book.xlsx")
-    book = openpyxl.load_workbook(tmp_path / "book.xlsx")
-    place = find_places(book)["axis_name"]
-    book[place.sheet].cell(place.row + row, place.column).value = "Punch"
-    book.save(tmp_path / "other.xlsx")
+    enter(tmp_path / "book.xlsx", tmp_path / "other.xlsx", {("axis_name", row): "Punch"})
     report = verify(tmp_path / "other.xlsx")
     assert report.findings == []
     failing = {check.what: check.says for check in report.checks if check.found == "FAIL"}

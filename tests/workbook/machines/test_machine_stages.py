@@ -1,8 +1,7 @@
 """Stages between reducer and mechanism: entered in a book, under Selection."""
 
-import openpyxl
-
 from tests.workbook.cells import disagreeing
+from tests.workbook.edit import enter
 from tests.workbook.machines.test_machine import TEMPLATE, driven
 from tests.workbook.machines.test_machine_drives import TOOTHED, small
 from tests.workbook.machines.test_machine_selection_placed import choosing, placed, require_pairs_of_the_grid
@@ -20,12 +19,7 @@ def test_what_is_entered_in_a_book_comes_back_and_missing_teeth_fail_a_check(tmp
     build(small(SCREW | {"stages": [TOOTHED]}), path)
 
     def edited(**cells):
-        book = openpyxl.load_workbook(path)
-        for name, content in cells.items():
-            sheet, cell = next(iter(book.defined_names[f"drive1_s1_{name}"].destinations))
-            book[sheet][cell.replace("$", "")] = content
-        book.save(tmp_path / "edited.xlsx")
-        return tmp_path / "edited.xlsx"
+        return enter(path, tmp_path / "edited.xlsx", {f"drive1_s1_{name}": cells[name] for name in cells})
 
     stage = read_inputs(edited(driver=None, driven=None, ratio=3.5, friction=0.9))[0].axes[0].stages[0]
     assert (stage.ratio, stage.friction_torque, stage.reduction) == (3.5, 0.9, 3.5)

@@ -1,9 +1,9 @@
 """The hard stops of an axis: its travel, overshoot included, against them, in cells and by the exact engine."""
 
-import openpyxl
 import pytest
 
 from tests.workbook.cells import computed, disagreeing
+from tests.workbook.edit import enter
 from tests.workbook.machines.test_exact_decides import turning
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.build import build, read_inputs
@@ -104,11 +104,7 @@ def test_they_come_back_from_a_book_and_from_one_with_emptied_cells(tmp_path):
     machine = stopped(-5, 25, beside={"low": -3.0})
     build(machine, path)
     assert read_inputs(path) == (machine, [])
-    book = openpyxl.load_workbook(path)
-    for name, value in (("axis1_stop_low", None), ("axis1_stop_high", 19.0), ("axis2_stop_low", None)):
-        title, cell = next(book.defined_names[name].destinations)
-        book[title][cell].value = value
-    book.save(again)
+    enter(path, again, {"axis1_stop_low": None, "axis1_stop_high": 19.0, "axis2_stop_low": None})
     back, _ = read_inputs(again)
     assert back == stopped({"high": 19.0}, beside={})
     assert "FAIL" in {one.found for one in verify(again).checks if "upper stop" in one.what}

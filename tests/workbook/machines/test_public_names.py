@@ -7,6 +7,7 @@ import pytest
 from openpyxl.utils import FORMULAE
 
 from tests.workbook import office
+from tests.workbook.edit import enter
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described, driven
 from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
@@ -117,10 +118,6 @@ def test_a_public_name_that_leads_elsewhere_is_a_finding(path, tmp_path):
 
 
 def test_the_names_keep_what_an_axis_was_called_until_the_book_is_built_anew(path, tmp_path):
-    book = openpyxl.load_workbook(path)
-    for cell, name in (("axis_name", "Punch"), ("clearances", "other")):
-        place = find_places(book)[cell]
-        book[place.sheet].cell(place.row, place.column).value = name
-    book.save(tmp_path / "renamed.xlsx")
-    assert verify(tmp_path / "renamed.xlsx").findings == []
-    assert {"Punch_T_max", "gap_other"} <= set(TEMPLATE.declare(read_inputs(tmp_path / "renamed.xlsx")[0]).public)
+    renamed = enter(path, tmp_path / "renamed.xlsx", {"axis_name": "Punch", "clearances": "other"})
+    assert verify(renamed).findings == []
+    assert {"Punch_T_max", "gap_other"} <= set(TEMPLATE.declare(read_inputs(renamed)[0]).public)

@@ -5,6 +5,7 @@ import json
 import openpyxl
 import pytest
 
+from tests.workbook.edit import cell_named, enter
 from workbook.book_layout import NAME, as_json, checksum, layout_text
 from workbook.build import committed_descriptions, read_inputs
 from workbook.errors import InputError, ReadError
@@ -17,21 +18,12 @@ HUGE = 10**40
 
 def held(path):
     """The content of the cell."""
-    workbook = openpyxl.load_workbook(path)
-    return cell_of(workbook).value
-
-
-def cell_of(workbook):
-    title, at = next(workbook.defined_names[NAME].destinations)
-    return workbook[title][at]
+    return cell_named(openpyxl.load_workbook(path), NAME).value
 
 
 def with_content(path, folder, content):
     """A copy of a book whose cell holds something else."""
-    workbook = openpyxl.load_workbook(path)
-    cell_of(workbook).value = content
-    workbook.save(folder / "changed.xlsx")
-    return folder / "changed.xlsx"
+    return enter(path, folder / "changed.xlsx", {NAME: content})
 
 
 def signed(layout):

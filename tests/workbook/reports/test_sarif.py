@@ -6,11 +6,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-import openpyxl
 import pytest
 import yaml
 
 from tests.workbook.composed import small
+from tests.workbook.edit import enter
 from workbook.build import build
 
 ROOT = Path(__file__).parents[3]
@@ -22,10 +22,7 @@ def books(tmp_path_factory):
     folder = tmp_path_factory.mktemp("pipeline") / "books"
     folder.mkdir()
     build(small(), folder / "sound.xlsx")
-    book = openpyxl.load_workbook(folder / "sound.xlsx")
-    sheet, cell = book.defined_names["axis1_position"].attr_text.replace("$", "").replace("'", "").split("!")
-    book[sheet][cell] = "=1+1"
-    book.save(folder / "edited.xlsx")
+    enter(folder / "sound.xlsx", folder / "edited.xlsx", {"axis1_position": "=1+1"})
     (folder / "broken.xlsx").write_bytes(b"PK")
     return folder
 

@@ -5,10 +5,9 @@ import zipfile
 import pytest
 from openpyxl import load_workbook
 
-from tests.workbook import press
-from tests.workbook.judging.test_warm import cell_named
+from tests.workbook.edit import cell_named
 from workbook.book.stamp import NEVER, OTHER, SAME
-from workbook.build import build, read_entered, regenerate
+from workbook.build import read_entered, regenerate
 from workbook.commands import verify as command
 from workbook.errors import WriteError
 from workbook.judging.verify import verify
@@ -17,11 +16,8 @@ from workbook.writing.stamp import write_stamp
 
 
 @pytest.fixture(scope="module")
-def book(tmp_path_factory):
-    path = tmp_path_factory.mktemp("stamp") / "press.xlsx"
-    with press.registered() as machine:
-        build(machine, path)
-        yield path
+def book(press):
+    return press.path
 
 
 @pytest.fixture
