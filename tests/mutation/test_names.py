@@ -1,12 +1,13 @@
 """`verify` finds names that lead elsewhere: whoever moves one changes what its cells are taken for."""
 
+from collections.abc import Iterable
 from functools import cache
 from itertools import chain, islice
 
 import pytest
 
 from tests.mutation.bench import Bench, smaller
-from tests.mutation.names import blocks, columns, outcome, shifted, swapped
+from tests.mutation.names import Redirection, blocks, columns, outcome, shifted, swapped
 from tests.tiers import by_day, seed
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from tests.workbook.press import TEMPLATE
@@ -25,23 +26,27 @@ def bench(name: str) -> Bench:
     return Bench(template, smaller(machine, cycle=12, law=4))
 
 
+def require_found(here: Bench, faults: Iterable[Redirection]) -> None:
+    assert [str(fault) for fault in faults if outcome(here, fault) == "agrees"] == []
+
+
 @and_press
 def test_a_block_whose_name_leads_elsewhere_is_found(name: str) -> None:
     here = bench(name)
-    assert [str(r) for r in shifted(here, blocks(here), 6 * COUNT, SEED) if outcome(here, r) == "agrees"] == []
+    require_found(here, shifted(here, blocks(here), 6 * COUNT, SEED))
 
 
 @every_template
 def test_a_column_whose_name_leads_elsewhere_is_found(name: str) -> None:
     here = bench(name)
-    assert [str(r) for r in shifted(here, columns(here), COUNT, SEED) if outcome(here, r) == "agrees"] == []
+    require_found(here, shifted(here, columns(here), COUNT, SEED))
 
 
 @and_press
 def test_two_inputs_whose_names_have_changed_places_are_found(name: str) -> None:
     here = bench(name)
     pairs = islice(swapped(here, SEED), 3 * COUNT)
-    assert [str(r) for r in pairs if outcome(here, r) == "agrees"] == []
+    require_found(here, pairs)
 
 
 def test_two_inputs_of_one_label_whose_names_have_changed_places_are_found() -> None:
@@ -49,7 +54,7 @@ def test_two_inputs_of_one_label_whose_names_have_changed_places_are_found() -> 
     labels = {block.name: (block.sheet.title, block.quantities[0].label) for block in here.declared.blocks.values()}
     alike = [r for r in swapped(here, SEED) if len({labels[name] for name in r.targets}) == 1]
     assert alike
-    assert [str(r) for r in alike if outcome(here, r) == "agrees"] == []
+    require_found(here, alike)
 
 
 @and_press
@@ -59,7 +64,7 @@ def test_an_input_of_words_or_an_empty_one_whose_name_leads_elsewhere_is_found(n
     wordy = [name for name, q in first.items() if q.role == "input" and not isinstance(q.value, int | float)]
     shifts = [r for seed in (SEED, SEED + 1) for r in shifted(here, wordy, 2 * COUNT, seed)]
     assert shifts
-    assert [str(r) for r in shifts if outcome(here, r) == "agrees"] == []
+    require_found(here, shifts)
 
 
 @every_template
@@ -70,4 +75,4 @@ def test_a_night_s_names_that_lead_elsewhere_are_found(name: str) -> None:
         shifted(here, blocks(here), 10, drawn), shifted(here, columns(here), 6, drawn),
         islice(swapped(here, drawn), 6),
     )  # fmt: skip
-    assert [str(r) for r in faults if outcome(here, r) == "agrees"] == []
+    require_found(here, faults)

@@ -1,11 +1,11 @@
-"""SciPy as another hand: its Hermite polynomials are ours, and its dense errors are the certificate's."""
+"""SciPy as another hand: its splines and Hermite polynomials are ours."""
 
 import numpy as np
 import pytest
 from scipy.interpolate import BPoly, CubicSpline
 
 from engine import law
-from engine.cams.certificate import certify, equal_steps, spread
+from engine.cams.certificate import equal_steps, spread
 from engine.cams.interpolation import hermite, parabolas, quintics, spline
 from engine.motion import Motion, Phase
 from engine.motion.profile import profile_of_motion
@@ -22,22 +22,17 @@ def dense(x: np.ndarray) -> np.ndarray:
 
 
 def compared(x: np.ndarray, ours, theirs) -> None:
-    """Values of four orders agree, and the certificate is what SciPy's polynomials come to at dense points."""
+    """Values of four orders agree at dense points."""
     at = dense(np.unique(np.concatenate([x, OF.edges])))
-    found, meant = certify(OF, ours), OF.at(at)
     for order, mine in enumerate(ours.at(at)):
         other = theirs(at, order)
-        scale = max(float(np.abs(other).max()), 1e-12)
         rounding = 2e-12 / float(np.diff(x).min()) ** order  # of positions of 30, over the shortest step
-        assert np.abs(mine - other).max() <= 1e-9 * scale + rounding, order
-        searched = float(np.abs(other - meant[order]).max())
-        noise = 1e-9 * max(scale, float(np.abs(meant[order]).max())) + rounding
-        assert searched - noise <= found.deviations[order].largest <= searched * 1.002 + noise, order
+        assert np.abs(mine - other).max() <= 1e-9 * max(float(np.abs(other).max()), 1e-12) + rounding, order
 
 
 @pytest.mark.parametrize("n", [17, 80, 400])
 @pytest.mark.parametrize("ends", NAMES)
-def test_a_cubic_spline_is_smooth_and_its_certificate_that_of_a_dense_search(ends: str, n: int) -> None:
+def test_a_cubic_spline_is_smooth_and_scipys(ends: str, n: int) -> None:
     x = equal_steps(OF, n)
     y = OF.at(x).y
     y[-1] = y[0]

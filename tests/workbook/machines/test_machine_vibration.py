@@ -7,7 +7,6 @@ import pytest
 
 from engine.laws import law
 from engine.laws.vibration import residual
-from tests.engine.laws.test_vibration import PERCENT, PERIODS
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.build import build, read_inputs
@@ -24,7 +23,6 @@ from workbook.studies.improve import single_gains
 from workbook.template_outputs import Column
 
 MOVES = ((30, 90, 20.0, "MTP"), (180, 300, -20.0, "CIC"))
-CODES = {"constant acceleration": "ACS", "cycloidal": "CIC", "modified trapezoid": "MTP"}
 LOAD = {"frequency": 12.0, "damping": 0.02, "settled": 15.0}
 
 
@@ -40,20 +38,6 @@ def swinging(load, *phases, laws=(), **entries):
 
 def swing(load, *phases, **entries):
     return swings_of(axes_of(swinging(load, *phases, **entries)))[0]
-
-
-def tuned(machine_rate, periods, turned=60.0):
-    """Return the natural frequency of which a move over an angle lasts so many periods."""
-    return periods * machine_rate / 60.0 * 360.0 / turned
-
-
-@pytest.mark.parametrize("name", CODES)
-def test_moves_leave_what_is_printed_of_their_laws(name):
-    rate = swinging(LOAD).per_minute
-    for periods, percent in zip(PERIODS, PERCENT[name], strict=True):
-        load = swing({"frequency": tuned(rate, periods)}, (30, 90, 20.0, CODES[name]))
-        assert float(load.shares[0]) == pytest.approx(percent, abs=6e-4)
-        assert float(load.exact[0]) == pytest.approx(float(load.left[0]), abs=20e-9)
 
 
 ODD = {
