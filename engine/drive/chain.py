@@ -174,10 +174,6 @@ class Mechanism:
         """Return the inertia of all parts and the load at the motor's shaft (kg m²), without the motor's own."""
         return math.fsum(self.on_shaft(k) / self.inertia_divisor(k, method) for k in range(self.last + 1))
 
-    def driving_torque(self, force: float) -> float:
-        """Return the motor's torque F/(i η) (Nm) for a force F (N, or Nm) at the load. Source: S4, problem 1."""
-        return force / self.ratio / self.efficiency
-
     def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:
         """Return the torque that drives each shaft: T(n) = R + m a, T(k) = J_k ω̇_k ± T_f,k + f T(k + 1)/i_k.
 

@@ -78,11 +78,6 @@ class TorqueInterval:
         torque = self.torque(u)
         return np.asarray(torque * (self.motor_speed(u) + self.train.drive.copper * torque))
 
-    @property
-    def power_reversals(self) -> list[float]:
-        """Every u at which the motor's power changes its sign by copper losses; none without these."""
-        return crossed(self.power, self.samples) if self.train.drive.copper else []
-
     def curve(self, shaft: int = 0) -> Curve | None:
         """Return the torque of a shaft as a curve over u (Nm, or N); None if it depends on the position."""
         if self.force.by_angle:

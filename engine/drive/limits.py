@@ -94,14 +94,12 @@ class LimitChecks:
             "reducer mean torque": (reducer.mean_torque, lambda: results.mean_shaft_torque(1)),
         }
         return tuple(
-            self._below_curve if name == BELOW else LimitCheck(name, quantity(), self._limit(name, limit))
+            self._below_curve
+            if name == BELOW
+            else LimitCheck(name, quantity(), self.continuous if name == "RMS torque" else limit)
             for name, (limit, quantity) in ((name, asked[name]) for name in names)
             if limit < math.inf
         )
-
-    def _limit(self, name: str, limit: float) -> float:
-        """Return a limit, of the RMS torque that at the mean speed."""
-        return self.continuous if name == "RMS torque" else limit
 
     @property
     def ok(self) -> bool:

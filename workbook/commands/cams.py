@@ -39,7 +39,8 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
         refuse_itself(output, file)
         refuse_existing(output, force)
     table = read_table(file, target)
-    units = as_description.units_of(text_of(file, target))
+    told = as_description.UNITS.search(text_of(file, target))
+    units = (told[1], told[2]) if told else ("°", "mm")
     try:
         moves = as_description.phases_of(target, table, units, share)
     except np.linalg.LinAlgError as error:

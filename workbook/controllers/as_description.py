@@ -53,12 +53,6 @@ def phases_of(target: Target, table: Table, units: Units = ("", ""), share: floa
     return identified(points, rebuilt, turns, share)
 
 
-def units_of(text: str) -> Units:
-    """Return the units that a header of ours tells; ° and mm where there is none."""
-    match = UNITS.search(text)
-    return (match[1], match[2]) if match else ("°", "mm")
-
-
 def movement_lines(read: IdentifiedMotion, units: Units) -> list[str]:
     """Return a line for each movement: its law, from where to where, its lift, and what the table is off by."""
     x, y = units

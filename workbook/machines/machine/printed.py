@@ -34,7 +34,7 @@ def printed_sheet(book: Book, view: DriveView) -> None:
         m.load.inertia / m.inertia_divisor(m.last, "document"),
         m.inertia("document"),
         drive.total_inertia,
-        *map(m.driving_torque, (m.load.friction, m.load.torque, float(m.load.resisting(1.0)))),
+        *(f / m.ratio / m.efficiency for f in (m.load.friction, m.load.torque, float(m.load.resisting(1.0)))),
         driven.max_geometric_velocity * driven.axis.speed,
         view.speed,
         m.ratio * hardest,
