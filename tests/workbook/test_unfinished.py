@@ -249,20 +249,13 @@ def test_faults_that_follow_from_a_missing_entry_are_not_named(tmp_path):
 @pytest.mark.parametrize(
     ("changes", "line"),
     [
-        ([("master", "rate", "fast")], "master.rate"),
-        ([("master", "rate", float("nan"))], "master.rate"),
-        ([("master", "rate", float("inf"))], "master.rate"),
-        ([("master", "speed", 3.0)], "master.speed"),
-        ([(*MOVED, 1, "law", "MPT")], "law"),
         ([(*MOVED, 1, "start", 60.0), (*MOVED, 1, "law", "MPT")], "law"),
-        ([("laws", "MTP", {"durations": [0.5, 0.5]})], "durations"),
         ([("axes", [])], "axes"),
         ([("axes", 1, "shift", 1e300)], "found 1e+300; expected a number of at most 1e+12 in size"),
         ([("axes", 0, "shift", 4e-320)], "found 3.99996e-320; expected 0, or at least 1e-30 in size"),
         ([(*MOVED, 1, "lift", -1e-300)], "found -1e-300; expected 0, or at least 1e-30 in size"),
         ([("master", "rate", 1e-13)], "and of at least 1e-12 if it is more than 0"),
         ([("sizes", "cycle", 1)], "sizes.cycle"),
-        ([("axes", 0, "name", "MC02")], "name"),
     ],
 )
 def test_structure_and_type_refuse_in_one_line(changes, line, tmp_path):

@@ -1,4 +1,4 @@
-"""The pycel witness: against figures worked by hand, against stock pycel, and against workbooks that mean harm."""
+"""The pycel witness: against figures worked by hand, and against workbooks that mean harm."""
 
 from __future__ import annotations
 
@@ -15,9 +15,7 @@ from hypothesis import strategies as st
 from openpyxl import Workbook
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.formula import ArrayFormula, DataTableFormula
-from pycel import ExcelCompiler
 from pycel.excelutil import build_operator_operand_fixup
-from pycel.excelwrapper import ExcelOpxWrapperNoData
 
 from workbook.book.address import Address
 from workbook.book.columns import Formulas
@@ -33,15 +31,6 @@ SHEET = "Sheet 1"
 
 def evaluate(workbook: Workbook) -> dict[Address, Any]:
     return PycelModel(workbook).evaluate()
-
-
-class StockWrapper(ExcelOpxWrapperNoData):
-    """pycel's reader of a workbook, mended for the defined names of openpyxl 3.1."""
-
-    @property
-    def defined_names(self) -> dict[str, list[tuple[str, str]]]:
-        names = self.workbook.defined_names.items()
-        return {name: [(cells, sheet) for sheet, cells in defined.destinations] for name, defined in names}
 
 
 def book(cells: dict[str, Any], names: dict[str, str] | None = None, other: dict[str, Any] | None = None) -> Workbook:
@@ -100,18 +89,6 @@ def test_functions_give_the_figures_worked_by_hand(formula: str) -> None:
         assert type(found) is type(expected)
     else:
         assert found == pytest.approx(expected, rel=1e-14, abs=1e-15)
-
-
-def test_all_agrees_with_stock_pycel() -> None:
-    deviating = {"=A1:A1", "=INDEX(A1:A1,1)"}  # stock takes A1:A1 for A1
-    deviating |= {"=007", "=B3:A1"}  # stock cannot read them
-    deviating |= {"=SUMPRODUCT(B1)", "=SUMPRODUCT(B1*(B2-B3))", "=SUMPRODUCT(B1,B2)"}  # of single cells it takes none
-    deviating.add("=ROUND(SUMPRODUCT(A1:A3,B1:B3)/7,2)")  # fails in stock with NumPy 2
-    deviating |= {formula for formula in WORKED if "PRODUCT(" in formula and "SUMPRODUCT(" not in formula}  # has none
-    formulas = {f"F{row}": formula for row, formula in enumerate(WORKED, 1) if formula not in deviating}
-    workbook = book(TABLE | formulas)
-    stock = ExcelCompiler(excel=StockWrapper(workbook))
-    assert evaluate(workbook) == {at(a1): stock.evaluate(f"{SHEET}!{a1}") for a1 in formulas}
 
 
 def test_a_chain_of_5000_rows_is_evaluated() -> None:
