@@ -11,11 +11,8 @@ from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.fields.units import shown
-from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine import exact
 from workbook.machines.machine.gap import ClearanceView
-from workbook.machines.machine.motion_tables import AxisTables
-from workbook.machines.machine.view import MachineView
 
 PUNCH = axis(1, (30, 90, 20.0, "CIC"), (150, 210, -20.0, "CIC"))
 FEED = axis(2, (60, 140, 50.0, "MTP"), (200, 280, -50.0, "MTP"), shift=12.5)
@@ -31,9 +28,7 @@ def machine(*clearances, axes=(PUNCH, FEED, ARM), **sizes):
 
 def views(given):
     """The engine's view of the clearances."""
-    book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))
-    whole = MachineView(given, book_laws.laws)
-    rows = [AxisTables(whole, one, book_laws.stack) for one in whole.axes]
+    rows = exact.axes_of(given)
     return [ClearanceView(one, k, rows) for k, one in enumerate(given.clearances, 1)]
 
 

@@ -5,11 +5,11 @@ import pytest
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_exact_decides import studied
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
-from tests.workbook.machines.test_machine_rates import FREE, drives_of, machine
+from tests.workbook.machines.test_machine_rates import FREE, machine
 from workbook.build import build
 from workbook.judging.verify import verify
 from workbook.machines.machine.drive.shown_rates import AT_NO_RATE, NONE_BINDS, Rates
-from workbook.machines.machine.exact import limit_of_rate
+from workbook.machines.machine.exact import drives_of, limit_of_rate
 from workbook.machines.machine.rates_summary import RATE_CHECK, hold_at, rate_check
 from workbook.reading.descriptions import write_machine
 from workbook.serve.shown import design

@@ -6,15 +6,11 @@ from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from tests.workbook.machines.test_machine_drives import CRANK, ROCKER, SCREW, lossy, table
 from tests.workbook.machines.test_machine_drives import small as linked_small
-from workbook.law_sheets.book_laws import BookLaws
+from tests.workbook.machines.test_machine_selection import PRESS
 from workbook.machines.machine import exact
-from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.shown_rates import AT_NO_RATE
-from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import Master
-from workbook.machines.machine.exact import rate_of
-from workbook.machines.machine.motion_tables import AxisTables
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.exact import drives_of, rate_of
 
 CHECKS = {
     "motor speed": "speed", "reducer input speed": "reducer_speed", "peak torque": "peak",
@@ -23,8 +19,6 @@ CHECKS = {
 }  # fmt: skip
 """the names of checks, by the limits'"""
 FREE = {"inertia": 10.0, "rated_torque": 1e5, "peak_torque": 1e5, "max_speed": 1e6}
-PRESS = [{"start": 50.0, "stop": 120.0, "force": 900.0, "resists": "moving"},
-         {"start": 150.0, "stop": 230.0, "force": -400.0, "resists": "always"}]  # fmt: skip
 BINDING = {
     "motor speed": ({"max_speed": 9000.0}, {}),
     "peak torque": ({"peak_torque": 40.0}, {}),
@@ -107,13 +101,6 @@ def test_a_motor_too_small_for_an_axis_that_stands_has_no_rate():
     )
     assert (found("drive1_highest"), found("drive1_lowest")) == (AT_NO_RATE, AT_NO_RATE)
     assert found("drive1_binds") == "RMS torque"
-
-
-def drives_of(given):
-    """The drives of a machine at the points of their cycles."""
-    book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))
-    whole = MachineView(given, book_laws.laws)
-    return [DriveView(AxisTables(whole, axis, book_laws.stack), Driven(axis, given)) for axis in whole.axes]
 
 
 def test_a_drive_is_sized_at_a_rate_of_its_own():

@@ -29,6 +29,14 @@ REDUCERS = [
 WIDE = {"inertia_ratio": 1e6, "rms_reserve": 1e-3, "greatest_margin": 1e6}
 
 
+def chosen(choice):
+    """The entries of a choice by their tables: limits, and what else the sheet Selection has."""
+    tables = {"limits": {}, "selection": {"motors": MOTORS, "reducers": REDUCERS}}
+    for name, value in choice.items():
+        tables["limits" if name in Limits.model_fields else "selection"][name] = value
+    return tables
+
+
 def machine(rate=60.0, axes=None, **choice):
     """Two drives with losses, process forces and parts, and a small catalogue with curves; a choice and its limits."""
     first = driven(*RISE, load=LOAD, reducer={"ratio": 3.0, "efficiency": 0.8}, parts=PARTS)
@@ -37,10 +45,7 @@ def machine(rate=60.0, axes=None, **choice):
     data = small([driven(*RISE)]).model_dump() | {"axes": axes or [first, second]}
     data["sizes"] |= {"motors": 6, "reducers": 5}
     data["master"]["rate"] = rate
-    data["limits"] = {name: value for name, value in choice.items() if name in Limits.model_fields}
-    chosen = {name: value for name, value in choice.items() if name not in Limits.model_fields}
-    data["selection"] = {"motors": MOTORS, "reducers": REDUCERS, "axis": "b2"} | chosen
-    return TEMPLATE.model.model_validate(data)
+    return TEMPLATE.model.model_validate(data | chosen({"axis": "b2"} | choice))
 
 
 @pytest.mark.parametrize("rank", ["smallest motor", "margin", "inertia match", "mass", "cost"])

@@ -9,9 +9,8 @@ from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from tests.workbook.machines.test_machine_drives import CRANK, LOSSY, ROCKER, TABLE, linked, press
-from tests.workbook.machines.test_machine_selection import MOTORS, REDUCERS, WIDE
+from tests.workbook.machines.test_machine_selection import WIDE, chosen
 from workbook.judging.matching import is_formula
-from workbook.selection.entries import Limits
 
 BELOW = 5e-3
 """of a peak: what it may be more between the nodes"""
@@ -22,11 +21,7 @@ def choosing(*axes, **selection):
     """A machine with the catalogue, that looks at the last of its axes."""
     data = small([driven(*RISE)]).model_dump() | {"axes": list(axes)}
     data["sizes"] |= {"motors": 6, "reducers": 5, "phases": 2, "rotors": 2}
-    choice = WIDE | selection
-    data["limits"] = {name: value for name, value in choice.items() if name in Limits.model_fields}
-    chosen = {name: value for name, value in choice.items() if name not in Limits.model_fields}
-    data["selection"] = {"motors": MOTORS, "reducers": REDUCERS, "axis": axes[-1]["name"]} | chosen
-    return TEMPLATE.model.model_validate(data)
+    return TEMPLATE.model.model_validate(data | chosen({"axis": axes[-1]["name"]} | WIDE | selection))
 
 
 def placed(kind, **entries):
