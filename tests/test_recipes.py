@@ -87,7 +87,7 @@ def do_check(copy, tmp_path):
     (field, column, value), (facts, row), _ = recipe("check")
     copy(f"{MACHINE}entries.py", "position: Number = 0.0", field)
     copy(f"{MACHINE}entries.md", r"\| entry \| `position`", facts)
-    copy(f"{MACHINE}timing/axes.py", r"entry\(\"position\"", listed(column))
+    copy(f"{MACHINE}timing/sheet.py", r"entry\(\"position\"", listed(column))
     copy(f"{MACHINE}timing/phases.md", r"\| check \| `\{t\}_position`", row)
     copy(f"{MACHINE}timing/phases.py", r"\*map\(stop_check", listed(value))
     path = tmp_path / f"{MACHINE}timing/phases.py"

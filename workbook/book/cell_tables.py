@@ -32,6 +32,7 @@ from pathlib import Path
 from string import Formatter
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
+from workbook.book.chart import Chart, Series
 from workbook.book.limits import RowRule
 from workbook.book.quantity import PLAIN, Block, Quantity, calc, check, constant, given, result
 from workbook.book.rows import filled
@@ -246,3 +247,22 @@ def markdown_rows(text: str) -> Iterator[dict[str, str]]:
     heads, _, *rows = ([entry.strip() for entry in line] for line in lines)
     for row in rows:
         yield {head: entry.strip("`").replace("\\|", "|") for head, entry in zip(heads, row, strict=True) if entry}
+
+
+AXES = re.compile(r"^`(.+)`, `(.+)`: (.+)$", re.MULTILINE)
+
+
+def charts_beside(module: str) -> dict[str, Chart]:
+    """Return the charts of the file ``charts.md`` beside a module, whose ``__file__`` is given, by their titles.
+
+    Below each stand the titles of its axes, and what it shows; of the table a row is a line, with the fields of Series.
+    """
+    charts = {}
+    for title, text in sections(str(Path(module).with_name("charts.md"))):
+        x, y, about = AXES.findall(text)[0]
+        lines: list[Series] = []
+        for row in markdown_rows(text):
+            drawn = {field: value == "yes" for field, value in row.items() if field in ("dashed", "points")}
+            lines.append(Series(**{**row, **drawn}))  # type: ignore[arg-type]
+        charts[title] = Chart(title, x, y, tuple(lines), about)
+    return charts

@@ -13,11 +13,10 @@ from workbook.book.quantity import FAIL, OK, SAYS
 from workbook.book.rows import as_rows, is_number
 from workbook.entries.machine import Machine
 from workbook.judging.carry_over import left_behind
-from workbook.judging.layout import layout_findings
 from workbook.judging.matching import Match
 from workbook.judging.repair import repair_book
 from workbook.judging.report import Report
-from workbook.judging.structure import check_structure
+from workbook.judging.structure import check_structure, layout_findings
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book

@@ -37,7 +37,8 @@ def write_book(path: Path = BOOK, shown: PageInputs = EXAMPLE) -> None:
     names = [DefinedName(term.name, comment=term.note[:NOTE], attr_text=term.stored) for term in definitions()]
     # a copied sheet brings along these names alone
     pieces = parts(declare(shown), PageInputs, names, f"{NAMESPACE}.")
-    pack(archive.with_dynamic_arrays(pieces | {SHEET: WHETHER.sub(rb"\1\2", pieces[SHEET])}), path, overwrite=True)
+    pieces[SHEET] = WHETHER.sub(rb"\1\2", pieces[SHEET])
+    pack(archive.with_part(pieces, "metadata", archive.METADATA, "sheetMetadata"), path, overwrite=True)
 
 
 def is_stale() -> bool:

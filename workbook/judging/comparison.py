@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from pydantic import ValidationError
@@ -114,18 +114,14 @@ class Comparison:
             most = f"in {len(without):,} of {len(wanted):,} formula cells, the first {without[0]}: {why}"
             raise WitnessError(f"{in_full(witness.name, witness.version())} failed {most}")
 
-    def require_answers(self, named: Collection[str]) -> None:
-        """Enter a finding for each failed witness if it was named, or if none computed."""
-        for ran in self.report.witnesses:
-            if ran.why and (not self.values or ran.name in named):
-                self.report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
-
     def _computed(self, ran: WitnessRun, values: Cells) -> None:
         """Enter the cells at fault, and those that are wrong only because they refer to such."""
         wrong = self._wrong(values, first=not self.values)
         places = [pair.address for pair, _ in wrong]
         self._first_wrong = self._first_wrong if self.values else set(places)
-        at_fault = self._at_fault(places)
+        alone = self.model.each([self.match.numbers[a] for a in places], self.right.values) if places else []
+        # even when all that they refer to is right
+        at_fault = {a for a, value in zip(places, alone, strict=True) if differs(self.right, a, value)}
         explained = bool(at_fault) or any(finding.kind in CAUSES for finding in self.report.findings)
         problems: Mapping[Address, str] = self.model.problems if ran.name == self.single.name else {}
         for pair, deviation in wrong:
@@ -135,12 +131,6 @@ class Comparison:
             why = problems.get(pair.address, "") or ("" if value is not None else "it could not be evaluated")
             self.report.add(pair, kind, value, pair.cell.expected, deviation, ran.name, why)
         self.values = self.values or values
-
-    def _at_fault(self, places: Sequence[Address]) -> set[Address]:
-        """Return the cells that are wrong even when all that they refer to is right."""
-        numbers = [self.match.numbers[a] for a in places]
-        alone = self.model.each(numbers, self.right.values) if numbers else []
-        return {a for a, value in zip(places, alone, strict=True) if differs(self.right, a, value)}
 
     def _kept(self, ran: WitnessRun, values: Cells) -> None:
         """Enter values that the file was saved with and that no longer are what its cells compute."""

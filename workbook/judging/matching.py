@@ -63,11 +63,6 @@ class Match:
         """The declared sheets of which the file has blocks, each with the title of the sheet on which they are."""
         return [(sheet, placed[0][1].sheet) for sheet in self.declared.sheets if (placed := self.placed(sheet))]
 
-    @property
-    def is_unmoved(self) -> bool:
-        """Whether every block stands where its declaration has it."""
-        return all(self.file.places.get(name) == declared_place(b) for name, b in self.declared.blocks.items())
-
     @cached_property
     def numbers(self) -> dict[Address, int]:
         """The place of each declared cell among ``pairs``."""

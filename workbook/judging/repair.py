@@ -15,9 +15,9 @@ from workbook.book.declare import Block, Book
 from workbook.entries import rules
 from workbook.errors import ReadError
 from workbook.fields.texts import LOOKED_UP, NO_NAME, PATTERN
-from workbook.judging.layout import table_titles
 from workbook.judging.matching import Match
 from workbook.judging.report import NOTICE, Finding
+from workbook.judging.structure import table_titles
 from workbook.reading.files import BookFile, is_formula
 
 
@@ -41,7 +41,8 @@ def repair_names(file: BookFile, layout: Book, model: type[BaseModel]) -> Iterat
         kind = NOTICE if trimmed and name not in texts.values() else "entry"
         expected = f"{name!r}, without blanks around it" if trimmed else f"a name that look-ups find, such as {name!r}"
         for at in (at for at, held in texts.items() if held == text):
-            set_value(file, at, name)
+            cell: Any = file.workbook[at.sheet].cell(at.row, at.column)  # of the copy that is judged
+            cell._value, cell.data_type = name, "s"
             what = cells[at].title or cells[at].quantities[0].label
             yield Finding(at.sheet, at.a1, kind, repr(text), expected, what)
         file.saved |= {at: v.replace(text, name) for at, v in file.saved.items() if isinstance(v, str)}
@@ -73,12 +74,6 @@ def usable_name(text: str, others: set[str]) -> str:
     while NO_NAME.fullmatch(name) or (changed and name in others):
         name, changed = f"{name}_", True
     return name
-
-
-def set_value(file: BookFile, at: Address, value: Any) -> None:
-    """Enter a value into a cell of the copy that is judged."""
-    cell = file.workbook[at.sheet].cell(at.row, at.column)
-    cell._value, cell.data_type = value, "s" if isinstance(value, str) else "n"  # type: ignore[union-attr]
 
 
 def refuse_cut_cells(file: BookFile, layout: Book) -> None:

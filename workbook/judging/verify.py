@@ -17,11 +17,10 @@ from workbook.judging.display.charts import compare_charts
 from workbook.judging.display.differences import Differences
 from workbook.judging.display.sheets import compare_sheets
 from workbook.judging.display.texts import compare_texts
-from workbook.judging.layout import layout_findings, mark_consequences
-from workbook.judging.matching import Match, Pair
+from workbook.judging.matching import Match, Pair, declared_place
 from workbook.judging.repair import repair_book
-from workbook.judging.report import NOTICE, ORDER, Check, Report, WitnessRun
-from workbook.judging.structure import audit, check_structure, stale_functions
+from workbook.judging.report import NOTICE, ORDER, Check, Finding, Report, WitnessRun
+from workbook.judging.structure import audit, check_structure, layout_findings, mark_consequences, stale_functions
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, is_formula, open_book, require_little_work
@@ -100,13 +99,16 @@ def judge(
         comparison = Comparison(match, bare, single, model, report)
         for witness in asked:
             comparison.ask(witness)
-        comparison.require_answers(named)
+        for ran in report.witnesses:  # that failed though it was named, or as all did
+            if ran.why and (not comparison.values or ran.name in named):
+                report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
         report.findings += comparison.elsewhere(template, machine, suspects)
         report.checks = check_results(match, comparison.values)
         check_display(match, type(machine), comparison.values, report)
     mark_consequences(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
-    if report.findings and match.is_unmoved:
+    blocks = match.declared.blocks.values()
+    if report.findings and all(file.places.get(block.name) == declared_place(block) for block in blocks):
         wrong = {(f.sheet, f.cell) for f in report.findings}
         cells = (((pair.address.sheet, pair.address.a1), pair.cell.content) for pair in match.pairs)
         report.formulas = {at: text for at, text in cells if at in wrong and is_formula(text)}

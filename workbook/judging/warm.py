@@ -139,7 +139,8 @@ def naming(inspected: Inspected) -> list[Any]:
 
 def enter_cells(file: BookFile, inspected: Inspected, cells: dict[Address, RawCell]) -> tuple[BookFile, Cells]:
     """Return a file as another save of it has these cells, and what of their contents is new."""
-    texts = shared_texts(inspected) if any(cell.kind == "s" for cell in cells.values()) else []
+    has_texts = any(cell.kind == "s" for cell in cells.values())
+    texts = list(map(str, read_string_table(io.BytesIO(tostring(inspected.strings))))) if has_texts else []
     contents, entered = file.contents, Cells()
     for address, now in cells.items():
         cell: Any = file.cell(address)
@@ -155,8 +156,3 @@ def enter_cells(file: BookFile, inspected: Inspected, cells: dict[Address, RawCe
     later = BookFile(file.path, file.workbook, places, inspected.notes, saved, inspected=inspected)
     later.__dict__["contents"] = contents  # the formulas are the same
     return later, entered
-
-
-def shared_texts(inspected: Inspected) -> list[str]:
-    """Return the texts that cells share, by their numbers."""
-    return [str(text) for text in read_string_table(io.BytesIO(tostring(inspected.strings)))]

@@ -35,6 +35,8 @@ LINK = (
     'Target="{0}.xml"/>'
 )
 FROM_ROOT = re.compile(r'(?<= Target=")/([^"]+)')
+# a cell that Excel does not know to be a dynamic-array formula gets an @ before each function that may give an array
+# ([MS-XLSX] 2.6.205, 'CT_DynamicArrayProperties'): what the mark cm="1" of a cell leads to, which openpyxl lacks
 METADATA = (
     b'<?xml version="1.0" encoding="UTF-8" standalone="yes"?>\n'
     b'<metadata xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" '
@@ -89,15 +91,6 @@ def with_part(parts: dict[str, bytes], name: str, part: bytes, kind: str = "") -
         body, _, end = whole[where].rpartition(b"</")
         whole[where] = body + entry.encode() + b"</" + end
     return whole
-
-
-def with_dynamic_arrays(parts: dict[str, bytes]) -> dict[str, bytes]:
-    """Return the parts with the metadata that the mark ``cm="1"`` of a cell leads to, as Excel 365 itself stores it.
-
-    A cell that Excel does not know to be a dynamic-array formula gets an @ before each function that may give an array
-    ([MS-XLSX] 2.6.205, 'CT_DynamicArrayProperties'). openpyxl writes neither.
-    """
-    return with_part(parts, "metadata", METADATA, "sheetMetadata")
 
 
 def zipped(parts: dict[str, bytes], method: int = zipfile.ZIP_STORED) -> bytes:

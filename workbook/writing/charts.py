@@ -52,7 +52,8 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
         ink = series.color or COLOURS[i % len(COLOURS)]
         drawn.series.append(line(series, book, ink))
         if chart.lanes:
-            drawn.series[-1].dLbls = lane_labels(series, book, ink)
+            last = len(book.values(series.x)) - 1  # of a line that crosses the lanes
+            drawn.series[-1].dLbls = name_at(last, "r", ink) if series.dashed else name_at(0, "l", ink)
         elif is_named(chart):
             values = book.values(series.y)
             largest = max(range(len(values)), key=lambda k: abs(values[k]) if is_number(values[k]) else -1.0)
@@ -142,11 +143,6 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     room = 0.88 - below / drawn.height
     left = max(0.13, NAMES / drawn.width) if chart.lanes else 0.13
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=0.12, w=0.95 - left, h=room))
-
-
-def lane_labels(series: Series, book: Book, ink: str) -> DataLabelList:
-    """Return the labels of a line: its name, left of its first point; where it crosses the lanes behind its last."""
-    return name_at(*((len(book.values(series.x)) - 1, "r") if series.dashed else (0, "l")), ink)
 
 
 def name_at(point: int, side: Literal["l", "r", "t"], ink: str) -> DataLabelList:

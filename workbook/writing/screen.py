@@ -13,18 +13,13 @@ from workbook.writing.style import TABS
 
 def set_up_screen(sheet: Sheet, page: Worksheet) -> None:
     """Colour the tab of a sheet by its kind, and let it open at its first entry."""
-    page.sheet_properties.tabColor = TABS[kind_of(sheet)]
-    if entries := list(entries_of(sheet)):
+    entries, is_first = list(entries_of(sheet)), sheet is sheet.book.sheets[0]
+    kind = "result" if is_first else "working" if sheet.unprinted else "enter" if entries else "result"
+    page.sheet_properties.tabColor = TABS[kind]
+    if entries:
         row, column = min(entries)
         for selection in page.sheet_view.selection:
             selection.activeCell = selection.sqref = f"{get_column_letter(column)}{row}"
-
-
-def kind_of(sheet: Sheet) -> str:
-    """Return whether a sheet is to be read, to be entered into, or neither: workings and what is looked up."""
-    if sheet is sheet.book.sheets[0]:
-        return "result"
-    return "working" if sheet.unprinted else "enter" if any(entries_of(sheet)) else "result"
 
 
 def entries_of(sheet: Sheet) -> Iterator[tuple[int, int]]:
@@ -39,7 +34,9 @@ def add_validations(block: Block, q: Quantity, page: Worksheet, model: type[Base
     last = block.reference(q.name, ".last").replace("$", "")
     prompting, silent = rules.validation(model, q), rules.validation(model, q)
     silent.prompt = silent.promptTitle = silent.showInputMessage = None
-    begins = begins_group(block, q)
+    inputs = (each for each in block.quantities if each.role == "input")
+    # of a table its first, of entries below one another the uppermost
+    begins = q is next(inputs) if block.is_table else (block.row - 1, block.column) not in entries_of(block.sheet)
     (prompting if begins else silent).add(first)
     if first != last:
         rest = block.reference(q.name, ".2").replace("$", "") if begins else first
@@ -47,10 +44,3 @@ def add_validations(block: Block, q: Quantity, page: Worksheet, model: type[Base
     for rule in (prompting, silent):
         if rule.sqref.ranges:
             page.add_data_validation(rule)
-
-
-def begins_group(block: Block, q: Quantity) -> bool:
-    """Whether an entry is the first of a table, or the uppermost of entries below one another."""
-    if block.is_table:
-        return q is next(each for each in block.quantities if each.role == "input")
-    return (block.row - 1, block.column) not in entries_of(block.sheet)

@@ -26,7 +26,7 @@ from pydantic import BaseModel
 from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Book, Sheet
 from workbook.book.formula import LAST_COLUMN
-from workbook.book.quantity import Quantity, number_format, sample
+from workbook.book.quantity import number_format, sample
 from workbook.book.sheet import LEAST_COLUMNS
 from workbook.entries import rules
 from workbook.writing import archive, charts, layout, style
@@ -201,7 +201,8 @@ def write_block(
     for q, column in zip(block.quantities, block.columns.values(), strict=True):
         value = sample(q)
         aligned = style.aligned(q, value, block.is_table, column == FIRST)
-        look = styles.quantity(style.style_role(q.role, block), format_of(q, value, model), aligned)
+        shown = AS_TYPED if rules.is_free_text(model, q) else number_format(q, value)
+        look = styles.quantity(style.style_role(q.role, block), shown, aligned)
         if q.role == "input":
             add_validations(block, q, page, model)
         for row, (content, value) in enumerate(block.contents(q), block.row):
@@ -215,11 +216,6 @@ def write_block(
     for mark in style.conditional_formats(block):
         ranges = " ".join(block.reference(q.name).replace("$", "") for q in mark.quantities)
         page.conditional_formatting.add(ranges, mark.rule)
-
-
-def format_of(q: Quantity, value: Any, model: type[BaseModel]) -> str:
-    """Return the number format of a quantity's cells, by the size of a value."""
-    return AS_TYPED if rules.is_free_text(model, q) else number_format(q, value)
 
 
 def set_up_page(sheet: Sheet, page: Worksheet, wide: dict[int, float], cells: Cells) -> None:

@@ -16,7 +16,7 @@ from openpyxl.worksheet.table import Table, TableStyleInfo
 from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
 from tests.workbook.judging.synthetic import Small, spots
 from workbook.errors import ReadError
-from workbook.judging.display.formats import format_sections
+from workbook.judging.display.flat import format_sections
 
 DRIVE, CHART, PICTURE = "xl/worksheets/sheet1.xml", "xl/charts/chart1.xml", "xl/drawings/drawing1.xml"
 RELS = "xl/worksheets/_rels/sheet1.xml.rels"

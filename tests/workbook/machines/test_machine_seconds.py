@@ -15,7 +15,7 @@ from workbook.build import build, read_description, read_inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.machine.cycle_entries import Cycle
+from workbook.machines.machine.entries_beside import Cycle
 from workbook.reading.descriptions import counted_from_1, read_machine, validated
 from workbook.templates import TEMPLATES
 from workbook.writing.archive import same_book

@@ -11,7 +11,7 @@ from tests.workbook.edit import enter
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described, driven
 from workbook.build import build, read_inputs
 from workbook.judging.verify import verify
-from workbook.machines.machine.names import NAMES
+from workbook.machines.machine.template import NAMES
 from workbook.reading.files import find_places
 
 PHASES = (0, 90, 2.0, "CIC"), (180, 200, -2.0, "CIC")

@@ -12,8 +12,16 @@ from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.book.quantity import OK
 from workbook.judging.display.differences import VERDICTS, Differences, Subject
-from workbook.judging.display.flat import Flat, Shown, flatten, in_words
-from workbook.judging.display.formats import format_by_number, format_sections, plain_number, text_section
+from workbook.judging.display.flat import (
+    Flat,
+    Shown,
+    flatten,
+    format_by_number,
+    format_sections,
+    in_words,
+    plain_number,
+    text_section,
+)
 from workbook.judging.display.sheets import SheetView
 from workbook.judging.display.texts import QUIET, Label
 from workbook.judging.matching import Match, Pair

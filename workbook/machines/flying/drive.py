@@ -4,8 +4,7 @@ import numpy as np
 
 from engine.drive.bounds import CONSTANT
 from engine.laws.points import POINTS
-from workbook.book.cell_tables import cell_tables
-from workbook.book.chart_tables import charts_beside
+from workbook.book.cell_tables import cell_tables, charts_beside
 from workbook.book.declare import Book, Quantity, Sheet, calc
 from workbook.book.rows import SHARES, WEIGHTS, filled
 from workbook.drive.motor import (

@@ -4,8 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from engine.flying.cut import Beyond, Cut
-from workbook.book.cell_tables import cell_tables, formulas_by_row
-from workbook.book.chart_tables import charts_beside
+from workbook.book.cell_tables import cell_tables, charts_beside, formulas_by_row
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.entries.facts import entry_cells
 from workbook.fields.units import MM, shown

@@ -7,8 +7,7 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.selection.task import NOTHING
-from workbook.book.cell_tables import cell_tables
-from workbook.book.chart_tables import charts_beside
+from workbook.book.cell_tables import cell_tables, charts_beside
 from workbook.book.declare import Book, Sheet
 from workbook.book.rows import filled
 from workbook.machines.flying.view import ToolDrive

@@ -5,8 +5,7 @@ from collections.abc import Sequence
 from engine.flying.cut import LONGER, SAME_LENGTH
 from engine.laws import Dwell
 from engine.laws.points import fastest
-from workbook.book.cell_tables import cell_tables
-from workbook.book.chart_tables import charts_beside
+from workbook.book.cell_tables import cell_tables, charts_beside
 from workbook.book.declare import FIRST, Book, Quantity, Sheet
 from workbook.book.sentence import amount
 from workbook.entries.facts import entry_cells

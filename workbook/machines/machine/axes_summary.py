@@ -10,7 +10,7 @@ from workbook.book.public_names import ENTERED
 from workbook.fields.units import PERCENT, shown
 from workbook.machines.machine.drive.max_rate import RATE_LOOK
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.timing.axes import units
+from workbook.machines.machine.timing.sheet import units
 from workbook.machines.machine.view import MachineView, MovingAxis
 
 CELLS = cell_tables(__file__)

@@ -22,7 +22,7 @@ from workbook.fields.types import (
 )
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine import entries_beside as beside
-from workbook.machines.machine.cycle_entries import Cycle, Master, by_rate_or_length
+from workbook.machines.machine.entries_beside import Cycle, Master, by_rate_or_length
 from workbook.machines.machine.mechanism import Mechanism, Table
 from workbook.machines.machine.places import place_faults
 from workbook.motion.requirements import AT_REST, CROWDED, Smoothness, piece_counts, settle_room

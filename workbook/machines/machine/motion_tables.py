@@ -8,11 +8,9 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import HIGH, LOW, Pieces
-from workbook.machines.machine.boundary.bends import bends_table
 from workbook.machines.machine.boundary.curve_extremes import points, polynomial_extremes, pulse_extremes, step_extremes
-from workbook.machines.machine.boundary.curves import curves_between_ends, end_kinds
-from workbook.machines.machine.boundary.handover import AxisHandover, taken_by_pieces
-from workbook.machines.machine.boundary.required import required_ends
+from workbook.machines.machine.boundary.curves import bends_table, curves_between_ends, end_kinds
+from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
 from workbook.machines.machine.turning import AxisTurns, middles_table, moves_table
 from workbook.machines.machine.view import MachineView, MovingAxis
 from workbook.motion.cells import Cells, rows_of

@@ -11,6 +11,7 @@ from workbook.book.address import Address
 from workbook.book.cell_tables import cell_tables
 from workbook.book.checks import group_verdict_column
 from workbook.book.declare import FIRST, Book, Quantity, Text
+from workbook.book.public_names import names_in, names_sheet, place_names
 from workbook.book.summary import SENTENCE, summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
@@ -26,10 +27,10 @@ from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.sheet import drive_sheet
 from workbook.machines.machine.drive.view import DriveView, drive_of
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.entries_beside import ClearanceEntry
 from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
-from workbook.machines.machine.names import names_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.rates_summary import range_of_rates, rate_check, rates_in_words, whole_range
@@ -96,7 +97,7 @@ def declare(given: AnyMachine) -> Book:
     export_sheet(book, given, [exportable(row) for row in rows])
     link_drives(book, drives)
     judge_axes(book, machine.axes, given.laws.names)
-    names_sheet(book, machine.axes, given.clearances)
+    name_figures(book, machine.axes, given.clearances)
     return finish(book, ("S1", "S3", "S4"))
 
 
@@ -131,6 +132,21 @@ def link_drives(book: Book, drives: Mapping[int, DriveView]) -> None:
         axes.sheet.texts.append(Text(axes.row + i - 1, axes.column, "", "link", sheet.title))
         sheet.links = {"Timing": Address("", phases.row, phases.column).a1}
         sheet.links |= {title: "A1" for title in ("Selection", "Catalogue") if title in titles}
+
+
+NAMES = names_in(__file__)
+
+
+def name_figures(book: Book, axes: Sequence[MovingAxis], clearances: Sequence[ClearanceEntry]) -> None:
+    """Declare the sheet Names: public names of the machine, of its axes and of its clearances."""
+    sheet = names_sheet(book)
+    place_names(sheet, NAMES["Results"], "machine")
+    units = {axis.given.name: (axis.given.unit, *axis.over.rates(axis.given.unit)) for axis in axes}
+    for axis in axes:
+        place_names(sheet, NAMES["Axis"], f"axis{axis.number}", axis.typed.called, axis.number, units[axis.given.name])
+    for n, clearance in enumerate(clearances, 1):
+        unit = units[clearance.second if clearance.pairs else clearance.first]
+        place_names(sheet, NAMES["Clearance"], f"clear{n}", clearance.called, n, unit)
 
 
 SEVERAL, DWELL = "several", 1

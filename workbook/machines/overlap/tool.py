@@ -8,8 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from workbook.book.cell_tables import cell_tables
-from workbook.book.chart_tables import charts_beside
+from workbook.book.cell_tables import cell_tables, charts_beside
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import amount
 from workbook.entries.facts import entry_cells

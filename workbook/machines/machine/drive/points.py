@@ -17,7 +17,7 @@ from workbook.drive.motor import PEAK, RMS_POINT, plane
 from workbook.entries.abscissa import ANGLE
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, RPM, shown
-from workbook.machines.machine.boundary.bends import bends_name
+from workbook.machines.machine.boundary.curves import bends_name
 from workbook.machines.machine.drive import brake, by_angle, other_rates, stages
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES

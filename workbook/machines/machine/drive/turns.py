@@ -9,7 +9,7 @@ from workbook.book.rows import LEAST, NOT_ZERO, filled
 from workbook.book.sentence import CheckSentence, spelled
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown
-from workbook.machines.machine.boundary.bends import BENT_FROM, bends_name
+from workbook.machines.machine.boundary.curves import BENT_FROM, bends_name
 from workbook.machines.machine.drive.view import DriveView
 from workbook.motion.pieces import FROM_START, arguments, at_place, turned
 

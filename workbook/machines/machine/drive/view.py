@@ -20,7 +20,7 @@ from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
-from workbook.machines.machine.boundary.bends import bend_angles, polynomials
+from workbook.machines.machine.boundary.curves import BENT_FROM, bend_angles
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.peaks import Peaks
 from workbook.machines.machine.drive.shown_rates import Rates
@@ -68,7 +68,8 @@ class DriveView:
         self.turn_rows, found = machine.sizes.turns, tables.turning.turns
         # where accelerations are cut (°); 360: nowhere
         self.bends = bend_angles(tables.ends) if tables.ends else []
-        taken = 2 * len(driven.windows) + 2 * (polynomials(tables.ends) if tables.ends else 0)
+        bent = sum(step.mode >= BENT_FROM for _, step in tables.ends.phases) if tables.ends else 0
+        taken = 2 * (len(driven.windows) + bent)
         self.turns_cut = min(len(found), self.turn_rows, self.room - len(pieces) - taken)
         self.turns = found[: self.turn_rows]
         inside = [*(point.at for point in found[: self.turns_cut]), *(si(at, DEGREE) for at in self.bends if at < TURN)]
