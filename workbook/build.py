@@ -16,7 +16,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, WriteError
 from workbook.judging.carry_over import find_additions, not_carried, with_sheet
 from workbook.judging.matching import Match
-from workbook.judging.repair import repair_book
+from workbook.judging.structure import refuse_cut_cells
 from workbook.pool import collecting_between, collector_paused
 from workbook.reading.descriptions import counted_from_1, read_machine, require_possible, template_named, validated
 from workbook.reading.entries import Entries
@@ -194,10 +194,9 @@ def read_inputs(path: Path) -> tuple[Machine, list[str]]:
 def read_entered(path: Path) -> tuple[Match, Machine, list[str]]:
     """Return a workbook with what belongs into its cells, what was entered, and lines on entries that are no values."""
     file = open_book(path)
-    entries = Entries(file, agreed_values, repair_book)
+    entries = Entries(file, agreed_values, refuse_cut_cells)
     machine = entries.machine()
     notes = [f"{cell} holds a formula; its value is taken" for cell in entries.computed]
-    notes += [f"{move.sheet}!{move.cell}: {move.computed}; expected {move.expected}" for move in entries.moved]
     match = Match(file, entries.template.declare(machine))
     machine.laws.built_as({})
     machine.built_as({})

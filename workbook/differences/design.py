@@ -14,9 +14,8 @@ from workbook.book.rows import as_rows, is_number
 from workbook.entries.machine import Machine
 from workbook.judging.carry_over import left_behind
 from workbook.judging.matching import Match
-from workbook.judging.repair import repair_book
 from workbook.judging.report import Report
-from workbook.judging.structure import check_structure, layout_findings
+from workbook.judging.structure import check_structure, layout_findings, refuse_cut_cells
 from workbook.reading.descriptions import read_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
@@ -124,10 +123,10 @@ def read_design(path: Path) -> Design:
         machine = read_machine(path)
         return Design(path, machine, TEMPLATES[machine.template].declare(machine))
     file = open_book(path)
-    entries = Entries(file, agreed_values, repair_book)
+    entries = Entries(file, agreed_values, refuse_cut_cells)
     machine = entries.machine()
     match = Match(file, entries.template.declare(machine))
-    report = Report(file.path, entries.template.name, findings=[*entries.moved, *layout_findings(match)])
+    report = Report(file.path, entries.template.name, findings=list(layout_findings(match)))
     check_structure(match, report)
     edited = [f"{cell.sheet}!{cell.cell} ({cell.what}): {cell.computed}" for cell in report.findings]
     ours = {pair.address.sheet for pair in match.pairs}

@@ -13,10 +13,9 @@ from workbook.template_outputs import ExactJudgement
 LAYOUT = "layout"  # the kind of rows and columns that were put into tables, or are gone
 # the kinds of findings, causes before what follows from them
 ORDER = (
-    f"{LAYOUT} entry missing replaced formula changed name setting "
-    "function unread error value follows saved shown witness"
+    f"{LAYOUT} missing replaced formula changed name setting function unread error value follows saved shown witness"
 ).split()
-CAUSES = ORDER[:8]  # the kinds from which wrong values follow elsewhere
+CAUSES = ORDER[:7]  # the kinds from which wrong values follow elsewhere
 FOLLOWS = "follows"  # the kind of what is wrong only because of other cells
 # what may be read otherwise; what is reworded or gone and misleads nobody
 SHOWN, NOTICE = "shown", "notice"

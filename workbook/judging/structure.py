@@ -11,16 +11,16 @@ from openpyxl import Workbook
 from pydantic import BaseModel
 
 from workbook.book.address import Address, Place
-from workbook.book.declare import Block
+from workbook.book.declare import Block, Book
 from workbook.book.rows import is_number
 from workbook.book.stamp import TABLE
 from workbook.entries.rules import field_at
-from workbook.errors import listed
+from workbook.errors import ReadError, listed
 from workbook.functions.declarations import NAMESPACE
 from workbook.functions.names import definitions, meaning
 from workbook.judging.matching import Match
 from workbook.judging.report import FOLLOWS, LAYOUT, Finding, Report
-from workbook.reading.files import LiteralText, is_formula
+from workbook.reading.files import BookFile, LiteralText, is_formula
 
 LAST_DIGITS = 1e-14  # LibreOffice keeps 15 digits of a number when it saves
 
@@ -212,3 +212,20 @@ def mark_consequences(match: Match, report: Report, suspects: set[Address]) -> N
         at = formulas.get((finding.sheet, finding.cell))
         if at is not None and finding.kind in FOLLOWING and at not in suspects:
             report.findings[n] = replace(finding, kind=FOLLOWS)
+
+
+def refuse_cut_cells(file: BookFile, layout: Book) -> None:
+    """Raise ReadError where cells of a table were cut: formulas have followed them, and read them elsewhere."""
+    match = Match(file, layout)
+    empty = {pair.address: pair.cell.block for pair in match.pairs if pair.held is None}
+    cut: dict[str, dict[Address, Address]] = {}
+    for pair in (p for p in match.pairs if p.declared_formula and is_formula(p.held) and p.held != p.cell.content):
+        for home, there in match.cells_read_elsewhere(pair):
+            if home in empty:
+                cut.setdefault(empty[home].name, {})[home] = there
+    for name, places in cut.items():
+        (first, there), last = min(places.items()), max(places)
+        raise ReadError(
+            f"{file.path}: {first}:{last.a1} of {table_titles([layout.blocks[name]])} was cut: formulas read what "
+            f"stood in {first.a1} at {there}; undo that, or cut and paste it back"
+        )

@@ -18,9 +18,15 @@ from workbook.judging.display.differences import Differences
 from workbook.judging.display.sheets import compare_sheets
 from workbook.judging.display.texts import compare_texts
 from workbook.judging.matching import Match, Pair, declared_place
-from workbook.judging.repair import repair_book
-from workbook.judging.report import NOTICE, ORDER, Check, Finding, Report, WitnessRun
-from workbook.judging.structure import audit, check_structure, layout_findings, mark_consequences, stale_functions
+from workbook.judging.report import ORDER, Check, Finding, Report, WitnessRun
+from workbook.judging.structure import (
+    audit,
+    check_structure,
+    layout_findings,
+    mark_consequences,
+    refuse_cut_cells,
+    stale_functions,
+)
 from workbook.reading.contents import Cells
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, is_formula, open_book, require_little_work
@@ -39,12 +45,10 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     """
     names, absent = available_witnesses(witnesses)
     file = open_book(path)
-    entries = Entries(file, agreed_values, repair_book)
+    entries = Entries(file, agreed_values, refuse_cut_cells)
     if file.torn:
         raise InputError(tear_lines(file, file.torn))
     report = Report(path, entries.template.name, notes=list(file.notes))
-    for move in entries.moved:
-        (report.notices if move.kind == NOTICE else report.findings).append(move)
     machine = entries.machine()
     report.notes += entries.beyond
     if entries.computed:

@@ -5,16 +5,13 @@ What is shown, and formulas at other entries, :func:`workbook.judging.verify.ver
 """
 
 import io
-from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import tostring
 
 from openpyxl.cell.cell import MergedCell
 from openpyxl.reader.strings import read_string_table
-from pydantic import BaseModel
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
@@ -22,9 +19,8 @@ from workbook.entries.machine import Machine
 from workbook.errors import MotionbookError
 from workbook.judging.comparison import Comparison, count_cells
 from workbook.judging.matching import Match
-from workbook.judging.repair import repair_book, repair_names
 from workbook.judging.report import Report
-from workbook.judging.structure import check_structure
+from workbook.judging.structure import check_structure, refuse_cut_cells
 from workbook.judging.verify import check_results
 from workbook.reading.cells import TEXTS, cell_content, saved_values
 from workbook.reading.contents import Cells, plain_value
@@ -72,8 +68,8 @@ class WarmBook:
             file, entered, self._model = book_of(path, inspected), Cells(), None
         else:
             file, entered = enter_cells(file, inspected, cells)
-        repairs = repair_book if self._model is None else repair_names  # of unchanged formulas no cell was cut
-        entries = Entries(file, agreed_values, partial(refuse, repairs))
+        # of unchanged formulas no cell was cut
+        entries = Entries(file, agreed_values, refuse_cut_cells if self._model is None else None)
         if file.torn or file.inserted:
             raise OtherBookError(f"{path}: rows were put into its tables")
         machine = entries.machine()
@@ -101,13 +97,6 @@ class WarmBook:
             comparison.ask(witness)
         report.checks = check_results(match, comparison.values)
         count_cells(match, report)
-
-
-def refuse(repairs: Callable[..., Any], file: BookFile, layout: Book, model: type[BaseModel]) -> list[Any]:
-    """Raise OtherBookError where entries have to be put in order before they can be judged."""
-    if [*repairs(file, layout, model)]:
-        raise OtherBookError(f"{file.path}: names are to be put in order")
-    return []
 
 
 def changed_cells(file: BookFile, inspected: Inspected) -> dict[Address, RawCell] | None:

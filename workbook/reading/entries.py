@@ -3,8 +3,6 @@
 from collections.abc import Callable, Collection, Iterator, Sequence
 from typing import Any
 
-from pydantic import BaseModel
-
 from workbook.book.address import Address, Place
 from workbook.book.declare import Block, Book, Quantity
 from workbook.book.rows import is_number
@@ -22,16 +20,15 @@ from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
 """takes the formula cells that will be asked for, and returns a function that gives the value of each"""
-# repairs entries, and returns findings on them
-Repair = Callable[[BookFile, Book, type[BaseModel]], list[Any]]
-
 UNDO = "undo the change, or take that cell from a copy of the book"
 
 
 class Entries:
-    """Input cells as a description: ``evaluate`` gives values of formulas, ``mend`` repairs cells first."""
+    """Input cells as a description: ``evaluate`` gives values of formulas, ``check`` may refuse the file."""
 
-    def __init__(self, file: BookFile, evaluate: Evaluate, mend: Repair | None = None) -> None:
+    def __init__(
+        self, file: BookFile, evaluate: Evaluate, check: Callable[[BookFile, Book], None] | None = None
+    ) -> None:
         require_narrow(file)
         self.file = file
         self.disputed: list[str] = []
@@ -47,7 +44,8 @@ class Entries:
         fit_tables(file, layout)
         self._torn = {b.name for b in layout.blocks.values() if any(q.role == "input" for q in b.quantities)}
         self._torn &= file.torn.keys()
-        self.moved = mend(file, layout, self.template.model) if mend else []
+        if check:
+            check(file, layout)
         self._value = evaluate(file, [*self._formulas(layout)])
         for block in layout.blocks.values():
             self._read_block(block)

@@ -61,7 +61,6 @@ class BookFile:
     inserted: dict[str, tuple[int, ...]] = field(default_factory=dict)
     # where and how each table is torn that is not whole
     torn: dict[str, str] = field(default_factory=dict)
-    mended: bool = False  # whether entries were put in order, so that it is not as the file is
     inspected: Inspected | None = None  # what openpyxl does not read
     bare: bool = False  # whether it is a copy of contents and names alone
 

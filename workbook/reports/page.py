@@ -43,7 +43,6 @@ VERDICTS = {
 }
 KINDS = {
     "layout": "a row or a column was put into a table, or is gone from it",
-    "entry": "an entry that look-ups take for a pattern, a value or another name",
     "missing": "a cell or block that should be there is not",
     "replaced": "a value stands where a formula should",
     "formula": "the formula is not the one that was generated",

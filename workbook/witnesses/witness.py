@@ -119,7 +119,7 @@ def evaluation_copy(
     bare: bool = False,
 ) -> Iterator[BookFile]:
     """Give ``file``, or a copy without the cells ``own``, with ``given`` values, or ``bare``: contents and names."""
-    if not (own or given or file.mended or (bare and not file.bare)):
+    if not (own or given or (bare and not file.bare)):
         yield file
         return
     with tempfile.TemporaryDirectory() as folder:

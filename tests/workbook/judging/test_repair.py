@@ -1,18 +1,17 @@
-"""Entries that are not in order are judged all the same, with a line that says what to do."""
+"""Entries that are not in order are refused, with a line that says where they stand and what to do."""
 
 import re
 
 import openpyxl
 import pytest
 
-from workbook.build import read_inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 
 
 @pytest.fixture
 def edited(press, tmp_path):
-    """What makes a book of the press with other entries in columns of a table: what ``verify`` says, and its path."""
+    """What makes a book of the press with other entries in columns of a table: what ``verify`` says."""
 
     def made(table, **columns):
         workbook, block = openpyxl.load_workbook(press.path), press.declared.blocks[table]
@@ -20,40 +19,22 @@ def edited(press, tmp_path):
             for row, value in enumerate(values):
                 workbook[block.sheet.title].cell(block.row + row, block.columns[name]).value = value
         workbook.save(tmp_path / "edited.xlsx")
-        return verify(tmp_path / "edited.xlsx"), tmp_path / "edited.xlsx"
+        return verify(tmp_path / "edited.xlsx")
 
     return made
 
 
-def lines(found):
-    return [(f"{one.sheet}!{one.cell}", one.kind, one.computed, one.expected) for one in found]
-
-
-def test_a_name_with_blanks_around_it_is_trimmed_and_told(edited):
-    report, path = edited("motors", name=["M1 ", " M2"])
-    assert (report.findings, report.compared) == ([], report.declared)
-    assert lines(report.notices) == [
-        ("Motors!B8", "notice", "'M1 '", "'M1', without blanks around it"),
-        ("Motors!B9", "notice", "' M2'", "'M2', without blanks around it"),
-    ]
-    machine, notes = read_inputs(path)
-    assert [motor.name for motor in machine.motors] == ["M1", "M2", "M3"]
-    assert any("without blanks" in note for note in notes)
-
-
-def test_a_name_that_is_another_without_its_blank_is_found(edited):
-    report, _ = edited("motors", name=["M1", "M1 "])
-    assert lines(report.findings) == [("Motors!B9", "entry", "'M1 '", "'M1', without blanks around it")]
-
-
 @pytest.mark.parametrize(
-    ("held", "other"), [("A*", "A_"), ("1", "1_"), (1, "1_"), ("?", "_"), ("TRUE", "TRUE_"), ("3/4", "3/4_")]
-)
-def test_a_name_that_look_ups_read_otherwise_is_found_and_the_rest_is_judged(held, other, edited):
-    report, _ = edited("motors", name=[held])
-    found = ("Motors!B8", "entry", f"'{held}'", f"a name that look-ups find, such as {other!r}")
-    assert lines(report.findings) == [found]
-    assert report.compared == report.declared
+    ("held", "says"),
+    [("M1 ", "begins or ends with a blank"), (" M2", "begins or ends with a blank"), ("A*", "holds [*]"),
+     ("?", "holds [?]"), ("1", "reads as a value"), (1, "text"), ("TRUE", "reads as a value"),
+     ("3/4", "reads as a value")],
+)  # fmt: skip
+def test_a_name_that_look_ups_read_otherwise_is_refused_in_a_line_with_its_cell(held, says, edited):
+    with pytest.raises(InputError) as refused:
+        edited("motors", name=[held])
+    (line,) = refused.value.lines
+    assert re.search(f"Motors!B8.*{says}", line)
 
 
 @pytest.mark.parametrize(
