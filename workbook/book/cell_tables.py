@@ -4,8 +4,8 @@
 stand apart: an engineer reads how the sheet does it, without any Python; and no formula knows the engine.
 
 ===========  ====================================================================================================
-``kind``     calc, result, given, constant or check (:mod:`workbook.book.quantity`); limit: a check of a figure that
-             may have no limit, which is 0 then (:meth:`CellTable.limit`); entry: given, with its value
+``kind``     calc, result, given, constant, sentence, verdict, check (:mod:`workbook.book.quantity`); limit: a check of
+             a figure that may have no limit, which is 0 then (:meth:`CellTable.limit`); entry: given, with its value
              from the part of a description that :meth:`CellTable.entries` is given; key: an entry that has no cell;
              number: the first column of a table, which counts its rows
 ``cell``     its name
@@ -27,6 +27,7 @@ import re
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
+from functools import partial
 from operator import attrgetter
 from pathlib import Path
 from string import Formatter
@@ -46,6 +47,8 @@ KINDS: dict[str, Callable[..., Quantity]] = {
     "result": result,
     "given": given,
     "constant": constant,
+    "sentence": partial(Quantity, role="sentence"),
+    "verdict": partial(Quantity, role="check"),
     "number": constant,
     "check": check,
     "limit": check,

@@ -48,16 +48,7 @@ def checks_sheet(book: Book) -> Sheet:
         CELLS["checks"]("verdict", summed.verdicts, formula=[f"={q.name}" for _, q in checks]),
         CELLS["checks"]("nth", summed.so_far, formula=["=" + FAILS, *[f"=[nth-1]+{FAILS}" for _ in checks[1:]]]),
         CELLS["checks"]("what", [q.label for _, q in checks]),
-        Quantity(
-            "says",
-            "what it is about, or where it fails and by how much",
-            "",
-            "",
-            "sentence",
-            [f"={q.name}{SAYS}" for _, q in checks],
-            summed.sentences,
-            align="left",
-        ),
+        CELLS["checks"]("says", summed.sentences, formula=[f"={q.name}{SAYS}" for _, q in checks]),
     )
     return sheet
 
@@ -177,15 +168,6 @@ def failing_table(sheet: Sheet, name: str) -> None:
         most,
         CELLS["failing"]("where", on, none=NONE, where=where, failing=FAILING_NOW),
         CELLS["failing"]("k", list(range(1, most + 1))),
-        Quantity(
-            "says",
-            "what fails",
-            "",
-            "",
-            "sentence",
-            f'=IF([k]>{FAILING_NOW},"",{what}&": "&{says})',
-            sentences,
-            align="left",
-        ),
+        CELLS["failing"]("says", sentences, failing=FAILING_NOW, what=what, message=says),
         blank=f"[k]>MAX(1,{FAILING_NOW})",
     )

@@ -1,7 +1,7 @@
 """Contents that ``inputs`` and ``regenerate`` leave, and the engineer's additions that ``regenerate`` takes along."""
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from openpyxl.cell.cell import Cell
@@ -100,11 +100,7 @@ def find_additions(match: Match, fresh: Book) -> Additions:
     moves.own_names |= {name.name.casefold() for name in names}
     taken, lost = taken_cells(fresh), dict[Address, str]()
     cells, notes = list[tuple[Cell, Address, Any]](), list[tuple[Cell, Address]]()
-    held = (cell for sheet in sheets if sheet.title in ours | moves.own_sheets for cell in sheet._cells.values())
-    for cell in held:
-        if not isinstance(cell, Cell):  # within a range that is merged
-            continue
-        at = Address(cell.parent.title, cell.row, cell.column)
+    for at, cell in cells_on(sheets, ours | moves.own_sheets):
         try:
             if is_own(match, at):
                 to = free_place(moves, at, taken)
@@ -114,6 +110,13 @@ def find_additions(match: Match, fresh: Book) -> Additions:
         except LostError as error:
             lost[at] = str(error)
     return Additions(tuple(own), tuple(cells), tuple(notes), names, tuple(moves.remarks()), lost)
+
+
+def cells_on(sheets: Sequence[Worksheet], titles: set[str]) -> Iterator[tuple[Address, Cell]]:
+    """Yield the cells of sheets with these titles."""
+    for sheet in (sheet for sheet in sheets if sheet.title in titles):
+        cells = (cell for cell in sheet._cells.values() if isinstance(cell, Cell))
+        yield from ((Address(sheet.title, cell.row, cell.column), cell) for cell in cells)
 
 
 def is_own(match: Match, at: Address) -> bool:

@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pydantic import ValidationError
@@ -119,9 +119,7 @@ class Comparison:
         wrong = self._wrong(values, first=not self.values)
         places = [pair.address for pair, _ in wrong]
         self._first_wrong = self._first_wrong if self.values else set(places)
-        alone = self.model.each([self.match.numbers[a] for a in places], self.right.values) if places else []
-        # even when all that they refer to is right
-        at_fault = {a for a, value in zip(places, alone, strict=True) if differs(self.right, a, value)}
+        at_fault = self._at_fault(places)
         explained = bool(at_fault) or any(finding.kind in CAUSES for finding in self.report.findings)
         problems: Mapping[Address, str] = self.model.problems if ran.name == self.single.name else {}
         for pair, deviation in wrong:
@@ -131,6 +129,12 @@ class Comparison:
             why = problems.get(pair.address, "") or ("" if value is not None else "it could not be evaluated")
             self.report.add(pair, kind, value, pair.cell.expected, deviation, ran.name, why)
         self.values = self.values or values
+
+    def _at_fault(self, places: Sequence[Address]) -> set[Address]:
+        """Return the cells that are wrong even when all that they refer to is right."""
+        numbers = [self.match.numbers[a] for a in places]
+        alone = self.model.each(numbers, self.right.values) if numbers else []
+        return {a for a, value in zip(places, alone, strict=True) if differs(self.right, a, value)}
 
     def _kept(self, ran: WitnessRun, values: Cells) -> None:
         """Enter values that the file was saved with and that no longer are what its cells compute."""

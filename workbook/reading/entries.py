@@ -128,9 +128,7 @@ class Entries:
         if is_list:
             while rows and is_empty(rows[-1]):
                 rows.pop()
-            known = rules.field_at(self.template.model, table)[1] if rows and has_key(self.data, table) else []
-            is_stand_in = any(isinstance(c, MakesCells) and c.stand_in is not None for c in known)
-            if is_stand_in or (not rows and self._must_be_there(table)):
+            if self._is_stand_in(table) if rows else self._must_be_there(table):
                 put(self.data, split(table), [])
         for i, row in enumerate(rows):
             self._put_row(block.name, place, i, inputs, row)
@@ -162,6 +160,11 @@ class Entries:
             message = f"{last[0].sheet}: {', '.join(held)} stand under the last row of the table {block.name}, where "
             mend = "enter them in a spare row of it, or build the book with more rows"
             self.beyond.append(f"{message}nothing reads them; {mend}")
+
+    def _is_stand_in(self, table: str) -> bool:
+        """Whether the layout has a stand-in for the rows of a table."""
+        constraints = rules.field_at(self.template.model, table)[1] if has_key(self.data, table) else []
+        return any(isinstance(c, MakesCells) and c.stand_in is not None for c in constraints)
 
     def _must_be_there(self, key: str) -> bool:
         """Whether an empty cell of an entry is not what a description without it means."""

@@ -2,7 +2,6 @@
 
 from collections import defaultdict
 from collections.abc import Iterator
-from functools import partial
 from typing import Literal, NamedTuple
 
 from workbook.book.address import Address
@@ -83,7 +82,7 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
 
     They are the nearest in which most of these texts stand, so that a right text elsewhere excuses no wrong text.
     """
-    lines, there = defaultdict[tuple[str, int, int], list[tuple[Text, Block]]](list), partial(has_words, match)
+    lines = defaultdict[tuple[str, int, int], list[tuple[Text, Block]]](list)
     for text, block in describe_texts(sheet):
         if block.name in match.file.places:
             is_above = text.style in ABOVE
@@ -94,9 +93,13 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
         offsets = range(offset, offset + furthest) if offset > 0 else range(offset, offset - furthest, -1)
         tried = ([text_address(match, *entry, each) for entry in line] for each in offsets)
         declared = [text_address(match, *entry, offset) for entry in line]
-        texts = [text for text, _ in line]
-        nearest = next((places for places in tried if 2 * sum(map(there, places, texts)) > len(line)), declared)
+        nearest = next((places for places in tried if 2 * count_words(match, places, line) > len(line)), declared)
         yield from (Label(*entry, at) for at, entry in zip(nearest, line, strict=True) if at.column > 0 < at.row)
+
+
+def count_words(match: Match, places: list[Address], line: list[tuple[Text, Block]]) -> int:
+    """Return how many texts of a line stand at these places."""
+    return sum(has_words(match, at, text) for at, (text, _) in zip(places, line, strict=True))
 
 
 def text_address(match: Match, text: Text, block: Block, offset: int) -> Address:

@@ -5,7 +5,7 @@ import numpy as np
 from engine.drive.bounds import CONSTANT
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import cell_tables, charts_beside
-from workbook.book.declare import Book, Quantity, Sheet, calc
+from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import SHARES, WEIGHTS, filled
 from workbook.drive.motor import (
     below_curve,
@@ -170,8 +170,8 @@ def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         cell("middle", middle, begin=begin, to=to),
         *place_columns(rows, "", "looked at", f"{place}-{origin}", np.array(u), pieces, "[q]"),
         *(
-            calc(name, what, name, rows.at.unit(n), f"={sampled(rows, n)}", rates[n - 1], scale=cut.size(n))
-            for n, (name, what) in enumerate((("v", "speed there"), ("a", "acceleration"), ("j", "jerk")), 1)
+            cell(name, rates[n - 1], unit=rows.at.unit(n), there=sampled(rows, n), scale=cut.size(n))
+            for n, name in enumerate("vaj", 1)
         ),
         cell("at", at, nearer=nearer),
         blank="@turned=0",

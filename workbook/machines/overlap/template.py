@@ -183,13 +183,7 @@ def sums(sheet: Sheet, machine: OverlapView) -> None:
         cell("a1", after, formula=machine.each("=@a1")),
         cell("ratio", lower, formula=machine.each("=@ratio")),
         cell("least", [s.least for s in stations], formula=machine.each("=@least")),
-        Quantity(
-            "ok",
-            "its checks",
-            role="check",
-            formula=machine.each(f'=IF(AND({conditions}),"OK","FAIL")'),
-            value=verdicts,
-        ),
+        cell("ok", verdicts, formula=machine.each(f'=IF(AND({conditions}),"OK","FAIL")')),
     )
     left = RIGHT + 1
     timing_diagrams(sheet, machine, left)
