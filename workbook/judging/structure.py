@@ -45,7 +45,7 @@ def check_structure(match: Match, report: Report) -> set[Address]:
             report.add(pair, "replaced", held, pair.cell.content, why="a text is never computed")
         elif not is_formula(pair.held):
             report.add(pair, "replaced", pair.held, pair.cell.expected)
-        elif not match.same_shape(pair):
+        elif not match.same_formula(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet):
             suspects.add(pair.address)
             report.add(pair, "formula", pair.held, pair.cell.content)
     return suspects

@@ -5,18 +5,12 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from pydantic import BaseModel
-
 from workbook.book.address import Address
 from workbook.book.quantity import FAIL, SAYS
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, WitnessError
 from workbook.judging.comparison import Comparison, count_cells, is_error
-from workbook.judging.display.cells import BookLooks, build_looks, compare_cells, compare_rules, find_spots
-from workbook.judging.display.charts import compare_charts
-from workbook.judging.display.differences import Differences
-from workbook.judging.display.sheets import compare_sheets
-from workbook.judging.display.texts import compare_texts
+from workbook.judging.display.cells import check_display
 from workbook.judging.matching import Match, Pair, declared_place
 from workbook.judging.report import ORDER, Check, Finding, Report, WitnessRun
 from workbook.judging.structure import (
@@ -117,21 +111,6 @@ def judge(
         cells = (((pair.address.sheet, pair.address.a1), pair.cell.content) for pair in match.pairs)
         report.formulas = {at: text for at, text in cells if at in wrong and is_formula(text)}
     count_cells(match, report)
-
-
-def check_display(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
-    """Enter what is shown otherwise than in a fresh build of the same inputs; what misleads a reader is a finding.
-
-    ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
-    """
-    differences, fresh = Differences(match), build_looks(match.declared, model)
-    held = BookLooks(match.file.workbook, match.file.inspected.drawings if match.file.inspected else {})
-    labels = compare_texts(match, report, differences)
-    compare_cells(match, fresh, held, find_spots(match, labels), computed, differences)
-    compare_rules(match, fresh, held, differences)
-    compare_sheets(match, fresh.workbook, differences)
-    compare_charts(match, fresh.workbook, held.views, differences)
-    differences.enter(report)
 
 
 def count_own_cells(match: Match, report: Report, given: Collection[Address]) -> set[Address]:

@@ -80,7 +80,8 @@ def fit_columns(file: BookFile, block: Block) -> None:
     """Take columns that were put in out of a table's place; enter a table without columns, or without headings."""
     place, added = file.places[block.name], file.places[block.name].columns - len(block.quantities)
     labels = declared_headers(block)
-    if not added and (not any(labels) or has_texts_above(file, block)):
+    heads = (place.cell(-up, j) for up in HEADER_ROWS for j in range(len(labels)))
+    if not added and (not any(labels) or any(isinstance(file.value(at), str) for at in heads)):
         return
     furthest = block.row - min(header_rows(block)) + MOST_BETWEEN
     above = [
@@ -113,12 +114,6 @@ def declared_headers(block: Block) -> list[str]:
 def header_rows(block: Block) -> list[int]:
     """Return the rows in which headings of a table may be declared: its own, or those of a like table above."""
     return [block.shared_heads] if block.shared_heads else [block.row - up for up in HEADER_ROWS]
-
-
-def has_texts_above(file: BookFile, block: Block) -> bool:
-    """Whether texts, whatever they say, stand where the headings of a table are declared."""
-    cells = (file.places[block.name].cell(-up, j) for up in HEADER_ROWS for j in range(len(block.quantities)))
-    return any(isinstance(file.value(at), str) for at in cells)
 
 
 def tear_lines(file: BookFile, names: Container[str]) -> list[str]:

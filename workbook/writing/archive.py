@@ -63,16 +63,12 @@ def complete_parts(parts: dict[str, bytes], strings: bytes, abouts: list[tuple[s
     named = (f'name="{escape(title)}" descr="{escape(about)}"'.encode() for title, about in abouts)
     for name, part in complete.items():
         if re.fullmatch(r"xl/drawings/drawing\d+\.xml", name):
-            complete[name] = with_prefix(re.sub(rb'name="Chart \d+"', lambda _: next(named), part), b"xdr:")
+            drawing = re.sub(rb'name="Chart \d+"', lambda _: next(named), part)
+            drawing = re.sub(rb"<(/?)(?=\w+[ />])", rb"<\g<1>xdr:", drawing)
+            complete[name] = drawing.replace(b" xmlns=", b" xmlns:xdr=")
         elif name.endswith(".rels"):
             complete[name] = with_relative_targets(name, part.decode()).encode()
     return with_part(complete, "sharedStrings", strings)
-
-
-def with_prefix(part: bytes, prefix: bytes) -> bytes:
-    """Return a part whose elements of the default namespace have a prefix, such as ``xdr:``."""
-    named = re.sub(rb"<(/?)(?=\w+[ />])", rb"<\g<1>" + prefix, part)
-    return named.replace(b" xmlns=", b" xmlns:" + prefix[:-1] + b"=")
 
 
 def with_relative_targets(name: str, part: str) -> str:

@@ -8,9 +8,9 @@ import openpyxl
 import pytest
 
 from workbook.errors import ReadError
+from workbook.judging.display.cells import check_display
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.verify import check_display
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.witnesses.agreement import agreed_values

@@ -10,9 +10,9 @@ from tests.workbook.judging.hands import repacked
 from workbook.book.chart import Chart, Series
 from workbook.book.checks import checks_sheet, repeat_verdicts
 from workbook.book.declare import Book, Text, calc, check, constant, given, result
+from workbook.judging.display.cells import check_display
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
-from workbook.judging.verify import check_display
 from workbook.reading.files import open_book
 from workbook.writing.write import save
 

@@ -11,6 +11,7 @@ from pydantic import BaseModel
 from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.book.quantity import OK
+from workbook.judging.display.charts import compare_charts
 from workbook.judging.display.differences import VERDICTS, Differences, Subject
 from workbook.judging.display.flat import (
     Flat,
@@ -22,9 +23,10 @@ from workbook.judging.display.flat import (
     plain_number,
     text_section,
 )
-from workbook.judging.display.sheets import SheetView
-from workbook.judging.display.texts import QUIET, Label
+from workbook.judging.display.sheets import SheetView, compare_sheets
+from workbook.judging.display.texts import QUIET, Label, compare_texts
 from workbook.judging.matching import Match, Pair
+from workbook.judging.report import Report
 from workbook.reading.contents import Cells
 from workbook.reading.package import Anchor
 from workbook.writing import archive
@@ -118,6 +120,21 @@ class BookLooks:
             look.pop("fill patternFill bgColor", None)
         ink = look.get("font color") or BLACK
         return look | {"legible": "no" if ink == (ground if pattern == "solid" else pattern or WHITE) else "yes"}
+
+
+def check_display(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
+    """Enter what is shown otherwise than in a fresh build of the same inputs; what misleads a reader is a finding.
+
+    ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
+    """
+    differences, fresh = Differences(match), build_looks(match.declared, model)
+    held = BookLooks(match.file.workbook, match.file.inspected.drawings if match.file.inspected else {})
+    labels = compare_texts(match, report, differences)
+    compare_cells(match, fresh, held, find_spots(match, labels), computed, differences)
+    compare_rules(match, fresh, held, differences)
+    compare_sheets(match, fresh.workbook, differences)
+    compare_charts(match, fresh.workbook, held.views, differences)
+    differences.enter(report)
 
 
 def build_looks(declared: Book, model: type[BaseModel]) -> BookLooks:
@@ -241,7 +258,7 @@ def is_same_condition(match: Match, rule: Any, held: Overlay, block: Block) -> b
     first = f"A{min(top for _, top, *_ in held.ranges)}"
     text = str(held.rule.formula[0]).removeprefix("=")
     moved = Translator(f"={text}", first).translate_formula(f"A{place.row}")
-    return moved == declared or match.same_formula(declared, block, moved, place.sheet)
+    return match.same_formula(declared, block, moved, place.sheet)
 
 
 def text_fonts(match: Match) -> dict[Address, str]:

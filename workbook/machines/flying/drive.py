@@ -7,17 +7,7 @@ from engine.laws.points import POINTS
 from workbook.book.cell_tables import cell_tables, charts_beside
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import SHARES, WEIGHTS, filled
-from workbook.drive.motor import (
-    below_curve,
-    continuous,
-    inertia_check,
-    limit_checks,
-    limits_table,
-    pair_checks,
-    plane,
-    rms_point,
-    within_reducer,
-)
+from workbook.drive import motor
 from workbook.fields.units import PER_RPM, RPM, shown
 from workbook.machines.flying.view import LOOKS, ToolDrive
 from workbook.motion.cells import PieceRows
@@ -45,15 +35,15 @@ def drive_sheet(book: Book, view: ToolDrive, rows: PieceRows) -> None:
         sheet.rows(cell("@motor_name", s.motor, source=proposed), cell("@reducer_name", s.reducer, source=proposed))
         outcome(sheet, view)
         sheet.checks(*checks(view))
-        sheet.chart(plane("[@pt.n]", "[@pt.T]"), column=11, row=5, width=6, height=22)
+        sheet.chart(motor.plane("[@pt.n]", "[@pt.T]"), column=11, row=5, width=6, height=22)
         sheet.chart(CHARTS["Torque of the motor over a cycle"], column=11, row=28, width=6, height=16)
         sheet.row = max(sheet.row, BELOW_CHARTS)
         sheet.not_printed_below()
         in_use(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
         corners = view.motor.corners(min(0.0, float(view.load.direction.min())))
-        limits_table(sheet, corners, "MIN([@pt.dir])<0", falls=True)
-        rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
+        motor.limits_table(sheet, corners, "MIN([@pt.dir])<0", falls=True)
+        motor.rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
         turns(sheet, view, rows)
         sheet.heading("Workings: the cycle at points", ABOUT_POINTS)
         intervals(sheet, view)
@@ -78,7 +68,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
         cell("@margin", held.rms_torque.reserve * view.reserves.rms_reserve),
         cell("@speed", shown(view.speed, RPM)),
         cell("@mean", shown(points.mean_speed, RPM)),
-        continuous(view.motor, points.mean_speed),
+        motor.continuous(view.motor, points.mean_speed),
         cell("@spare", float(view.left.min()), scale=max(size, view.motor.peak_torque)),
         cell("@smax", view.demand.torque, scale=view.torque),
         cell("@smean", view.demand.mean_torque, scale=view.torque),
@@ -90,15 +80,17 @@ def checks(view: ToolDrive) -> list[Quantity]:
     """Return the checks of the motor's and the reducer's limits."""
     cell, (shaft, motor_mass, hub, reducer_mass) = CELLS["checks"], view.proposal.built(*view.pair).values()
     (fastest, strongest, lasting), demand = view.limits, view.demand
-    within = within_reducer("Drive", "sel_tmax", "@reducer_peak")
+    within = motor.within_reducer("Drive", "sel_tmax", "@reducer_peak")
     return [
         cell("@ok_told", True, unlisted=UNLISTED),
-        *limit_checks(view.reserve, "Drive"),
-        inertia_check(
+        *motor.limit_checks(view.reserve, "Drive"),
+        motor.inertia_check(
             "Drive", "sel_own_inertias", "limits_inertia_ratio", view.inertia_ratio, view.reserves.inertia_ratio
         ),
-        *pair_checks("Drive", shaft, hub, motor_mass + reducer_mass, view.reserves.largest_mass, "limits_largest_mass"),
-        below_curve("Drive", view.motor.falling.fall, float(view.left.min())),
+        *motor.pair_checks(
+            "Drive", shaft, hub, motor_mass + reducer_mass, view.reserves.largest_mass, "limits_largest_mass"
+        ),
+        motor.below_curve("Drive", view.motor.falling.fall, float(view.left.min())),
         within.limit("@ok_reducer_speed", shown(view.speed, RPM), shown(fastest, RPM)),
         within.limit("@ok_reducer_peak", view.reserves.torque_factor * demand.torque, strongest),
         within.limit("@ok_reducer_mean", demand.mean_torque, lasting),
@@ -107,7 +99,7 @@ def checks(view: ToolDrive) -> list[Quantity]:
 
 def in_use(sheet: Sheet, view: ToolDrive) -> None:
     """Declare the figures of the motor and the reducer in use."""
-    cell, (m, r), motor = CELLS["in_use"], view.pair, view.motor
+    cell, (m, r), own = CELLS["in_use"], view.pair, view.motor
     inertia, ratio, efficiency, no_load = view.gears
     fastest, strongest, lasting = view.limits
 
@@ -121,19 +113,19 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
         cell("@place", (view.proposal.proposed or 0) + 1),
         row("motor", "m", m + 1),
         row("reducer", "r", r + 1),
-        cell("@jm", motor.inertia),
+        cell("@jm", own.inertia),
         cell("@jt", float(view.proposal.reducers.inertia[r])),
         cell("@j", inertia),
         cell("@i", ratio),
         cell("@eta", efficiency),
         cell("@no_load", no_load),
-        cell("@motor_rated", motor.rated_torque),
-        cell("@motor_stall", motor.stall_torque),
-        cell("@motor_nn", shown(motor.rated_speed, RPM)),
-        cell("@motor_peak", motor.peak_torque),
-        cell("@motor_nmax", shown(motor.max_speed, RPM)),
-        cell("@knee", shown(motor.falling.knee, RPM)),
-        cell("@fall", shown(motor.falling.fall, PER_RPM)),
+        cell("@motor_rated", own.rated_torque),
+        cell("@motor_stall", own.stall_torque),
+        cell("@motor_nn", shown(own.rated_speed, RPM)),
+        cell("@motor_peak", own.peak_torque),
+        cell("@motor_nmax", shown(own.max_speed, RPM)),
+        cell("@knee", shown(own.falling.knee, RPM)),
+        cell("@fall", shown(own.falling.fall, PER_RPM)),
         cell("@reducer_nmax", shown(fastest, RPM)),
         cell("@reducer_peak", strongest),
         cell("@reducer_mean", lasting),

@@ -13,15 +13,14 @@ from workbook.machines.machine.drive.view import DriveView
 CELLS = cell_tables(__file__)
 
 
-def held(view: DriveView) -> str:
-    """Return the formula of 1 at a point where the brake holds the shaft, in dwells long enough for it, else 0."""
-    return "1-[free]" if view.brakes else "([dir]=0)*@brake"
+def held(view: DriveView, times: str = "") -> str:
+    """Return the formula of 1 at a point where the brake holds the shaft, perhaps at so many times the rate, else 0.
 
-
-def held_at(view: DriveView, times: str) -> str:
-    """Return the formula of 1 at a point where the brake holds the shaft at so many times the rate, else 0."""
-    lasts = f"INDEX([@iv.dwell],[iv])>=(@brake_least-check_zero)*{times}"
-    return f"([dir]=0)*({lasts})*@brake" if view.brakes else held(view)
+    It holds in dwells long enough for it.
+    """
+    if not view.brakes:
+        return "([dir]=0)*@brake"
+    return f"([dir]=0)*(INDEX([@iv.dwell],[iv])>=(@brake_least-check_zero)*{times})*@brake" if times else "1-[free]"
 
 
 def workings(view: DriveView) -> list[Quantity]:

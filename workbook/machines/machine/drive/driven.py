@@ -94,7 +94,9 @@ class Driven:
         self.left = left_of(entered.motor)
 
         self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in kinds.LINKED else None
-        self.by_angle = by_angle_of(self.given) if self.given.SLIDES else self._arm(machine.gravity)
+        self.by_angle: ByAngle | None = by_angle_of(self.given) if self.given.SLIDES else None
+        if arm := load.arm:
+            self.by_angle = Arm(arm.mass * machine.gravity * si(arm.radius, MM), si(arm.angle, DEGREE))
         # the load: with its axis, or as a slide
         self.travels = entered.unit == "mm" or self.given.SLIDES
         bed = (self.given.belt_on_bed or 0.0) if isinstance(self.given, kinds.Belted) else 0.0
@@ -124,11 +126,6 @@ class Driven:
         if entered is not None:
             return entered
         return 2.0 - 1.0 / forward if self.given.kind in kinds.SCREWS else forward
-
-    def _arm(self, gravity: float) -> Arm | None:
-        """Return the weight of the arm that the axis swings; None if it has none."""
-        arm = self.entered.load.arm
-        return Arm(arm.mass * gravity * si(arm.radius, MM), si(arm.angle, DEGREE)) if arm else None
 
     def _mechanism(self) -> Mechanism:
         """Return reducer, stages, mechanism, parts and load; a screw by its turns a metre, all else by a size."""

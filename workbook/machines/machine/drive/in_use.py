@@ -192,12 +192,6 @@ def figures(driven: "Driven") -> list[Quantity]:
     return [*catalogued(driven), *(cell(name, values[name]) for name in cell)]
 
 
-def pair_fit(driven: "Driven") -> tuple[float, float, float, float]:
-    """Return the motor's shaft, the largest in the reducer's hub (mm), their mass and its limit (kg); 0: not told."""
-    motor, reducer = driven.motor_used, driven.reducer
-    return motor.shaft, reducer.hub, motor.known_mass + reducer.known_mass, driven.limits.largest_mass
-
-
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'
 
 

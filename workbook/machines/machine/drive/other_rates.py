@@ -87,7 +87,7 @@ def at_another_rate(view: DriveView, then: DrivePoints, end: str, resists: str) 
         cell("F{end}", of(then.load.force), unit=driven_unit(view), source=source),
         *before,
         cell("S{end}", of(then.load.output_torque), output=output),
-        cell("T{end}", of(then.torque), held=brake.held_at(view, times), own_inertia=motor_inertia),
+        cell("T{end}", of(then.torque), held=brake.held(view, times), own_inertia=motor_inertia),
     ]
 
 

@@ -19,6 +19,7 @@ from workbook.machines.machine.drive import (
     creeping,
     in_use,
     max_rate,
+    points,
     rates_between,
     reducer_load,
     stages,
@@ -27,16 +28,6 @@ from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import listed, loads, parts_and_forces, windows_check
 from workbook.machines.machine.drive.front_page import NAMED, RIGHT, FrontPage
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
-from workbook.machines.machine.drive.points import (
-    angle_chart,
-    charts,
-    cuts_table,
-    intervals_table,
-    limit_lines,
-    points_table,
-    samples_table,
-    tops_table,
-)
 from workbook.machines.machine.drive.reach import linkage_checks, reach_table
 from workbook.machines.machine.drive.turns import turns_check, turns_table
 from workbook.machines.machine.drive.view import DriveView
@@ -66,7 +57,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         quantities = [*entries(driven), *in_use.figures(driven), *at_rate(view), *outcome(view), *uses(view)]
         quantities += listed(driven)
         front = FrontPage(sheet, [*quantities, *judged])
-        front.place(charts(view))
+        front.place(points.charts(view))
         parts_and_forces(sheet, view)
         checks_of_entries(sheet, view, front, judged)
         is_printed = "workings" in book.print_also
@@ -91,14 +82,14 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         corners = driven.motor.corners(backward)
         motor.limits_table(sheet, corners, "MIN([@iv.dir])<0", view.knows_falling)
         motor.rms_point(sheet, view.points.mean_speed, view.points.rms_torque)
-        limit_lines(sheet, view)
+        points.limit_lines(sheet, view)
         sheet.heading("Workings: the cycle in intervals and points")
         turns_table(sheet, view)
-        cuts_table(sheet, view)
-        intervals_table(sheet, view)
-        points_table(sheet, view)
-        tops_table(sheet, view)
-        samples_table(sheet, view)
+        points.cuts_table(sheet, view)
+        points.intervals_table(sheet, view)
+        points.points_table(sheet, view)
+        points.tops_table(sheet, view)
+        points.samples_table(sheet, view)
         if is_printed:
             sheet.not_printed_below()
 
@@ -114,7 +105,7 @@ def checks_of_entries(sheet: Sheet, view: DriveView, front: FrontPage, judged: l
     top = sheet.row
     sheet.checks(*front.verdicts(), *(q for q in judged if q.name not in NAMED))
     if view.varies:
-        sheet.chart(angle_chart(view), RIGHT, top, 8, ANGLE_ROWS)
+        sheet.chart(points.angle_chart(view), RIGHT, top, 8, ANGLE_ROWS)
         sheet.row = max(sheet.row, top + ANGLE_ROWS)
 
 
@@ -149,7 +140,7 @@ def to(bound: float, of: str = "") -> str:
 
 def outcome(view: DriveView) -> list[Quantity]:
     """Return the results: torques, speeds, energies that the cycle asks of the motor, and the range of rates."""
-    driven, points, rows = view.driven, view.points, view.peaks.rows
+    driven, at, rows = view.driven, view.points, view.peaks.rows
     reducer, own, bound = view.reducer_checks, driven.entered.rate, stated_bounds(driven.train)
     inertias = np.array(
         [driven.motor_used.inertia, driven.reducer.inertia, driven.beside_motor, reducer_load.behind_reducer(view)]
@@ -176,11 +167,11 @@ def outcome(view: DriveView) -> list[Quantity]:
         cell("@largest", view.peaks.size("T"), source=to(bound.peak_torque)),
         cell("@tmax", view.peaks.top("T"), source=to(bound.peak_torque) + damped, row=rows["T", 1, 2]),
         cell("@tmin", -view.peaks.top("T", -1), source=to(bound.peak_torque), row=rows["T", -1, 2]),
-        cell("@rms", points.rms_torque, bound=to(bound.rms_torque, "the peak")),
-        cell("@t_hold", points.holding_torque),
+        cell("@rms", at.rms_torque, bound=to(bound.rms_torque, "the peak")),
+        cell("@t_hold", at.holding_torque),
         cell("@speed", shown(view.speed, RPM), formula=fastest, source=speed),
-        cell("@mean", shown(points.mean_speed, RPM)),
-        motor.continuous(view.driven.motor, points.mean_speed),
+        cell("@mean", shown(at.mean_speed, RPM)),
+        motor.continuous(view.driven.motor, at.mean_speed),
         *([cell("@spare", view.spare)] if view.knows_falling else []),
         cell("@smax", reducer[0].value, source=to(bound.peak_torque), row=rows["S", 1, 2], lowest=rows["S", -1, 2]),
         cell("@smean", reducer[1].value, cubic_mean=max_rate.cubic("[@pt.S]")),
@@ -248,7 +239,8 @@ def checks(view: DriveView) -> list[Quantity]:
     """Return the checks of the drive: of its limits with what would mend them, and of what is entered."""
     cell = CELLS["checks"].sharing(**view.parts)
     driven, (torque, mean, speed) = view.driven, view.reducer_checks
-    called, reducer = driven.called, driven.reducer
+    called, reducer, built = driven.called, driven.reducer, driven.motor_used
+    mass = built.known_mass + reducer.known_mass
     mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').text}")
     within = motor.within_reducer(called, "@smax", "@reducer_held")
     is_level, level_says = not driven.catalogued_falling.fall, CheckSentence(f'"{LEVEL}"', LEVEL)
@@ -260,7 +252,7 @@ def checks(view: DriveView) -> list[Quantity]:
         within.limit("@ok_reducer_speed", shown(speed.value, RPM), reducer.max_speed, mends),
         creeping.creeping_check(view),
         motor.inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
-        *motor.pair_checks(called, *in_use.pair_fit(driven)),
+        *motor.pair_checks(called, built.shaft, reducer.hub, mass, driven.limits.largest_mass),
         turns_check(view),
         *([brake.holds(view)] if view.brakes else []),
         *in_use.checks(called),
