@@ -1,7 +1,7 @@
-"""The parts of a chart, as sheets declare it."""
+"""The parts of a chart, and a label, as sheets declare them."""
 
 from dataclasses import dataclass, replace
-from typing import Literal, Self
+from typing import Literal, NamedTuple, Self
 
 COLOURS = ("0072B2", "D55E00", "009E73", "CC79A7", "E69F00", "56B4E9", "374151")
 """Of the lines of a chart in their order, where they name none: told apart without red and green (Okabe, Ito 2008)."""
@@ -61,3 +61,17 @@ class Chart:
         if scope:
             return replace(self, series=tuple(series.within(scope) for series in self.series))
         return self
+
+
+class Text(NamedTuple):
+    """A label on the sheet, with the style it takes; ``link`` names a sheet to jump to, at a cell of it.
+
+    Without a text it links the declared cell in its place.
+    """
+
+    row: int
+    column: int
+    text: str
+    style: str
+    link: str = ""
+    linked_cell: str = "A1"

@@ -24,12 +24,12 @@ from typing import Any
 
 from openpyxl.utils import get_column_letter, quote_sheetname
 
+from workbook.book.chart import Text
 from workbook.book.formula import Area
 from workbook.book.limits import Limit, RowRule
 from workbook.book.quantity import Block, Cell, Quantity, calc, check, constant, given, result
 from workbook.book.rows import as_rows
 from workbook.book.sheet import FIRST, Sheet
-from workbook.book.text import Text
 
 __all__ = [
     "FIRST", "Block", "Book", "Cell", "Quantity", "RowRule", "Sheet", "Text",

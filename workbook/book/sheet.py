@@ -10,11 +10,10 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from workbook.book import limits
-from workbook.book.chart import Chart, in_scope
+from workbook.book.chart import Chart, Text, in_scope
 from workbook.book.limits import Guard, Limit, RowRule
 from workbook.book.quantity import Block, Quantity, sentence
 from workbook.book.rows import as_rows
-from workbook.book.text import Text
 
 if TYPE_CHECKING:
     from workbook.book.declare import Book
@@ -49,7 +48,6 @@ class Sheet:
     heights: dict[int, float] = field(default_factory=dict)
     unprinted: bool = False  # whether it is for the screen alone: its print area is a hidden cell
     one_page: bool = False
-    portrait: bool = False
     # of columns that differ from those of other sheets
     widths: dict[int, float] = field(default_factory=dict)
     scope: str = ""

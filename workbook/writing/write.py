@@ -253,7 +253,7 @@ def set_up_print(sheet: Sheet, page: Worksheet, used: int, wide: dict[int, float
     last = sheet.print_rows or max(sheet.row, 30)
     # below what is printed
     goes_on = any(block.row <= last < block.row + block.size - 1 for block in sheet.blocks)
-    page.page_setup.orientation = "portrait" if sheet.portrait else "landscape"
+    page.page_setup.orientation = "landscape"
     page.page_setup.paperSize = 9
     page.page_margins = PageMargins(**layout.MARGINS)
     left, middle, number = (_HeaderFooterPart(text) for text in ("&F", "&A", "Page &P of &N"))

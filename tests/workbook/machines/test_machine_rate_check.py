@@ -8,7 +8,7 @@ from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from tests.workbook.machines.test_machine_rates import FREE, machine
 from workbook.build import build
 from workbook.judging.verify import verify
-from workbook.machines.machine.drive.shown_rates import AT_NO_RATE, NONE_BINDS, Rates
+from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, Rates
 from workbook.machines.machine.exact import drives_of, limit_of_rate
 from workbook.machines.machine.rates_summary import RATE_CHECK, hold_at, rate_check
 from workbook.reading.descriptions import write_machine

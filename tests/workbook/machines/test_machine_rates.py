@@ -8,7 +8,7 @@ from tests.workbook.machines.test_machine_drives import CRANK, ROCKER, SCREW, lo
 from tests.workbook.machines.test_machine_drives import small as linked_small
 from tests.workbook.machines.test_machine_selection import PRESS
 from workbook.machines.machine import exact
-from workbook.machines.machine.drive.shown_rates import AT_NO_RATE
+from workbook.machines.machine.drive.view import AT_NO_RATE
 from workbook.machines.machine.entries import Master
 from workbook.machines.machine.exact import drives_of, rate_of
 

@@ -11,7 +11,7 @@ from tests.workbook.composed import MACHINE
 from tests.workbook.composed import composed as one_axis
 from workbook.errors import InputError
 from workbook.law_sheets.book_laws import BookLaws
-from workbook.machines.machine import extremes
+from workbook.machines.machine import view
 from workbook.machines.machine.exact import MOTION, extremes_of
 from workbook.machines.machine.view import MachineView
 
@@ -162,7 +162,7 @@ def test_extremes_at_points_are_as_exact_as_their_sheet_states(seed):
 def test_an_extreme_that_points_miss_is_told(monkeypatch):
     machine = composed([("PO5", 10.0, 100.0), ("LIN", 40.0, 100.0), ("PO5", -50.0, 160.0)])
     (axis,) = MachineView(machine, BookLaws(machine.laws, machine.sizes, True).laws).axes
-    monkeypatch.setattr(extremes, "POINTS", extremes.POINTS[::50])
+    monkeypatch.setattr(view, "POINTS", view.POINTS[::50])
     assert any("row 3: the greatest velocity is " in line for line in extremes_of(axis))
 
 

@@ -16,7 +16,7 @@ from tests.workbook.machines.test_machine_stages import WORM
 from tests.workbook.studies.studied import FEED, MOTORS, RATES, REDUCERS, SIZES, base, laws, planned, stops, written
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
-from workbook.machines.machine.drive.shown_rates import AT_NO_RATE
+from workbook.machines.machine.drive.view import AT_NO_RATE
 from workbook.reading.descriptions import read_machine
 from workbook.studies.evaluate import Evaluator, book_value, require_names
 from workbook.studies.plan import read_study

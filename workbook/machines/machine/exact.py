@@ -14,8 +14,7 @@ from workbook.book.sentence import rounded
 from workbook.fields.units import PER_MINUTE, PERCENT, shown, si
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.drive.max_rate import range_in_words
-from workbook.machines.machine.drive.shown_rates import Rates
-from workbook.machines.machine.drive.view import DriveView, drive_of
+from workbook.machines.machine.drive.view import DriveView, Rates, drive_of
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables

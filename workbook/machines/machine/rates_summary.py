@@ -12,8 +12,7 @@ from workbook.entries.abscissa import Abscissa
 from workbook.fields.units import PER_MINUTE, si
 from workbook.machines.machine.axes_summary import NO_DRIVE
 from workbook.machines.machine.drive.max_rate import RATE_LOOK, range_in_words
-from workbook.machines.machine.drive.shown_rates import AT_NO_RATE, NONE_BINDS, Rates
-from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
 
 CELLS = cell_tables(__file__)
 

@@ -19,7 +19,7 @@ from workbook.book.checks import ZERO
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.machines.machine.boundary.handover import AxisHandover
-from workbook.machines.machine.extremes import POINTS, at_points
+from workbook.machines.machine.view import POINTS, at_points
 
 CELLS = cell_tables(__file__)
 

@@ -1,4 +1,4 @@
-"""The rates at which a drive holds all its limits, in cells: estimated, tried near the upper end, and between both.
+"""The rates at which a drive holds its limits, in cells: estimated, tried near the upper end, between both, creeping.
 
 With T_s the torque at standstill and I = T − T_s, a rate of √x times the present one takes T_s + x I.
 """
@@ -6,6 +6,7 @@ With T_s the torque at standstill and I = T − T_s, a rate of √x times the pr
 import math
 from collections.abc import Iterable, Sequence
 
+from engine.drive.creeping import CREEP_RATE
 from engine.drive.limits import CYCLES
 from engine.drive.rate_estimates import (
     LEAST_USE,
@@ -21,10 +22,10 @@ from engine.drive.rate_estimates import (
 )
 from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity, Sheet
-from workbook.book.sentence import CheckSentence, Sentence
-from workbook.fields.units import PER_MINUTE, RPM, shown
-from workbook.machines.machine.drive.shown_rates import AT_NO_RATE, NONE_BINDS, Rates
-from workbook.machines.machine.drive.view import DriveView
+from workbook.book.sentence import CheckSentence, Sentence, amount, around
+from workbook.drive.motor import continuous_at
+from workbook.fields.units import PER_MINUTE, PERCENT, RPM, shown
+from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
 
 CELLS = cell_tables(__file__)
 
@@ -223,3 +224,50 @@ def range_in_words(found: Rates, scope: str, holds: str = "holds") -> CheckSente
         return CheckSentence(says, "no limit" if found.high == NONE_BINDS else f"{holds} {found.high}")
     ends = (round(end, 1) + 0.0 for end in (found.low + RANGE_END, found.high - RANGE_END))
     return CheckSentence(says, "{} from {:.15g} to {:.15g} cycles/min".format(holds, *ends))
+
+
+DECIMALS = 9  # of a use: limits that are used alike are told apart by no rounding
+FALLEN = "SUMPRODUCT(MAX(([@pt.TC]^2)^0.5+@fall*(([@pt.n]^2)^0.5*@slow>@knee)*(([@pt.n]^2)^0.5*@slow-@knee)))"
+
+
+def creeping_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the table of the torques while the drive creeps, and of their limits."""
+    cell, checks = CELLS["creep"], view.creep_checks
+    asked = FALLEN if view.knows_falling else largest("TC")
+    parts = {"peak": asked, "behind": largest("SC"), "mean": cubic("[@pt.SC]")}
+    each = formulas_by_row(__file__, "by limit", continuous=continuous_at("(@mean*@slow)"), **parts)
+    size = max(view.scales.torque, view.scales.behind)
+    CELLS["rate"].begin(sheet)
+    sheet.rows(CELLS["rate"]("@creep_rate", shown(CREEP_RATE, PER_MINUTE)), CELLS["rate"]("@slow", view.slow))
+    cell.place(
+        sheet,
+        cell("name", [check.name for check in checks]),
+        cell("value", [check.value for check in checks], asked=each["asked"], scale=size),
+        cell("limit", [0.0 if math.isinf(check.limit) else check.limit for check in checks], limit_of=each["limit"]),
+        cell("use", creep_uses(view), decimals=DECIMALS, scale=1.0),
+    )
+    sheet.row += 1
+    most = creep_uses(view).index(max(creep_uses(view)))
+    sheet.rows(CELLS["results"]("@creep_binds", view.creep_checks[most].name))
+
+
+def creep_uses(view: DriveView) -> list[float]:
+    """Return the use of each limit."""
+    return [round(check.use, DECIMALS) for check in view.creep_checks]
+
+
+def largest_creep_use(view: DriveView) -> Quantity:
+    """Return the share that is used of the limit that is used most."""
+    return CELLS["results"]("@creep_use", max(creep_uses(view)), scale=1.0, limit=1.0)
+
+
+def creeping_check(view: DriveView) -> Quantity:
+    """Return the check that the drive holds its limits while it creeps."""
+    most, forces = max(creep_uses(view)), view.tables.machine.given.creep_forces
+    worst = view.creep_checks[creep_uses(view).index(most)].name
+    says = around("@creep_binds", worst, "", " is ").then(
+        amount("100*@creep_use", shown(most, PERCENT), "", " % of its limit, process forces ")
+    )
+    return CELLS["check"](
+        "@ok_creep", most <= 1.0, called=view.driven.called, says=says.then(around("creep_forces", forces, "", ""))
+    )

@@ -16,7 +16,6 @@ from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine.drive import (
     brake,
     by_angle,
-    creeping,
     in_use,
     max_rate,
     points,
@@ -74,7 +73,7 @@ def drive_sheet(book: Book, view: DriveView) -> None:
         peaks_table(sheet, view)
         again_table(sheet, view)
         rates_between.rates_table(sheet, view)
-        creeping.creeping_table(sheet, view)
+        max_rate.creeping_table(sheet, view)
         if view.for_selection:
             reducer_load.means(sheet, view)
         sheet.heading("Workings: the motor's limits in the chart")
@@ -191,7 +190,7 @@ def uses(view: DriveView) -> list[Quantity]:
     return [
         *(cell(f"@use_{name}", use, limit=1.0) for name, use in shares.items()),
         *(cell(f"@res_{name}", check.reserve * reserve) for name, check, reserve in reserves),
-        creeping.largest_use(view),
+        max_rate.largest_creep_use(view),
     ]
 
 
@@ -250,7 +249,7 @@ def checks(view: DriveView) -> list[Quantity]:
         within.limit("@ok_reducer_peak", torque.value, torque.limit, mends),
         within.limit("@ok_reducer_mean", mean.value, reducer.mean_torque, mends),
         within.limit("@ok_reducer_speed", shown(speed.value, RPM), reducer.max_speed, mends),
-        creeping.creeping_check(view),
+        max_rate.creeping_check(view),
         motor.inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
         *motor.pair_checks(called, built.shaft, reducer.hub, mass, driven.limits.largest_mass),
         turns_check(view),

@@ -14,20 +14,46 @@ from engine.drive.limit_use import RateSearch
 from engine.drive.limits import BELOW
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Interpolation, LoadPoints, QuadratureCycle
+from engine.drive.rate_estimates import RateRange
 from engine.drive.results import Energy
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
-from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
+from workbook.fields.units import DEGREE, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.boundary.curves import BENT_FROM, bend_angles
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.peaks import Peaks
-from workbook.machines.machine.drive.shown_rates import Rates
 from workbook.machines.machine.drive_entries import WINDOWS
 from workbook.machines.machine.motion_tables import AxisTables
 
 LEAST = 1e-3  # of torques and powers: what is smaller is next to nothing
+
+
+NONE_BINDS, AT_NO_RATE = "none", "at no rate"
+"""the words for a highest rate where no limit binds, and where none is held"""
+
+
+class Rates(NamedTuple):
+    """The rates (cycles/min) between which a drive holds all limits, or words, and the limits at either end."""
+
+    low: float | str
+    high: float | str
+    low_limit: str
+    high_limit: str
+
+    @classmethod
+    def of(cls, found: RateRange) -> "Rates":
+        """Return a range of rates (1/s)."""
+        if found.high == 0.0:
+            return cls(AT_NO_RATE, AT_NO_RATE, AT_NO_RATE, found.high_limit)
+        low, high = (shown(rate, PER_MINUTE) for rate in found[:2])
+        return cls(
+            low,
+            high if math.isfinite(high) else NONE_BINDS,
+            found.low_limit or NONE_BINDS,
+            found.high_limit or NONE_BINDS,
+        )
 
 
 class Scales(NamedTuple):

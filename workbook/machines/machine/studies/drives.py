@@ -16,8 +16,7 @@ from workbook.fields.units import PER_HOUR, PER_MINUTE, RPM, shown, si
 from workbook.machines.machine.drive import in_use
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reducer_load import load_of
-from workbook.machines.machine.drive.shown_rates import AT_NO_RATE, Rates
-from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive.view import AT_NO_RATE, DriveView, Rates
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MovingAxis
