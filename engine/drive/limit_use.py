@@ -33,7 +33,6 @@ from engine.drive.rate_estimates import (
     Estimate,
     RateRange,
     Shares,
-    by_points,
     estimates_of,
     growth_power,
     largest,
@@ -228,8 +227,7 @@ class RateSearch:
             rest, present, tried = torques if name == PEAK_TORQUE else behind
             if name in (PEAK_TORQUE, REDUCER_TORQUE, CYCLES):
                 ways = (present, tried), (tried, present), (rest, tried)
-                estimates = (by_points(end, begin, self.caps[name]) for begin, end in ways)
-                each = (Shares(way.forward, way.backward) for way in estimates)
+                each = (Shares.of_torques(*way, self.caps[name]) for way in ways)
             else:
                 used = estimate.standing / estimate.limit, self.uses[name], self.uses_tried[name]
                 each = (Shares.of_uses(*way, self.caps[name]) for way in (used[1:], used[:0:-1], used[::2]))

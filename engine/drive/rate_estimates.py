@@ -260,6 +260,12 @@ class Shares(NamedTuple):
     backward: float = 0.0
 
     @classmethod
+    def of_torques(cls, begin: Array, end: Array, limit: float) -> "Shares":
+        """Return those of a limit of torque (Nm) at every point."""
+        estimate = by_points(end, begin, limit)
+        return cls(estimate.forward, estimate.backward)
+
+    @classmethod
     def of_uses(cls, begin: float, end: float, target: float) -> "Shares":
         """Return those of the use of a limit up to a target."""
         grows = end - begin if end - begin > LEAST_USE * begin else 0.0
