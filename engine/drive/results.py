@@ -1,7 +1,7 @@
 """Results of a drive's cycle, exact and not from samples: peaks, RMS torque, energy; mean powers of a DC bus."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from itertools import pairwise
@@ -74,9 +74,12 @@ class DriveResults:
         """Torque of the motor (Nm)."""
         return self.shaft_torque(0)
 
-    def shaft_torque(self, shaft: int) -> Bounds:
-        """Return the bounds of the torque (Nm) that drives a shaft: 0 is the motor's, 1 the reducer's output."""
-        return self._bounds(lambda part, u: part.torque(u, shaft), lambda part: part.curve(shaft))
+    def shaft_torque(self, shaft: int, parts: Iterable[TorqueInterval] | None = None) -> Bounds:
+        """Return the bounds of the torque (Nm) that drives a shaft: 0 is the motor's, 1 the reducer's output.
+
+        Of ``parts`` of the cycle alone, if these are given.
+        """
+        return self._bounds(lambda part, u: part.torque(u, shaft), lambda part: part.curve(shaft), parts)
 
     @cached_property
     def power(self) -> Bounds:
@@ -118,10 +121,15 @@ class DriveResults:
         intervals = self.drive_cycle.torque_intervals
         return math.fsum(integral(partial(of, part), part.low, part.high, scale) for part in intervals)
 
-    def _bounds(self, of: OfInterval, curve: Callable[[TorqueInterval], Curve | None]) -> Bounds:
+    def _bounds(
+        self,
+        of: OfInterval,
+        curve: Callable[[TorqueInterval], Curve | None],
+        parts: Iterable[TorqueInterval] | None = None,
+    ) -> Bounds:
         """Return the bounds of a quantity: at ends of intervals, at zeros of its curve's slope, or by a search."""
         both_ends = []
-        for part in self.drive_cycle.torque_intervals:
+        for part in self.drive_cycle.torque_intervals if parts is None else parts:
             over = curve(part)
             if over is None:
                 inner = [extreme.x for extreme in extremes(partial(of, part), part.samples)]

@@ -52,24 +52,9 @@ def is_monotone(law: Law) -> bool:
 def inverse(law: Law, s: Real) -> Real:
     """Return ξ with s(ξ) = s, by Newton's method between two bounds that close in, to the last digits of s.
 
+    The positions s, of any shape, are in units of the lift; where the law rests at s it is the first ξ. Its error is
+    that of s over the velocity v(ξ). Raises ValueError for a law that moves backwards or dwells, and outside 0 to s(1).
     Source: S2, 'Cycloid Cam Profile Analysis', which reads the inverse from a table (38 % of the rise at 44 %).
-
-    Parameters
-    ----------
-    law : Law
-        A law that never moves backwards and is no dwell.
-    s : float or array
-        Positions from 0 to s(1), in units of the lift.
-
-    Returns
-    -------
-    float or array
-        Of the shape of ``s``; the first ξ if the law rests at s. Its error is that of s over the velocity v(ξ).
-
-    Raises
-    ------
-    ValueError
-        For another law, or a position outside the range.
     """
     wanted = np.asarray(s, dtype=np.float64)
     flat = wanted.reshape(-1)

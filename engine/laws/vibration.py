@@ -2,6 +2,7 @@
 
 The load hangs on the driven point by a spring: x is its deflection, ẍ + 2ζω ẋ + ω² x = −s̈. After the move of the
 time T it swings at ω_d = ω √(1 − ζ²) with the amplitude A = e^(−ζωT) |∫ s̈ e^((ζω + iω_d) t) dt| / ω_d, which decays.
+Source: P. Meckl and W. Seering, Minimizing residual vibration, J. Vib. Acoust. 112 (1990), 378.
 """
 
 import math
@@ -11,55 +12,9 @@ from typing import ClassVar
 
 import numpy as np
 
-from engine.laws.base import Real, unwrap
 from engine.laws.extremes import NODES, WEIGHTS, Curve
-from engine.laws.family import Law
-from engine.laws.piece import gains, placed_pieces
 
 TOLERABLE = 0.05  # share of the vibration that a shaper may leave within its band
-
-
-def residual(law: Law, periods: Real, damping: float = 0.0) -> Real:
-    """Return the amplitude of the vibration at the end of a move from rest to rest, as a share of its lift.
-
-    The integral is that of Gauss and Legendre, with 24 points for each half turn of oscillator and law: right to 1e-12
-    of the lift. Source: P. Meckl and W. Seering, Minimizing residual vibration, J. Vib. Acoust. 112 (1990), 378.
-
-    Parameters
-    ----------
-    law : Law
-    periods : float or array, dimensionless
-        The time of the move over the natural period of the oscillator without damping, T/T_n, above 0.
-    damping : float, dimensionless
-        Damping ratio ζ, from 0 to below 1.
-
-    Returns
-    -------
-    float or array of the shape of ``periods``
-
-    Raises
-    ------
-    ValueError
-        For periods or a damping ratio outside these limits.
-    """
-    ratios = np.asarray(periods, dtype=np.float64)
-    _require_damping(damping)
-    if not (np.isfinite(ratios) & (ratios > 0.0)).all():
-        raise ValueError("periods holds what is not a finite number above 0; expected the time over the natural period")
-    omega = 2.0 * math.pi * ratios.reshape(-1)
-    natural = damping * omega + 1j * omega * math.sqrt(1.0 - damping**2)
-    moment = law.start.v * np.exp(-natural) - law.end.v  # a jump of the velocity is an impulse
-    for placed in placed_pieces(law.as_pieces(), law.entry_velocity):
-        piece, begin = placed.piece, placed.begin - 1.0
-        turned = float(omega.max(initial=0.0)) + math.fsum(abs(rate) for _, rate, _ in piece.sines)
-        parts = 1 + int(turned * piece.duration / math.pi)
-        width = piece.duration / parts
-        u = (np.arange(parts)[:, None] + (NODES + 1.0) / 2.0).ravel() * width
-        weighted = np.tile(WEIGHTS, parts) * gains(u, np.array(piece.row)[:, None])[2] * (width / 2.0)
-        moment = moment + np.exp(np.multiply.outer(natural, begin + u)) @ weighted
-    amplitude = np.abs(moment) / (omega * math.sqrt(1.0 - damping**2))
-    (value,) = unwrap(periods, [amplitude.reshape(ratios.shape)])
-    return value  # type: ignore[no-any-return]
 
 
 def left_by(velocities: Sequence[tuple[Curve, float, float]], omega: float, damping: float = 0.0) -> float:

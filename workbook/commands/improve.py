@@ -68,6 +68,8 @@ def improve(
         design = first_design(machine, is_roomy(path), aim, axis)
         show_limits(design, lines)
         show_fit(design, lines)
+        for line in design.improving.crossings(machine):
+            show(lines, line)
         with pool(jobs or 1, None) as workers:
             best = show_gains(design, stage, workers, done, lines)
         if sheet is not None:

@@ -27,16 +27,9 @@ class Link:
 
 
 def make_links(machine: Machine, given: Mapping[str, str], where: str) -> tuple[Link, ...]:
-    """Return the links of a study, each after those that it follows; raise InputError.
+    """Return the links of a study of a machine, each after those that it follows; raise InputError.
 
-    Parameters
-    ----------
-    machine : Machine
-        The base of the study.
-    given : mapping of str to str
-        By the path of the entry that follows: a path, or a path + or - a number in the unit of the entry.
-    where : str
-        Of a message.
+    ``given`` has by the path of the entry that follows: a path, or a path + or - a number in the unit of the entry.
     """
     left = {}
     for key, text in given.items():

@@ -19,23 +19,10 @@ KIND = re.compile(rb'\st="\w*"')
 
 
 def write_stamp(file: BookFile, declared: Book, path: Path, overwrite: bool) -> None:
-    """Write a book that was verified, with the stamp of its entries, into its own place or another.
+    """Write a book that was verified, as ``declared``, with the stamp of its entries, to its own or another ``path``.
 
-    Parameters
-    ----------
-    file : BookFile
-        The book.
-    declared : Book
-        The declaration of what belongs into it.
-    path : Path
-        Where it goes.
-    overwrite : bool
-        Whether a file that is there may be replaced.
-
-    Raises
-    ------
-    WriteError
-        For a book without a cell for the stamp, an unfinished design, or a file that is there or cannot be written.
+    Raises WriteError for a book without a cell for the stamp, an unfinished design, or a file that is there or cannot
+    be written.
     """
     today, parts = fingerprint(declared), archive.unzipped(file.path.read_bytes())
     if today is None:

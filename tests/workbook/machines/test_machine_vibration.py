@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from engine.laws import law
-from engine.laws.vibration import residual
+from tests.engine.laws.test_vibration import residual
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.build import build, read_inputs

@@ -43,6 +43,13 @@ class ForceWindow(Model):
     resists: Literal["always", "moving"] = "always"
 
 
+class Backlash(Model):
+    """A gap behind the reducer, measured at the load, and the process force that acts while the tool works."""
+
+    gap: Positive
+    works: Annotated[int, Field(ge=1, le=WINDOWS)] | None = None
+
+
 class SwingingArm(Model):
     """The weight of an arm that swings in a vertical plane; its inertia is entered with the load's."""
 

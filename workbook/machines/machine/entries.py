@@ -54,6 +54,7 @@ class Axis(beside.NamedPart):
     position: Number = 0.0
     stops: beside.HardStops | None = None
     vibration: beside.Vibration | None = None
+    backlash: drive_entries.Backlash | None = None
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
     rate: Positive | None = None
     printed: Literal["S4"] | None = None
@@ -76,7 +77,7 @@ class Axis(beside.NamedPart):
     def _driven(self) -> Self:
         if self.motor is not None and self.mechanism is None:
             raise EntryError("mechanism", "empty; expected the mechanism that the motor drives")
-        driven = ("rate", "printed", "load", "parts", "reducer", "stages", "limits")
+        driven = ("rate", "printed", "backlash", "load", "parts", "reducer", "stages", "limits")
         for name in driven if self.motor is None else ():
             if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
                 raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
@@ -90,7 +91,10 @@ class Axis(beside.NamedPart):
         return self
 
     def _require_own_load(self) -> None:
-        """Raise EntryError for a load that travels on an axis that turns, and the reverse."""
+        """Raise EntryError for a load that travels on an axis that turns, the reverse, a process force that lacks."""
+        works, forces = (self.backlash and self.backlash.works) or 0, len(self.load.windows)
+        if works > forces:
+            raise EntryError("backlash.works", f"{works}; expected the number of one of {forces} process forces")
         slides = self.mechanism is not None and self.mechanism.SLIDES
         moved = f"a {self.mechanism.kind}" if slides and self.mechanism else f"an axis in {self.unit}"
         load = drive_entries.TRAVELLING_LOAD

@@ -13,6 +13,7 @@ from workbook.book.checks import ZERO
 from workbook.book.sentence import rounded
 from workbook.fields.units import PER_MINUTE, PERCENT, shown, si
 from workbook.law_sheets.book_laws import BookLaws
+from workbook.machines.machine.backlash import sides_of
 from workbook.machines.machine.drive.max_rate import range_in_words
 from workbook.machines.machine.drive.view import DriveView, Rates, drive_of
 from workbook.machines.machine.entries import AnyMachine
@@ -97,10 +98,11 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     swings = swings_of(rows)
     lines += filter(None, (swing.deviation for swing in swings))
     stops = [swing.limit for swing in swings if swing.entered.settled is not None]
+    stops += [side.limit for side in sides_of(views)]
     stops += [limit_of_stop(stop) for row in rows for stop in stops_of(row.axis)]
     limits = [list(limits_of(view)) for view in views]
     rates = [limit_of_rate(*both, machine.per_minute) for both in zip(views, limits, strict=True)]
-    rates = [max(rates, key=lambda limit: limit.exact.use)] if rates else []
+    rates = sorted(rates, key=lambda limit: -limit.exact.use)[:1]
     creeps = chain(*map(limit_of_creeping, views))
     return ExactJudgement([*chain(*limits), *rates, *creeps, *map(limit_of_gap, gaps), *stops], lines)
 

@@ -20,6 +20,7 @@ from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import laws
 from workbook.machines.machine import live
 from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
+from workbook.machines.machine.backlash import backlash_sheet, sides_of
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reach import require_mechanisms
@@ -80,6 +81,7 @@ def declare(given: AnyMachine) -> Book:
         named_drive_sheet(book, view)
     clearances_sheet(book, [ClearanceView(clearance, k, rows) for k, clearance in enumerate(given.clearances, 1)])
     vibration_sheet(book, swings_of(rows))
+    backlash_sheet(book, sides_of(drives.values()))
     if bus:
         power_sheet(book, bus)
     if given.selection.axis is not None:

@@ -60,7 +60,6 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
             "phases": dwells_for_room(rows, laws, sizes["motion_pieces"] - len(rows) - 1 - cuts),
         }
-        vary_beside(axis, i + k)
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])
@@ -68,6 +67,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             axis["closes"] = ("feed", "open", "position", "open", "feed", "position")[(i + k) % SIX]
             for n, phase in enumerate(axis["phases"]):
                 phase |= passing(k, n, laws, 0.01)
+        vary_beside(axis, i + k)
     vary_drives_together(data, k)
     for i, clearance in enumerate(data["clearances"]):
         vary_clearance(clearance, i, k)
@@ -79,7 +79,10 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
 
 
 def vary_beside(axis: dict[str, Any], turn: int) -> None:
-    """Give an axis other hard stops, and another load that swings behind it, where it has some."""
+    """Give an axis other hard stops, another load that swings behind it, another backlash, where it has some."""
+    loose = axis["backlash"] or {}
+    vary(loose, drive_entries.Backlash, turn)
+    loose["works"] = len(axis["load"]["windows"]) or None
     vary(axis["stops"] or {}, HardStops, turn)
     vary(axis["vibration"] or {}, Vibration, turn)
 

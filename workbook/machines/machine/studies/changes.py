@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from engine.drive.backlash import Backlash
 from engine.drive.highest_rate import Moment
 from engine.drive.limits import at_speed
 from engine.drive.rate_range import at_points
@@ -19,7 +20,7 @@ from workbook.book.quantity import OK
 from workbook.book.sentence import figure
 from workbook.errors import InputError
 from workbook.fields.paths import Place, key_of
-from workbook.fields.units import DEGREE, KW, PER_MINUTE, shown, si
+from workbook.fields.units import DEGREE, KW, MS, PER_MINUTE, shown, si
 from workbook.improving import Aim, Change, Figure
 from workbook.law_sheets.library import NamedLaw, laws, named_laws
 from workbook.laws.entries import ENTRIES, Laws, references
@@ -69,6 +70,23 @@ def where(machine: AnyMachine, name: str, moment: Moment) -> str:
     if moment.share == 1.0:
         return f"{phase}, at {at}"
     return f"{phase}, {100.0 * moment.share:.0f} % of it"
+
+
+def crossings(machine: AnyMachine) -> Iterator[str]:
+    """Yield in words each moment at which a load crosses its backlash, and how it strikes; why none is known."""
+    for name, driven in ((name, make()) for name, make in drives(machine).items()):
+        entered, unit = driven.entered.backlash, driven.entered.unit
+        if entered is None:
+            continue
+        begin = f"{name}: its load crosses the backlash of {figure(entered.gap)} {unit}"
+        try:
+            for x, phase, time, shock in Backlash(driven.drive_cycle, si(entered.gap, driven.axis.unit)).crossings:
+                back = ", back on its side" if shock < 0.0 else ""
+                speed = f"{shown(abs(shock), driven.axis.unit):.4g} {unit}/s{back}"
+                struck = f"strikes after {shown(time, MS):.4g} ms with {speed}" if time < math.inf else "floats"
+                yield f"{begin} ({where(machine, name, Moment(phase, x, 1.0))}), {struck}"
+        except ValueError as error:
+            yield f"{begin}: {error}"
 
 
 def changes(machine: AnyMachine, name: str, rate: float, aim: Aim) -> Iterator[Change]:

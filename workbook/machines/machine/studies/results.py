@@ -13,7 +13,9 @@ from workbook.fields.texts import place_of
 from workbook.fields.units import KW, shown
 from workbook.law_sheets.library import laws, named_laws
 from workbook.laws.family import COEFFICIENTS
+from workbook.machines.machine.backlash import Sides
 from workbook.machines.machine.drive.reducer_load import shaft_of
+from workbook.machines.machine.drive_entries import Backlash
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of, limit_of_gap, limit_of_stop
 from workbook.machines.machine.gap import ClearanceView
@@ -61,6 +63,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     add_vibration(machine, rows, faster, figures, checks)
     if not drives:
         return Results(figures | checks, list(checks), set(), {})
+    add_backlash(drives, figures, checks)
     figures |= of_drives(machine, drives)
     slow = checks_of_drives(machine, drives)
     held = [partial(limits.hold_machine_rate, drive, rate.each) for drive in drives]
@@ -111,6 +114,21 @@ def add_vibration(
         figures[f"vib{i}_next"] = partial(of, lambda swing: float(swing.later(swing.left).max()))
         checks[f"vib{i}_settles"] = partial(lambda of: ok_texts(of(lambda swing: swing.limit.ok)), of)
         checks[f"vib{i}_reached"] = partial(lambda of: ok_texts(of(lambda swing: swing.periods <= MOST)), of)
+
+
+def add_backlash(drives: Sequence[DriveStudy], figures: Computations, checks: Computations) -> None:
+    """Add the torques of each drive with a backlash while the tool works, and its check."""
+
+    def of(drive: DriveStudy, entered: Backlash, figure: Callable[[Sides], Any]) -> Any:
+        return drive.of_rate(lambda base: figure(Sides(base, entered)))
+
+    for drive in drives:
+        if entered := drive.axis.given.backlash:
+            begin, of_drive = f"back{drive.axis.number}_", partial(of, drive, entered)
+            figures[f"{begin}back"] = partial(of_drive, lambda sides: sides.both[0])
+            figures[f"{begin}fore"] = partial(of_drive, lambda sides: sides.both[1])
+            ok = partial(of_drive, lambda sides: sides.limit.sheet.ok)
+            checks[f"{begin}sides"] = partial(lambda ok: ok_texts(ok()), ok)
 
 
 def all_hold(judged: Sequence[Callable[[], Any]]) -> Any:
