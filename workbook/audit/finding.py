@@ -1,5 +1,6 @@
 """A finding of the audit, and how sure it is."""
 
+from collections.abc import Sized
 from dataclasses import dataclass
 from typing import Literal
 
@@ -23,3 +24,8 @@ class Finding:
     def rank(self) -> tuple[int, Address]:
         """The place in a list: the surest first, then by cells."""
         return SURE.index(self.sure), self.cell
+
+
+def many(cells: Sized) -> str:
+    """Return how many cells have the same, in words behind a sentence; nothing for one cell."""
+    return f" ({len(cells)} cells)" if len(cells) > 1 else ""

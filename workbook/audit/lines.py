@@ -33,13 +33,9 @@ def at(cell: Address, down: bool, where: int) -> Address:
     return cell._replace(row=where) if down else cell._replace(column=where)
 
 
-def beside(cell: Address, down: bool) -> tuple[Address, ...]:
+def beside(cell: Address, down: bool) -> tuple[Address, Address]:
     """Return the cells to both sides of a line."""
-    if down:
-        pair = (cell._replace(column=cell.column - 1), cell._replace(column=cell.column + 1))
-    else:
-        pair = (cell._replace(row=cell.row - 1), cell._replace(row=cell.row + 1))
-    return pair
+    return at(cell, not down, place(cell, not down) - 1), at(cell, not down, place(cell, not down) + 1)
 
 
 class Lines:
@@ -50,7 +46,7 @@ class Lines:
 
     @cached_property
     def stretches(self) -> list[Stretch]:
-        """The stretches of all columns and rows."""
+        """The stretches of all columns and rows that make a pattern."""
         view, every = self.view, list[Stretch]()
         for down, lines in ((True, view.columns), (False, view.rows)):
             for (sheet, line), places in lines.items():
@@ -58,7 +54,7 @@ class Lines:
                     cells = [
                         Address(sheet, k, line) if down else Address(sheet, line, k) for k in range(first, last + 1)
                     ]
-                    every += self.along(cells, down)
+                    every += (s for s in self.along(cells, down) if len(s.cells) >= FEW)
         return every
 
     def along(self, cells: Sequence[Address], down: bool) -> Iterator[Stretch]:
@@ -79,30 +75,29 @@ class Lines:
                 members.append(after)
                 end = after
             stretch = Stretch(down, [cells[n] for n in members], [cells[n] for n in between])
-            form = self.view.forms[cells[k]]
-            # $B$31 alone picks a figure, and is copied nowhere
-            is_pick = form.skeleton == "=A1" and form.fixed == ((True, True, True, True),)
-            if len(members) > 1 and len(between) * 4 <= len(members) + 1 and form.areas and not is_pick:
+            form, is_copied = self.view.forms[cells[k]], len(members) > 1 and len(between) * 4 <= len(members) + 1
+            if is_copied and form.areas and not self.picks(stretch):
                 stretch.modes = modes(self.view, stretch)
                 yield stretch
                 k = end + 1
             else:
                 k += 1
 
-    @cached_property
-    def ends(self) -> set[tuple[Address, bool]]:
-        """The last cells of all stretches that are patterns, with their directions."""
-        return {(s.cells[-1], s.down) for s in self.stretches if len(s.cells) >= FEW}
+    def picks(self, stretch: Stretch) -> bool:
+        """Whether $B$31 alone, or $B$31-$B$3 above $B$34-$B$3, picks figures, and is copied nowhere."""
+        first, *others = (self.view.forms[cell] for cell in stretch.cells)
+        apart = first.skeleton == "=A1" or any(form.areas != first.areas for form in others)
+        return apart and all(map(all, first.fixed))
 
     @cached_property
     def members(self) -> dict[tuple[Address, bool], Stretch]:
         """The stretch of each cell, by the direction."""
-        return {(c, s.down): s for s in self.stretches if len(s.cells) >= FEW for c in s.cells}
+        return {(c, s.down): s for s in self.stretches for c in s.cells}
 
     @cached_property
     def between(self) -> set[tuple[Address, bool]]:
         """The cells that are among a pattern's, with the direction, but are something else."""
-        there = {(cell, s.down) for s in self.stretches if len(s.cells) >= FEW for cell in s.between}
+        there = {(cell, s.down) for s in self.stretches for cell in s.between}
         return there | {(cell, down) for cell, down, _, _ in self.shifted}
 
     @cached_property
@@ -112,17 +107,21 @@ class Lines:
 
     def is_structure(self, cell: Address, down: bool) -> bool:
         """Whether a cell stands out together with its neighbour in the next line, or by the same formula in others."""
-        kind, form = self.kind(cell), self.view.forms.get(cell)
-        if form and self.alike[down, cell.sheet, place(cell, down), form.skeleton] > 1:
+        kind = self.kind(cell)
+        if kind == "=" and any(self.alike[key] > 1 for key in self.lines_of(cell, down)):
             return True
         return any((c, down) in self.between and self.kind(c) == kind for c in beside(cell, down))
 
     @cached_property
-    def alike(self) -> Counter[tuple[bool, str, int, str]]:
-        """How many formulas of each form stand out across the lines, in each row or column."""
-        forms = self.view.forms
-        there = [(cell, down) for cell, down in self.between if cell in forms]
-        return Counter((down, c.sheet, place(c, down), forms[c].skeleton) for c, down in there)
+    def alike(self) -> Counter[object]:
+        """The number of formulas of each form that stand out across the lines, and along each."""
+        return Counter(k for c, down in self.between if c in self.view.forms for k in self.lines_of(c, down))
+
+    def lines_of(self, cell: Address, down: bool) -> tuple[object, object]:
+        """Return the lines across and along a formula, each with what stays the same of it there."""
+        form = self.view.forms[cell]
+        along = cell.column if down else cell.row
+        return (down, cell.sheet, place(cell, down), form.skeleton), (down, cell.sheet, along, form.across(down))
 
     def kind(self, cell: Address) -> str:
         """Return whether a cell has a formula, a number, a text or nothing."""

@@ -1,13 +1,15 @@
 """Rules on patterns: formulas, numbers and gaps among copied formulas; references that move or stay and should not."""
 
+import re
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from workbook.audit.finding import Finding, Sure
 from workbook.audit.lines import FEW, Lines, Stretch, at, beside, held, nearest, place
 from workbook.audit.view import Form, View
 from workbook.book.address import Address
 
+ADDED = re.compile(r"=\+?A\d+(\+A\d+)+")  # a sum without SUM
 SEVERAL = 4  # exceptions in a stretch that make a structure
 TABLES = frozenset("VLOOKUP HLOOKUP LOOKUP XLOOKUP MATCH XMATCH RANK PERCENTRANK FORECAST".split())
 AGGREGATES = frozenset("SUM AVERAGE MAX MIN COUNT COUNTA PRODUCT MEDIAN STDEV SUBTOTAL SUMPRODUCT SUMSQ".split())
@@ -18,7 +20,7 @@ def different(lines: Lines) -> Iterator[Finding]:
     view = lines.view
     for stretch in lines.stretches:
         others = [c for c in stretch.between if c in view.forms]
-        if len(stretch.cells) < FEW or repeats(view, others, stretch.down):
+        if repeats(view, others, stretch.down):
             continue
         count = len(stretch.cells) if len(stretch.between) < SEVERAL else 0
         for cell in others:
@@ -47,29 +49,24 @@ def differing(view: View, cell: Address, neighbour: Address, count: int, moves: 
 
 def repeats(view: View, cells: Sequence[Address], down: bool) -> bool:
     """Whether several of the cells have formulas of a form of their own, as subtotals have."""
-    skeletons = Counter(view.forms[c].skeleton for c in cells if not adjoining(c, cells, down))
-    return any(count > 1 for count in skeletons.values())
-
-
-def adjoining(cell: Address, cells: Iterable[Address], down: bool) -> bool:
-    """Whether the cell before a cell is among the cells."""
-    return at(cell, down, place(cell, down) - 1) in cells
+    apart = (c for c in cells if at(c, down, place(c, down) - 1) not in cells)
+    return any(count > 1 for count in Counter(view.forms[c].skeleton for c in apart).values())
 
 
 def totals(view: View, cell: Address, down: bool) -> bool:
-    """Whether a cell sums up, or counts, cells of its own line."""
+    """Whether a cell sums up, or counts, cells of its own line, or of a table by name."""
     form = view.forms[cell]
     own = [(a.left <= cell.column <= a.right) if down else (a.top <= cell.row <= a.bottom) for a in form.areas]
+    if ADDED.fullmatch(form.skeleton):
+        return any(own)
     ranges = [not a.single and o for a, o in zip(form.areas, own, strict=True)]
-    return bool(form.functions & AGGREGATES) and any(ranges)
+    return bool(form.functions & AGGREGATES) and (any(ranges) or not form.areas)
 
 
 def typed_over(lines: Lines) -> Iterator[Finding]:
     """Yield numbers where the cells around have formulas, and cells that were emptied."""
     view = lines.view
     for stretch in lines.stretches:
-        if len(stretch.cells) < FEW:
-            continue
         for cell in stretch.between:
             kind = lines.kind(cell)
             if kind in ("=", "a") or lines.is_structure(cell, stretch.down) or in_row(lines, cell, stretch):
@@ -77,11 +74,20 @@ def typed_over(lines: Lines) -> Iterator[Finding]:
             neighbour = held(view, nearest(stretch, cell))
             if kind:
                 pair = [at(cell, stretch.down, place(cell, stretch.down) + step) in view.numbers for step in (-1, 1)]
-                sure: Sure = "low" if any(pair) or len(stretch.between) >= SEVERAL else "high"  # a series begins anew
+                anew = any(pair) or len(stretch.between) >= SEVERAL  # a series begins anew
+                sure: Sure = "low" if anew or is_inserted(view, cell, stretch) else "high"
                 yield Finding(cell, "typed-over", f"the number {view.text(cell)} among formulas", sure, neighbour)
             elif any(view.figure(c) for c in beside(cell, stretch.down)):
                 yield Finding(cell, "gap", "an empty cell among formulas", "medium", neighbour)
         yield from at_the_end(lines, stretch)
+
+
+def is_inserted(view: View, cell: Address, stretch: Stretch) -> bool:
+    """Whether the formula behind a number goes on from that before it: the row was put in between."""
+    down = stretch.down
+    before, behind = (at(cell, down, max(1, place(cell, down) + step)) for step in (-1, 1))
+    read = [a.first for a in view.forms[behind].areas if a.single] if behind in stretch.cells else []
+    return before in read and cell not in read
 
 
 def in_row(lines: Lines, cell: Address, stretch: Stretch) -> bool:
@@ -93,21 +99,17 @@ def in_row(lines: Lines, cell: Address, stretch: Stretch) -> bool:
 
 
 def at_the_end(lines: Lines, stretch: Stretch) -> Iterator[Finding]:
-    """Yield the number before or behind a pattern, where the pattern's formula would go on among figures."""
-    view, down = lines.view, stretch.down
-    for end, step in ((stretch.cells[0], -1), (stretch.cells[-1], 1)):
-        if place(end, down) + step < 1:
-            continue
-        cell, behind = (at(end, down, max(1, place(end, down) + k * step)) for k in (1, 2))
-        if cell not in view.numbers or (behind != cell and view.figure(behind)) or lines.is_structure(cell, down):
-            continue
-        if in_row(lines, cell, stretch) or not goes_on_to(lines, stretch, end, step):
-            continue
+    """Yield the number behind a pattern, where the pattern's formula would go on; a series may begin with a number."""
+    view, down, end = lines.view, stretch.down, stretch.cells[-1]
+    cell, behind = (at(end, down, place(end, down) + k) for k in (1, 2))
+    if cell not in view.numbers or view.figure(behind) or lines.is_structure(cell, down):
+        return
+    if not in_row(lines, cell, stretch) and goes_on(lines, stretch, end):
         why = f"the number {view.text(cell)} where the pattern of formulas would go on"
         yield Finding(cell, "typed-over", why, "medium", held(view, end))
 
 
-def goes_on_to(lines: Lines, stretch: Stretch, end: Address, step: int) -> bool:
+def goes_on(lines: Lines, stretch: Stretch, end: Address) -> bool:
     """Whether the formula of the end of a pattern, copied on, reads figures, of its own line none."""
     view, down, form = lines.view, stretch.down, lines.view.forms[end]
     moved = False
@@ -117,8 +119,7 @@ def goes_on_to(lines: Lines, stretch: Stretch, end: Address, step: int) -> bool:
         if own and area.sheet == end.sheet and any(stretch.modes[2 * n : 2 * n + 2]):
             return False
         for cell, moves in ((first, stretch.modes[2 * n]), (last, stretch.modes[2 * n + 1])):
-            to = place(cell, down) + step if moves else place(cell, down)
-            if to < 1 or not view.figure(at(cell, down, to)):
+            if not view.figure(at(cell, down, place(cell, down) + moves)):
                 return False
             moved |= moves
     return moved
@@ -160,8 +161,6 @@ def wandering(lines: Lines) -> Iterator[Finding]:
     """Yield patterns whose reference moves from a figure to empty cells, texts or other figures."""
     view = lines.view
     for stretch in lines.stretches:
-        if len(stretch.cells) < FEW:
-            continue
         forms = [view.forms[c] for c in stretch.cells]
         for n in range(0, len(stretch.modes), 2):
             area = forms[0].areas[n // 2]
@@ -174,13 +173,13 @@ def wandering(lines: Lines) -> Iterator[Finding]:
             )  # of the row itself, and left empty
             if off is None or entry or off > min(2, len(met) // 2):
                 continue
-            if goes_on(view, forms[off], stretch.modes, n):
+            if meets_figures(view, forms[off], stretch.modes, n):
                 why = f"its reference to {met[0].a1} moves along with the cells, to {met[off].a1}"
                 holds = "nothing" if view.empty(met[off]) else f"the text {view.text(met[off])!r}"
                 yield Finding(stretch.cells[off], "moved-off", why, "high", f"{met[off].a1} has {holds}")
 
 
-def goes_on(view: View, form: Form, moves: Sequence[bool], but: int) -> bool:
+def meets_figures(view: View, form: Form, moves: Sequence[bool], but: int) -> bool:
     """Whether another moving reference of a formula still meets a figure: the row is not an empty one."""
     others = [area for n, area in enumerate(form.areas) if moves[2 * n] and 2 * n != but and area.single]
     return bool(others) and all(view.figure(area.first) for area in others) and "" not in form.texts
@@ -191,8 +190,6 @@ def stuck(lines: Lines) -> Iterator[Finding]:
     view = lines.view
     for stretch in lines.stretches:
         cells, down, model = stretch.cells, stretch.down, view.forms[stretch.cells[0]]
-        if len(cells) < FEW:
-            continue
         for n, area in enumerate(model.areas):
             first = area.first
             if not area.single or stretch.modes[2 * n] or first.sheet != cells[0].sheet:
@@ -212,9 +209,7 @@ def moving_tables(lines: Lines) -> Iterator[Finding]:
     view = lines.view
     for stretch in lines.stretches:
         form = view.forms[stretch.cells[0]]
-        if len(stretch.cells) < FEW or not form.functions & TABLES:
-            continue
-        for n, area in enumerate(form.areas):
+        for n, area in enumerate(form.areas if form.functions & TABLES else ()):
             size = area.bottom - area.top if stretch.down else area.right - area.left
             if size >= 2 and any(stretch.modes[2 * n : 2 * n + 2]):
                 why = f"its table {area.a1} moves along with the cells"

@@ -38,13 +38,12 @@ def moves(lines: Lines, cell: Address, form: Form) -> bool:
 
 def ends(view: View, cell: Address, form: Form, area: Area) -> Iterator[Finding]:
     """Yield what a range of a column leaves out at its ends, or has too much."""
-    top, bottom = figures_at(view, area)
-    if bottom is None or top is None:
+    if not all(view.figure(Address(area.sheet, row, area.left)) for row in (area.top, area.bottom)):
         return
-    more = next_rows(view, cell, area, bottom, 1)
+    more = next_rows(view, cell, area, area.bottom, 1)
     if 0 < len(more) <= SHORT:
         yield Finding(cell, "range", f"the range {area.a1} ends before {more[-1].a1}", "high", held(view, more[0]))
-    before = next_rows(view, cell, area, top, -1)
+    before = next_rows(view, cell, area, area.top, -1)
     if 0 < len(before) < SHORT:
         yield Finding(
             cell, "range", f"the range {area.a1} begins behind {before[-1].a1}", "high", held(view, before[0])
@@ -61,13 +60,6 @@ def total_in(view: View, area: Area) -> Address | None:
     over = form.areas if form is not None and form.functions & AGGREGATES else ()
     within = any(a.left == a.right == area.left and area.top <= a.top < a.bottom < area.bottom for a in over)
     return last if within else None
-
-
-def figures_at(view: View, area: Area) -> tuple[int | None, int | None]:
-    """Return the first and last row of an area if figures stand there; None each where none does."""
-    rows = [Address(area.sheet, row, area.left) for row in (area.top, area.bottom)]
-    first, last = (cell.row if view.figure(cell) else None for cell in rows)
-    return first, last
 
 
 def next_rows(view: View, cell: Address, area: Area, row: int, step: int) -> list[Address]:

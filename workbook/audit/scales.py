@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from workbook.audit.finding import Finding
 from workbook.audit.lines import Lines
-from workbook.audit.units import NOTHING, Units, converts, once
+from workbook.audit.units import MILLIONTHS, NOTHING, Units, converts, once
 from workbook.book.address import Address
 from workbook.book.columns import Node, tree
 from workbook.book.formula import Area, FormulaError
@@ -16,6 +16,7 @@ from workbook.dimensions.units import NONE, size_of
 CONVERSIONS = {"1000": 1e3, "1,000,000": 1e6, "60": 60.0, "3600": 3600.0, "25.4": 25.4, "π/180": math.pi / 180,
                "1000/60": 1e3 / 60, "3.6": 3.6, "100": 100.0, "10,000": 1e4, "9.81": 9.81, "360": 360.0}  # fmt: skip
 EXACT = 1.5e-3  # by which 9.55 and 30/π, 9550 and 60,000/2π deviate
+SHARES = 2  # below which a number of per cent may be a share
 TRIGONOMETRY = frozenset(["SIN", "COS", "TAN"])
 SAME = frozenset("SUM AVERAGE MAX MIN ABS ROUND ROUNDUP ROUNDDOWN MEDIAN LARGE SMALL INDEX".split())
 
@@ -103,10 +104,11 @@ def missing(number: float) -> str:
     number = abs(number)
     if not number or not math.isfinite(number) or is_simple(number) or is_simple(number / 9.81):
         return ""
-    for name, size in CONVERSIONS.items():
-        for power in (1, -1, 2, -2):
-            if is_simple(number / size**power):
-                return name if abs(power) == 1 else f"{name} twice"
+    factors = [(name, power, number / size**power) for name, size in CONVERSIONS.items() for power in (1, -1, 2, -2)]
+    exact = [factor for factor in factors if close_to(factor[2], 1.0)]
+    for name, power, left in exact or factors:
+        if is_simple(left):
+            return name if abs(power) == 1 else f"{name} twice"
     return ""
 
 
@@ -114,6 +116,9 @@ def scales(lines: Lines, units: Units) -> Iterator[Finding]:
     """Yield formulas in which a conversion of units is missing, wrong or there twice."""
     view, rows, known = lines.view, list[tuple[Address, str, str]](), dict[tuple[object, ...], list[str]]()
     sizes = {cell: size[1] for cell, u in units.of.items() if (size := (NONE, 1.0) if u in NOTHING else size_of(u))}
+    for cell, value in view.numbers.items():
+        if units.of.get(cell) == "%" and abs(value) <= SHARES:
+            del sizes[cell]  # 0.15 or 15 %
     for cell, form in view.forms.items():
         if not form.areas or cell in units.checked or (formula := view.contents.formulas.get(cell)) is None:
             continue
@@ -133,7 +138,7 @@ def scales(lines: Lines, units: Units) -> Iterator[Finding]:
 def off_scale(reading: Scales, shape: str, size: float | None) -> list[str]:
     """Return the faults in the scales of a formula, in words."""
     try:
-        key = reading.of(tree(shape))
+        key = None if MILLIONTHS.search(shape) else reading.of(tree(shape))
     except (FormulaError, RecursionError, OverflowError, ZeroDivisionError):
         return []
     wrong = list(reading.wrong)

@@ -1,6 +1,6 @@
 """Figures that stand twice: the same label with another value, tables that drifted, entries that nobody reads."""
 
-from collections import Counter, defaultdict
+from collections import defaultdict
 from collections.abc import Iterator
 
 from workbook.audit.finding import Finding, Sure
@@ -11,7 +11,7 @@ from workbook.book.address import Address
 from workbook.reading.contents import plain_label
 
 ALIKE = 0.85  # of the labels of two sheets that make them twins
-TYPICAL = frozenset("0 1 2 3 4 5 6 7 8 9 10 12 16 20 24 25 30 32 36 50 60 90 100 180 360 1000 3600".split())
+TYPICAL = frozenset("0 1 2 3 4 5 6 7 8 9 10 12 15 16 20 24 25 30 32 36 50 60 90 100 180 360 365 1000 3600".split())
 
 Key = tuple[str, str]
 
@@ -29,26 +29,35 @@ def labelled(view: View) -> dict[str, dict[Key, Address]]:
 def twins(lines: Lines, units: Units) -> Iterator[Finding]:
     """Yield cells of two sheets that have the same label and another value or formula."""
     view, sheets = lines.view, labelled(lines.view)
-    titles = sorted(sheets)
+    titles, apart = sorted(sheets), defaultdict[str, list[tuple[Address, Address]]](list)
     for n, first in enumerate(titles[:40]):
         for second in titles[n + 1 : 40]:
             shared = sheets[first].keys() & sheets[second].keys()
             pairs = [(sheets[first][key], sheets[second][key], key[0]) for key in sorted(shared)]
             if len(shared) >= max(5, ALIKE * max(len(sheets[first]), len(sheets[second]))):
-                yield from drifted(view, pairs)
+                for a, b, label in drifted(view, pairs):
+                    apart[label].append((a, b))
             elif len(shared) <= 3:
                 yield from contradicting(view, units, pairs)
-    yield from within_sheet(view, units)
+    for label, rows in apart.items():
+        yield from odd(view, label, rows)
 
 
-def drifted(view: View, pairs: list[tuple[Address, Address, str]]) -> Iterator[Finding]:
-    """Yield where two sheets that are copies of each other differ, if they differ in little."""
+def odd(view: View, label: str, rows: list[tuple[Address, Address]]) -> Iterator[Finding]:
+    """Yield where a sheet computes a figure otherwise than all its copies do; where several do, it is meant."""
+    titles = set.intersection(*({a.sheet, b.sheet} for a, b in rows))
+    for a, b in rows if len(titles) == 2 else rows[:1] if titles else ():
+        if a.sheet not in titles:
+            a, b = b, a
+        why = f"{label!r} is computed otherwise than on {b.sheet}, and the others are computed alike"
+        yield Finding(a, "drifted", why, "medium", f"{b.sheet}: {held(view, b)}")
+
+
+def drifted(view: View, pairs: list[tuple[Address, Address, str]]) -> list[tuple[Address, Address, str]]:
+    """Return where two sheets that are copies of each other differ, if they differ in little."""
     formulas = [(a, b, label) for a, b, label in pairs if a in view.forms or b in view.forms]
     apart = [row for row in formulas if outline(view, row[0]) != outline(view, row[1])]
-    if len(formulas) >= 4 and 0 < len(apart) <= max(1, len(formulas) // 20):
-        for a, b, label in apart:
-            why = f"{label!r} is computed otherwise than on {b.sheet}, and the others are computed alike"
-            yield Finding(a, "drifted", why, "medium", f"{b.sheet}: {held(view, b)}")
+    return apart if len(formulas) >= 4 and len(apart) <= max(1, len(formulas) // 20) else []
 
 
 def outline(view: View, cell: Address) -> object:
@@ -65,22 +74,12 @@ def contradicting(view: View, units: Units, pairs: list[tuple[Address, Address, 
     for a, b, label in pairs:
         same_unit = units.of.get(a, "") == units.of.get(b, "")
         coded = any(map(str.isdigit, label))  # the name of an axis or a part
-        if a in view.numbers and b in view.numbers and view.numbers[a] != view.numbers[b] and same_unit and not coded:
+        differ = a in view.numbers and b in view.numbers and view.numbers[a] != view.numbers[b]
+        used = a in view.read or b in view.read  # tables of data do not contradict
+        if differ and used and same_unit and not coded:
             sure: Sure = "medium" if len(label.split()) > 1 or (units.of.get(a) and len(label) > 4) else "low"
             why = f"{label!r} is {view.text(b)} in {b.a1} on {b.sheet}"
             yield Finding(a, "other-value", why, sure, f"{b.sheet}: {held(view, b)}")
-
-
-def within_sheet(view: View, units: Units) -> Iterator[Finding]:
-    """Yield entered numbers beside the same label twice on a sheet, with other values."""
-    places: dict[tuple[str, str], list[Address]] = defaultdict(list)
-    for cell in view.headings:
-        if len(plain_label(left := view.beside(cell)).split()) > 1:
-            places[cell.sheet, plain_label(left)].append(cell)
-    twice = Counter(sheet for (sheet, _), cells in places.items() if len(cells) > 1)
-    for (sheet, _), cells in places.items():
-        if len(cells) == 2 and twice[sheet] <= 2:  # where more stand twice, they are of two things
-            yield from contradicting(view, units, [(cells[0], cells[1], plain_label(view.beside(cells[0])))])
 
 
 def unread(lines: Lines, units: Units) -> Iterator[Finding]:
@@ -114,7 +113,8 @@ def alone(view: View, cell: Address) -> bool:
     if bottom - top < 3 or bottom - top > 2_000:
         return False
     cells = [cell._replace(row=row) for row in range(top, bottom + 1)]
-    return all(c in view.numbers for c in cells) and sum(c not in view.read for c in cells) == 1
+    only = sum(c not in view.read for c in cells) == 1 and cell.row > top  # with the first a series begins
+    return only and all(c in view.numbers for c in cells)
 
 
 RULES = (twins, unread)

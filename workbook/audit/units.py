@@ -6,12 +6,12 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from functools import cached_property, lru_cache
 
-from workbook.audit.finding import Finding
-from workbook.audit.lines import FEW, Lines, held
+from workbook.audit.finding import Finding, many
+from workbook.audit.lines import Lines, held
 from workbook.audit.view import View, numbers_of
 from workbook.book.address import Address
 from workbook.dimensions.rules import UNKNOWN, Judged, Term, UnitWalk
-from workbook.dimensions.units import NONE, POWERS, dimension_of
+from workbook.dimensions.units import NONE, POWERS, dimension_of, powers
 
 BRACKETS = re.compile(r"(?:(?<=\s)\(|^\(|\[)([^\])(\[]{1,12})[\])]")
 BEHIND = re.compile(r"(?:,|\bin)\s+([^\s,]{1,8})$")
@@ -19,9 +19,11 @@ NOTHING = frozenset("- – 1 / . —".split())
 GRAVITY = frozenset("9.81 9.80665 9.807 9.8".split())
 ACCELERATION = Term(dimension_of("m/s²"))
 CONVERTING = frozenset(
-    (*map(float, GRAVITY), 24, 25, 30, 32, 36, 60, 64, 90, 120, 180, 270, 360, 365, 3600, 6000, 9549, 9550, 60000, 25.4,
+    (*map(float, GRAVITY), 25, 30, 32, 36, 60, 64, 90, 120, 180, 270, 360, 3600, 6000, 9549, 9550, 60000, 25.4,
      0.0254, 3.6, 9.55)
 )  # fmt: skip
+RATES = frozenset([15.0, 24.0, 365.0])  # degrees an hour, hours a day, days a year: 15 converts nothing else
+MILLIONTHS = re.compile(r"(?<![\w.$])(?!(?:1|60|3600)[/*])\d+(?:\.\d+)?(?:/1000000|\*1e-06)(?!\d)")  # 6 ppm
 WORDS = frozenset(
     ("m mm cm dm km µm μm um nm in inch ft kg g t mg lb s ms min h d N kN mN MN Nm kNm mNm Nmm Ncm W kW MW "
      "mW J kJ MJ Wh kWh V mV kV A mA Ω ohm H mH F µF nF Hz kHz rpm rad mrad deg ° C K Pa kPa MPa GPa bar mbar l L ml "
@@ -39,12 +41,19 @@ class Units:
     @cached_property
     def of(self) -> dict[Address, str]:
         """The units by cells: right of a figure, in brackets left of it, or over its column."""
-        units = {}
-        for cell, (_, above) in self.view.headings.items():
-            unit = self.right(cell) or bracketed(self.view.beside(cell)) or (self.over(above) if above else "")
-            if unit:
+        units, ended = {}, set()
+        for cell, (left, above) in sorted(self.view.headings.items(), key=lambda row: (row[0].sheet, row[0].row)):
+            own = bracketed(self.view.texts[left]) if left and self.is_row(left, cell) else ""
+            if own and above and own != self.over(above):
+                ended.add(above)  # rows that have units of their own
+            over = self.over(above) if above and above not in ended else ""
+            if unit := self.right(cell) or bracketed(self.view.beside(cell)) or over:
                 units[cell] = unit
         return units
+
+    def is_row(self, label: Address, cell: Address) -> bool:
+        """Whether nothing but figures stands between a label and a cell of its row."""
+        return all(self.view.figure(cell._replace(column=k)) for k in range(label.column + 1, cell.column))
 
     def right(self, cell: Address) -> str:
         """Return the unit in the cell right of a figure, where most texts there are units."""
@@ -92,7 +101,8 @@ def is_unit(text: str) -> bool:
     words = re.findall(r"[^\W\d_]+|[%‰°]", plain.translate(POWERS))
     if not words or len(plain) > 12 or re.search(r"\d", INDEX.sub("", plain.translate(POWERS))):
         return False
-    return all(word in WORDS for word in words) and dimension_of(plain) is not None
+    dimension = dimension_of(plain) if all(word in WORDS for word in words) else None
+    return dimension is not None and abs(powers(dimension).get("[mass]", 0)) <= 1  # "H Wh/m2" is a symbol and a unit
 
 
 @lru_cache(maxsize=10_000)
@@ -108,7 +118,8 @@ class Walk(UnitWalk):
     def judge(self, shape: str, terms: tuple[Term, ...]) -> Judged:
         """Return the term of a formula and its faults; 9.81 has the unit of an acceleration, or none."""
         numbers = numbers_of(shape)[1]
-        if "LOG" in shape or "10^" in shape or any(may_have_unit(number) for number in numbers):
+        has_unit = MILLIONTHS.search(shape) or any(may_have_unit(number) for number in numbers)
+        if has_unit or "LOG" in shape or "10^" in shape:
             return UNKNOWN, ()  # decibels; a density, 0.05 s
         if not (gravity := GRAVITY.intersection(numbers)):
             return super().judge(shape, terms)
@@ -124,13 +135,17 @@ class Walk(UnitWalk):
 def may_have_unit(number: str) -> bool:
     """Whether a number that is a count, or a part of a whole number, is no usual conversion: a density, 0.05 s."""
     value = float(number)
-    return not converts(value) and (value > 16 or value < 1) and (value.is_integer() or (1 / value).is_integer())
+    return (
+        not converts(value)
+        and (value in RATES or value > 16 or value < 1)
+        and (value.is_integer() or (1 / value).is_integer())
+    )
 
 
 @lru_cache(maxsize=10_000)
 def converts(value: float) -> bool:
     """Whether a number is a count, a half, a quarter or such, a power of ten, or converts units."""
-    small = value.is_integer() and value <= 16
+    small = value.is_integer() and value <= 16 and value not in RATES
     power = value > 0 and (math.log10(value) % 1.0) in (0.0, 1.0)
     return small or power or value in (0.125, 0.25, 0.5, 1.5) or value in CONVERTING
 
@@ -147,15 +162,14 @@ def once(lines: Lines, rows: Iterable[tuple[Address, str, str]]) -> Iterator[Fin
         groups[cell.sheet, cell.column, view.forms[cell].skeleton, rule, why].append(cell)
     for (_, _, _, rule, why), cells in groups.items():
         first = min(cells)
-        more = f" ({len(cells)} cells)" if len(cells) > 1 else ""
-        yield Finding(first, rule, why + more, "high", view.text(first))
+        yield Finding(first, rule, why + many(cells), "high", view.text(first))
 
 
 def wandering(lines: Lines, units: Units) -> Iterator[Finding]:
     """Yield patterns whose reference moves through figures of unlike units."""
     view = lines.view
     for stretch in lines.stretches:
-        for n in range(0, len(stretch.modes) if len(stretch.cells) >= FEW else 0, 2):
+        for n in range(0, len(stretch.modes), 2):
             areas = [view.forms[c].areas[n // 2] for c in stretch.cells[:4]]
             if not areas[0].single or not stretch.modes[n] or not stretch.down:
                 continue

@@ -1,9 +1,10 @@
 """Cells that are something else than they look, and formulas that hide or hang on what nobody sees."""
 
+import re
 from collections import defaultdict
 from collections.abc import Iterator
 
-from workbook.audit.finding import Finding, Sure
+from workbook.audit.finding import Finding, Sure, many
 from workbook.audit.lines import Lines, held
 from workbook.audit.ranges import calls
 from workbook.book.address import Address
@@ -14,6 +15,7 @@ from workbook.reading.files import MOST_READ, cells_read
 from workbook.witnesses.calibration import QUICK, Evaluators, present
 from workbook.witnesses.pycel.model import PycelModel, require_working
 
+LINK = re.compile(r"\[([^\[\]]+)\](?:[\w.]*!|[^\[\]'!]*'!)")  # a table's column has no ! behind it
 VOLATILE = frozenset("OFFSET INDIRECT NOW TODAY RAND RANDBETWEEN RANDARRAY CELL INFO".split())
 BLANKS = frozenset("ISBLANK COUNTA COUNT COUNTIF COUNTBLANK ISNUMBER IFERROR IFNA N ISERROR IF".split())
 LOOK_UPS = frozenset("VLOOKUP HLOOKUP LOOKUP XLOOKUP MATCH XMATCH INDEX INDIRECT".split())
@@ -47,7 +49,7 @@ def blanks(lines: Lines) -> Iterator[Finding]:
     """Yield empty cells that formulas read as zero."""
     view = lines.view
     for empty, readers in sorted(view.readers.items()):
-        judged = [r for r in readers if not view.forms[r].functions & BLANKS and "" not in view.forms[r].texts]
+        judged = [r for r in readers if not view.forms[r].functions & BLANKS and not view.forms[r].texts]  # A1="x"
         if judged and view.empty(empty) and empty not in view.contents.arrays:
             reader = min(judged)
             why = f"{reader.a1} on {reader.sheet} reads an empty cell"
@@ -62,7 +64,19 @@ def sure_of_blank(lines: Lines, empty: Address, reader: Address) -> Sure:
     first = reader.row == empty.row + 1 and (empty._replace(row=reader.row - 1), True) not in lines.members
     if any(c in view.readers and view.empty(c) for c in near) and not inside:
         return "low"
+    if is_unfilled(lines, empty, reader):
+        return "low"
     return "high" if inside or view.beside(empty) else "low" if first else "medium"
+
+
+def is_unfilled(lines: Lines, empty: Address, reader: Address) -> bool:
+    """Whether nothing that a formula reads is filled in, or its copies have empty cells too."""
+    view, read = lines.view, [a.first for a in lines.view.forms[reader].areas]
+    if len(read) > 1 and all(map(view.empty, read)):
+        return True
+    copies = [s.cells for down in (True, False) if (s := lines.members.get((reader, down)))]
+    columns = [{view.forms[c].areas[read.index(empty)].first for c in cells} for cells in copies]
+    return any(sum(map(view.empty, column)) > 1 for column in columns)
 
 
 def hidden_errors(lines: Lines) -> Iterator[Finding]:
@@ -93,11 +107,10 @@ def hides(node: Node) -> bool:
 
 
 def circles(lines: Lines) -> Iterator[Finding]:
-    """Yield the cells of circular references."""
+    """Yield the first cell of each circular reference."""
     for circle in lines.view.order[1]:
-        path = ", ".join(c.a1 for c in circle[:6])
-        for cell in circle[:10]:
-            yield Finding(cell, "circular", f"it needs its own value: {path}", "high", lines.view.text(cell))
+        why = f"it needs its own value: {', '.join(c.a1 for c in circle[:6])}{many(circle)}"
+        yield Finding(circle[0], "circular", why, "high", lines.view.text(circle[0]))
 
 
 def links(lines: Lines) -> Iterator[Finding]:
@@ -105,25 +118,23 @@ def links(lines: Lines) -> Iterator[Finding]:
     view, reading = lines.view, defaultdict[str, list[Address]](list)
     for cell in view.contents.failed:
         text = view.text(cell)
-        if "[" in text and "]" in text and "!" in text.partition("]")[2]:
-            reading[text.partition("[")[2].partition("]")[0]].append(cell)
+        if linked := LINK.search(text):
+            reading[linked[1]].append(cell)
     for cells in reading.values():
-        why = "it reads another file, which may be gone or changed"
-        why += f" ({len(cells)} cells)" if len(cells) > 1 else ""
+        why = "it reads another file, which may be gone or changed" + many(cells)
         yield Finding(cells[0], "link", why, "medium", view.text(cells[0]))
 
 
 def volatile(lines: Lines) -> Iterator[Finding]:
-    """Yield formulas that change without an entry, or read cells that nobody sees named; a date alone is little."""
-    view, met = lines.view, set()
+    """Yield the first formula of a sheet that changes by itself, or reads cells that nobody sees named."""
+    view, calling = lines.view, defaultdict[tuple[str, frozenset[str], bool], list[Address]](list)
     for cell, form in view.forms.items():
-        names = form.functions & VOLATILE
-        if not names or form.skeleton in met:
-            continue
-        met.add(form.skeleton)
-        dates = names <= {"TODAY", "NOW"} and cell not in view.read
+        if names := form.functions & VOLATILE:
+            dates = names <= {"TODAY", "NOW"} and cell not in view.read
+            calling[cell.sheet, names, dates].append(cell)
+    for (_, names, dates), cells in calling.items():
         why = f"{', '.join(sorted(names))} is volatile: no trace shows what it reads, or its value changes by itself"
-        yield Finding(cell, "volatile", why, "low" if dates else "medium", view.text(cell))
+        yield Finding(cells[0], "volatile", why + many(cells), "low" if dates else "medium", view.text(cells[0]))
 
 
 def hidden(lines: Lines) -> Iterator[Finding]:

@@ -101,18 +101,12 @@ class View:
     @cached_property
     def columns(self) -> dict[tuple[str, int], list[int]]:
         """The sorted rows of all figures, by sheet and column."""
-        lines = defaultdict(list)
-        for cell in (*self.numbers, *self.forms):
-            lines[cell.sheet, cell.column].append(cell.row)
-        return {line: sorted(places) for line, places in lines.items()}
+        return grouped((cell.sheet, cell.column, cell.row) for cell in (*self.numbers, *self.forms))
 
     @cached_property
     def rows(self) -> dict[tuple[str, int], list[int]]:
         """The sorted columns of all figures, by sheet and row."""
-        lines = defaultdict(list)
-        for cell in (*self.numbers, *self.forms):
-            lines[cell.sheet, cell.row].append(cell.column)
-        return {line: sorted(places) for line, places in lines.items()}
+        return grouped((cell.sheet, cell.row, cell.column) for cell in (*self.numbers, *self.forms))
 
     def within(self, area: Area) -> Iterator[Address]:
         """Yield the figures in an area."""
@@ -184,6 +178,14 @@ class View:
         return self.texts.get(cell._replace(column=cell.column - 1), "") if cell.column > 1 else ""
 
 
+def grouped(places: Iterable[tuple[str, int, int]]) -> dict[tuple[str, int], list[int]]:
+    """Return places, sorted, by sheet and line."""
+    lines = defaultdict(list)
+    for sheet, line, place in sorted(places):
+        lines[sheet, line].append(place)
+    return lines
+
+
 def form_of(formula: Formula | Moved) -> Form:
     """Return the form of a formula that was read."""
     written = formula.pattern.formula.written if isinstance(formula, Moved) else formula.written
@@ -225,6 +227,8 @@ def spans(places: Iterable[int], gap: int = 1) -> Iterator[tuple[int, int]]:
 def ordered(view: View) -> tuple[list[Address], list[list[Address]]]:
     """Return all formulas, each behind those that it needs but on a circle; and the circles."""
     needs = needs_of(view)
+    if not needs:
+        return [], []
     nodes = list(needs)
     numbers = {node: n for n, node in enumerate(nodes)}
     reads = {numbers[node]: [numbers[other] for other in others] for node, others in needs.items()}
@@ -241,9 +245,7 @@ def ordered(view: View) -> tuple[list[Address], list[list[Address]]]:
 
 def needs_of(view: View) -> dict[Any, set[Any]]:
     """Return the formulas that each reads; of a range the largest of the parts into which columns are halved."""
-    rows: dict[tuple[str, int], list[int]] = defaultdict(list)
-    for cell in sorted(view.forms):
-        rows[cell.sheet, cell.column].append(cell.row)
+    rows = grouped((cell.sheet, cell.column, cell.row) for cell in view.forms)
     needs: dict[Any, set[Any]] = {
         (line, k): {part(line, of, 2 * k), part(line, of, 2 * k + 1)}
         for line, of in rows.items()

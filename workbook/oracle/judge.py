@@ -11,7 +11,7 @@ import numpy as np
 from workbook.book.address import Address
 from workbook.book.rows import is_number
 from workbook.dimensions.rules import Dimensions, UnitWalk
-from workbook.errors import ReadError, WitnessError, quoted
+from workbook.errors import ReadError, quoted
 from workbook.oracle.calls import CallError, block_of, call, columns_of, plain_result
 from workbook.oracle.cells import cells_of, find_cell, unit_of
 from workbook.oracle.declarations import Case, Input, Oracle, Output, Table, cases, close
@@ -138,16 +138,12 @@ class Judge:
         for cell in read:
             if (name := self.evaluators.first(cell)) not in (None, FIRST):
                 by.setdefault(str(name), []).append(cell)
-        others: list[list[Cells]] = []
-        for name, cells in by.items():
-            try:
-                others.append(self.evaluators.values(name, [self.given(case) for case in tried], cells))
-            except WitnessError as error:
-                self.evaluators.drop(name, error)
-        for at, case in enumerate(tried):
+        given = [self.given(case) for case in tried]
+        others = [answers for name, cells in by.items() if (answers := self.evaluators.values(name, given, cells))]
+        for case, *answers in zip(tried, *others, strict=True):
             values = self.values(case)
-            for answers in others:
-                values |= answers[at]
+            for answer in answers:
+                values |= answer
             yield values
 
     def asked_again(self, deviating: Mapping[Address, Deviation]) -> dict[Address, dict[str, Any]]:
@@ -158,13 +154,9 @@ class Judge:
             cells = [
                 cell for cell in deviating if name in self.evaluators.others(self.evaluators.first(cell) or FIRST, cell)
             ]
-            try:
-                answers = self.evaluators.values(name, [self.given(case) for case in tried], cells) if cells else []
-            except WitnessError as error:
-                self.evaluators.drop(name, error)
-                continue
+            answers = self.evaluators.values(name, [self.given(case) for case in tried], cells) if cells else []
             by_case = {id(case): values for case, values in zip(tried, answers, strict=bool(answers))}
-            for cell in cells:
+            for cell in cells if answers else ():
                 value = by_case[id(deviating[cell].case)].get(cell)
                 if not is_no_value(value) and value != "#NAME?":
                     answered[cell][name] = value

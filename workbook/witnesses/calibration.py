@@ -205,11 +205,15 @@ class Evaluators:
         return [other for other in asked if not right or other not in self.answers or other in self.trusted[cell]]
 
     def values(self, name: str, sets: Sequence[Cells], cells: Sequence[Address]) -> list[Cells]:
-        """Return the values of cells that an evaluator gives at each set; raise WitnessError where it fails."""
+        """Return the values of cells that an evaluator gives at each set; none where it fails, and is dropped."""
         if name == FIRST:
             return [self.model.evaluate(given) for given in sets]
-        with naming_failures(witness := WITNESSES[name]()):
-            return [values for _, values in witness.varied(self.file, sets, cells)]
+        try:
+            with naming_failures(witness := WITNESSES[name]()):
+                return [values for _, values in witness.varied(self.file, sets, cells)]
+        except WitnessError as error:
+            self.drop(name, error)
+            return []
 
     def reasons(self) -> dict[Address, str]:
         """Return why no evaluator computes a cell, for each such cell: a function, a construct, or what it reads."""

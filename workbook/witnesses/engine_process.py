@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import pickle
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -36,16 +36,10 @@ class IronCalc:
 
     def compute(self, given: Mapping[Place, Any], cells: Sequence[Place]) -> list[Any]:
         """Return the values of cells, with ``given`` values in others."""
+        model = self.model
+        by_kind = model.update_cell_with_bool, model.update_cell_with_text, model.update_cell_with_number
         for (sheet, row, column), value in given.items():
-            at = self.numbers[sheet], row, column
-            if value is None:
-                self.model.clear_cell_contents(*at)
-            elif isinstance(value, bool):
-                self.model.update_cell_with_bool(*at, value)
-            elif isinstance(value, str):
-                self.model.update_cell_with_text(*at, value)
-            else:
-                self.model.update_cell_with_number(*at, float(value))
+            enter((self.numbers[sheet], row, column), value, model.clear_cell_contents, *by_kind)
         self.model.evaluate()
         return [self.model.get_cell_value(self.numbers[sheet], row, column) for sheet, row, column in cells]
 
@@ -75,16 +69,9 @@ class Formulon:
 
     def compute(self, given: Mapping[Place, Any], cells: Sequence[Place]) -> list[Any]:
         """Return the values of cells, with ``given`` values in others; None where one is empty or no single value."""
+        by_kind = self.book.set_blank, self.book.set_bool, self.book.set_text, self.book.set_number
         for (sheet, row, column), value in given.items():
-            at = self.numbers[sheet], row - 1, column - 1
-            if value is None:
-                self.book.set_blank(*at)
-            elif isinstance(value, bool):
-                self.book.set_bool(*at, value)
-            elif isinstance(value, str):
-                self.book.set_text(*at, value)
-            else:
-                self.book.set_number(*at, float(value))
+            enter((self.numbers[sheet], row - 1, column - 1), value, *by_kind)
         for number, row, column, formula in self.of_tables:
             self.book.set_formula(number, row, column, formula)
         self.book.recalc()
@@ -107,6 +94,16 @@ class Formulon:
                 if cursor is None:
                     break
         return values
+
+
+def enter(at: tuple[int, int, int], value: Any, *by_kind: Callable[..., Any]) -> None:
+    """Enter a value in a cell by the function for nothing, truth values, texts or numbers."""
+    if value is None:
+        by_kind[0](*at)
+    elif isinstance(value, bool | str):
+        by_kind[1 if isinstance(value, bool) else 2](*at, value)
+    else:
+        by_kind[3](*at, float(value))
 
 
 def formulon_value(value: Value) -> Any:

@@ -38,6 +38,21 @@ SMALL = {  # rule: rows of a sheet, the cell that is named
     "unread": ([[3], [5], [8], [9], [11], [], ["=A1+A2*2+A4*3+A5"]], "A3"),
 }  # fmt: skip
 
+INNOCENT = {  # what is meant so, as public workbooks have it: rows of a sheet in which nothing is named
+    "no formula": [[1, 2], ["a", "b"]],
+    "picked figures": [[3, 5], [4], *([None, None, f"=$A${1 + (k == 2)}-$B$1"] for k in range(6))],
+    "a list not filled in": [[k + 1, None if k in (2, 5) else 3 * k + 2, f"=A{k + 1}*B{k + 1}"] for k in range(8)],
+    "nothing filled in": [[1, 2, "=A1*B1"], [], [], [None, None, "=A4*B4"]],
+    "a cross": [[None, "X", '=AND(A1="X",B1="X")']],
+    "a row put in between": [[1], *([23] if k == 5 else [f"=A{k - (k == 6)}+5"] for k in range(1, 9))],
+    "a series begins": [[1, 2, 9], *([k, 3 * k, f"=A{k}*B{k}"] for k in range(2, 9))],
+    "a sum of its own": [*RISING[:4], ["so far", None, "=C3+C4"], *RISING[5:]],
+    "a table's column": [[3, "=Table1[[#This Row],[a]]/'Other one'!A1", "=Table1[b]/Other!A1"]],
+    "parts in a million": [["Drift [%]", "=(6/1000000)*B2*100"], ["Rise [°C]", 25]],
+    "degrees an hour": [["Time [h]", 14], ["Angle [°]", "=(B1-12)*15"], ["Use [kWh]", 3650], ["Mean [kWh]", "=B3/365"]],
+    "a share": [["Way [mm]", 3], ["Margin [%]", 1.15], ["Way with margin [mm]", "=B1*B2"]],
+}  # fmt: skip
+
 
 def audited(book, path):
     book.save(path)
@@ -58,6 +73,14 @@ def test_a_rule_names_its_fault_and_says_why(rule, tmp_path):
             assert finding.why
             return
     pytest.fail(str(findings))
+
+
+@pytest.mark.parametrize("case", INNOCENT)
+def test_what_is_meant_so_is_not_named(case, tmp_path):
+    book = openpyxl.Workbook()
+    for row in INNOCENT[case]:
+        book.active.append(row)
+    assert audited(book, tmp_path / "book.xlsx").shown() == []
 
 
 def test_a_sum_that_has_itself_is_a_circle(tmp_path):
