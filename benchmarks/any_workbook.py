@@ -8,7 +8,6 @@ from __future__ import annotations
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -21,8 +20,14 @@ CASES = 20
 SIZES = (1_000, 10_000, 100_000)
 FLAT = 2.5  # by which time and memory of a formula may grow from 10,000 to 100,000
 HEAD = "from workbook.oracle import Oracle\n\nbook = Oracle('x')\nv = book.input('B1', unit='m/s', low=1, high=9)\n"
-RUN = "import resource; from workbook.cli import main\ntry: main()\nfinally: print('MB', {peak})"
-PEAK = "resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024"
+RUN = """import resource
+from workbook.cli import main
+try:
+    main()
+finally:
+    own, others = map(resource.getrusage, (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
+    print("cost", own.ru_utime + own.ru_stime + others.ru_utime + others.ru_stime, own.ru_maxrss / 1024)
+"""
 
 
 def chain(formulas: int) -> Iterator[list[Any]]:
@@ -74,14 +79,12 @@ def write(folder: Path, kind: str, formulas: int) -> tuple[Path, Path]:
 
 
 def measured(*command: str) -> tuple[float, float]:
-    """Return the seconds of a command, of this machine's processors too, and the MB it took; raise where it fails."""
-    begin = time.perf_counter()
-    done = subprocess.run(
-        [sys.executable, "-c", RUN.format(peak=PEAK), *command], capture_output=True, text=True, check=False
-    )
+    """Return the seconds of a core that a command took, evaluators with it, and its own MB; raise where it fails."""
+    done = subprocess.run([sys.executable, "-c", RUN, *command], capture_output=True, text=True, check=False)
     if done.returncode:
         raise RuntimeError(done.stdout[-500:] + done.stderr[-500:])
-    return time.perf_counter() - begin, float(done.stdout.split("MB")[-1])
+    seconds, memory = done.stdout.split("cost")[-1].split()
+    return float(seconds), float(memory)
 
 
 def main() -> int:
