@@ -238,18 +238,14 @@ class Evaluators:
     def line(self, cells: Collection[Address]) -> str:
         """Return in a line how many formulas were judged by whom, and why others could not be."""
         reasons = self.reasons()
-        label = {cell: self._label(cell) for cell in cells if cell not in reasons}
-        counts = [f"{number:,} {name}" for name, number in Counter(label.values()).most_common()]
+        by = ((cell, self.trusted[cell]) for cell in cells if cell not in reasons)
+        labels = ("disputed" if self.disputed(x) else FIRST if FIRST in t else " and ".join(t) for x, t in by)
+        counts = [f"{number:,} {name}" for name, number in Counter(labels).most_common()]
         why = Counter(reasons[cell] for cell in cells if cell in reasons)
         if why:
             words = listed([f"{what} ×{number}" for what, number in why.most_common()])
             counts.append(f"{why.total():,} cannot ({words})")
         return f"{len(cells):,} formulas: {', '.join(counts) or 'none'}"
-
-    def _label(self, cell: Address) -> str:
-        if self.disputed(cell):
-            return "disputed"
-        return FIRST if FIRST in self.trusted[cell] else " and ".join(self.trusted[cell])
 
 
 def present(names: Iterable[str]) -> list[str]:
