@@ -120,6 +120,20 @@ def window(browser, server, **more):
     assert [line for line in said if "status of 400" not in line] == []
 
 
+def drawn(page):
+    """Wait until what was done is in the picture."""
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+
+@contextmanager
+def answered(page):
+    """Wait until a change of the design that is made meanwhile is answered, and drawn."""
+    with page.expect_response("**/change") as answer:
+        yield answer
+    answer.value.finished()
+    drawn(page)
+
+
 @pytest.fixture
 def page(browser, server):
     with window(browser, server) as one:

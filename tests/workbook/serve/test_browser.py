@@ -65,8 +65,8 @@ def verify(page):
 def compare(page):
     page.select_option("#old", "live.toml")
     page.select_option("#other", "cutting.xlsx")
-    page.get_by_role("button", name="Compare").click()
-    page.wait_for_selector("h1")
+    with page.expect_navigation():
+        page.get_by_role("button", name="Compare").click()
 
 
 def export(page):

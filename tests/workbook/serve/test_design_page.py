@@ -7,7 +7,7 @@ import tomllib
 import pytest
 
 from tests.workbook.serve.chromium import Axe, expect
-from tests.workbook.serve.conftest import LONG, window
+from tests.workbook.serve.conftest import LONG, answered, window
 from workbook.template import FOLDER
 
 TYPED = {
@@ -37,14 +37,21 @@ def field(page, path):
 
 
 def enter(page, path, words):
+    """Enter another value, and wait until it is answered."""
     field(page, path).fill(words)
-    field(page, path).press("Enter")
+    with answered(page):
+        field(page, path).press("Enter")
 
 
-def settled(page):
-    """Wait until the journal is answered and the machine judged."""
+def press(page, name):
+    """Press a button that changes the design, and wait until it is answered."""
+    with answered(page):
+        page.get_by_role("button", name=name).click()
+
+
+def judged(page):
+    """Wait until the machine is judged for the first time."""
     expect(page.locator(".pill.wait")).to_have_count(0)
-    page.wait_for_load_state("networkidle")
 
 
 def saved(page, path):
@@ -67,10 +74,8 @@ def test_what_would_help_most_is_tried_and_undone(page, server, wrapping):
     expect(rows.first).to_contain_text("cycles/min (+", timeout=LONG)
     rows.first.click()
     expect(rows).to_have_count(0)
-    settled(page)
     assert value_at(saved(page, wrapping), "axes.0.phases.0.stop") == 90.0
-    page.get_by_role("button", name="Undo").click()
-    settled(page)
+    press(page, "Undo")
     assert value_at(saved(page, wrapping), "axes.0.phases.0.stop") == 80.0
 
 
@@ -111,7 +116,6 @@ def test_what_is_wrong_is_told_below_the_field_and_never_in_the_file(page, serve
     enter(page, "axes.1.load.mass", "25000 g")
     expect(field(page, "axes.1.load.mass")).to_have_value("25")
     expect(field(page, "axes.1.motor.peak_torque")).to_have_value("4o")
-    settled(page)
     saved(page, wrapping)
     assert wrapping.read_text(encoding="utf-8") == before
 
@@ -133,7 +137,6 @@ def test_changes_are_undone_from_a_field_and_redone(page, server, wrapping):
     opened(page, server)
     for words in ("26", "27"):
         enter(page, "axes.1.load.mass", words)
-    settled(page)
     for way, words in (("Control+Z", "26"), ("Control+Z", "25"), ("Control+Y", "26")):
         page.keyboard.press(way)
         expect(field(page, "axes.1.load.mass")).to_have_value(words)
@@ -179,7 +182,6 @@ def test_a_catalogue_of_ones_own_is_a_table(page, server, wrapping):
     page.get_by_role("button", name="copy motor 2").click()
     enter(page, "selection.motors.19.max_speed", "6500 rpm")
     page.get_by_label("close").click()
-    settled(page)
     expect(page.locator(".pill")).to_contain_text("checks OK")
     motors = saved(page, wrapping)["selection"]["motors"]
     assert (len(motors), motors[19]["max_speed"]) == (20, 6500.0)
@@ -189,7 +191,6 @@ def test_a_catalogue_of_ones_own_is_a_table(page, server, wrapping):
 def test_what_was_not_saved_is_there_again_and_can_be_thrown_away(page, server, wrapping):
     opened(page, server)
     enter(page, "axes.1.load.mass", "33")
-    settled(page)
     page.on("dialog", lambda dialog: dialog.accept())
     opened(page, server)
     expect(field(page, "axes.1.load.mass")).to_have_value("33")
@@ -222,7 +223,7 @@ def test_every_button_leads_to_a_design_that_works_or_names_what_is_missing_in_i
     chosen = page.locator("nav :is(.card, .item)", has_text=part).first
     chosen.click()
     for k in range(page.locator(BUTTONS).count()):
-        with page.expect_response("**/change") as answer:
+        with answered(page) as answer:
             page.locator(BUTTONS).nth(k).click()
         given = answer.value.json()
         if given["refused"]:
@@ -231,7 +232,7 @@ def test_every_button_leads_to_a_design_that_works_or_names_what_is_missing_in_i
             continue
         if given["faults"]:
             expect(page.locator("aside .wrong").first).to_be_visible()
-        with page.expect_response("**/change"):
+        with answered(page):
             page.get_by_role("button", name="Undo").click()
         expect(page.get_by_role("button", name="Undo")).to_be_disabled()
         chosen.click()
@@ -239,7 +240,7 @@ def test_every_button_leads_to_a_design_that_works_or_names_what_is_missing_in_i
 
 def test_the_page_fits_a_screen_without_scrolling_and_its_text_can_be_read(page, server, wrapping):
     opened(page, server)
-    settled(page)
+    judged(page)
     for width, height in ((1440, 900), (1024, 768)):
         page.set_viewport_size({"width": width, "height": height})
         scroll = page.evaluate("[document.documentElement.scrollWidth, document.documentElement.scrollHeight]")
@@ -256,7 +257,7 @@ def test_the_page_fits_a_screen_without_scrolling_and_its_text_can_be_read(page,
 def test_no_state_of_the_page_shuts_anybody_out_in_either_scheme_or_at_any_size(browser, server, wrapping, scheme):
     with window(browser, server, color_scheme=scheme) as page:
         opened(page, server)
-        settled(page)
+        judged(page)
         for act in (
             lambda: None,
             lambda: enter(page, "axes.1.load.mass", "2x"),
@@ -266,7 +267,7 @@ def test_no_state_of_the_page_shuts_anybody_out_in_either_scheme_or_at_any_size(
             lambda: page.get_by_role("button", name="from the catalogue").last.click(),
         ):
             act()
-            settled(page)
+            judged(page)
             found = Axe().run(page).response["violations"]
             assert [(one["id"], one["nodes"][0]["html"]) for one in found] == []
         for width, height in ((2560, 1440), (720, 450)):  # the last is 1440 × 900 at 200 %

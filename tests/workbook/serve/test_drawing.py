@@ -5,7 +5,8 @@ from itertools import pairwise
 
 import pytest
 
-from tests.workbook.serve.chromium import Axe
+from tests.workbook.serve.chromium import Axe, expect
+from tests.workbook.serve.conftest import drawn
 from tests.workbook.serve.drawn import drawing
 
 PICTURE = 20  # ms of the page's thread for each picture: fifty a second
@@ -59,12 +60,14 @@ def drag(page, place, x, y=0.0, end="", modifier=None):
     page.mouse.down()
     page.mouse.move(place[0] + x / 2, place[1] + y / 2)
     page.mouse.move(place[0] + x, place[1] + y)
+    drawn(page)
     words = re.sub(r" · [\d.]+ ms", "", page.locator(".bubble text").text_content())
     if end:
         page.keyboard.press(end)
     page.mouse.up()
     if modifier:
         page.keyboard.up(modifier)
+    drawn(page)
     return words
 
 
@@ -157,6 +160,7 @@ def test_the_keyboard_does_what_a_drag_does(opened):
         page.locator(selector).focus()
         for key in keys:
             page.keyboard.press(key)
+            drawn(page)
         return commits(page)[-1]
 
     assert press("#axis-1-to-0", "ArrowRight", "PageUp", "Alt+ArrowLeft") == {"axes/1/phases/0/stop": 145.9}
@@ -200,6 +204,7 @@ def test_24_axes_scroll_below_the_scale_and_a_drag_follows_at_fifty_pictures_a_s
     lanes, scale = page.locator(".lanes").bounding_box(), page.locator(".scale").bounding_box()
     assert scale["y"] == pytest.approx(lanes["y"], abs=1)
     page.locator("#axis-1-shift-all").scroll_into_view_if_needed()
+    drawn(page)
     place = middle(page, "#axis-1-to-0 circle")
     protocol = page.context.new_cdp_session(page)
     protocol.send("Performance.enable", {"timeDomain": "threadTicks"})
@@ -221,10 +226,12 @@ def test_24_axes_scroll_below_the_scale_and_a_drag_follows_at_fifty_pictures_a_s
 def test_charts_have_one_cursor_a_zoom_and_a_choice(opened):
     page = opened(viewport={"width": 1440, "height": 900})
     plots = page.locator(".chart .u-over")
-    assert plots.count() == 6
+    expect(plots).to_have_count(6)
     x, y = middle(page, ".chart .u-over >> nth=0")
     place = (x + 20, y)  # beside where both designs pass 0
     page.mouse.move(*place)
+    page.wait_for_function("() => state.cursor.value !== null")
+    drawn(page)
     told = page.locator(".chart output").all_text_contents()
     assert all("saved" in words for words in told)
     assert " at " in told[3]  # torque, and the speed there
@@ -233,6 +240,7 @@ def test_charts_have_one_cursor_a_zoom_and_a_choice(opened):
     page.mouse.down()
     page.mouse.move(place[0] + 60, place[1])
     page.mouse.up()
+    drawn(page)
     x, y = middle(page, ".chart .u-over >> nth=1")
     other = (x + 20, y)
     page.mouse.move(*other)
@@ -240,11 +248,12 @@ def test_charts_have_one_cursor_a_zoom_and_a_choice(opened):
     page.mouse.dblclick(*place)
     for n in range(MANY):  # the other charts follow in the page's next picture
         page.mouse.move(other[0], other[1] + n % 2)
+        drawn(page)
         if abs(page.evaluate("state.cursor.value") - seen) < 2:
             break
-        page.wait_for_timeout(50)
     assert page.evaluate("state.cursor.value") == pytest.approx(seen, abs=2)
     page.get_by_role("button", name="drive").click()
+    expect(page.locator(".chart")).to_have_count(3)
     assert [words.split(" [")[0] for words in page.locator(".chart h3 span").all_text_contents()] == [
         "torque against speed",
         "motor torque",
@@ -259,8 +268,9 @@ def test_a_chart_holds_all_of_its_line_as_it_grows(opened):
       const charts = axes[1].charts.map((chart) => ({ ...chart, y: chart.y.map((value) => 3 * value) }));
       state.figures.value = { axes: { ...axes, 1: { ...axes[1], charts } } };
     }""")
-    page.wait_for_function("document.querySelector('.chart output').textContent === 'peak 3'")
+    expect(page.locator(".chart output").first).to_have_text("peak 3")
     page.evaluate("state.cursor.value = 45")  # where the torque is largest
+    drawn(page)
     mark, plot = page.locator(".mark.point").bounding_box(), page.locator(".u-over:has(.point)").bounding_box()
     assert plot["y"] < mark["y"] + mark["height"] / 2 < plot["y"] + plot["height"]
 
