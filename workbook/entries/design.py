@@ -20,11 +20,11 @@ Where = Callable[[str], str]  # how an entry is named, by its key
 
 
 class RefusedError(Exception):
-    """The faults in the structure or type of a description: pydantic's faults, or those of a design."""
+    """The faults in the structure or type of a description, pydantic's or a design's; faults of ``numbers`` beside."""
 
-    def __init__(self, faults: list[Any]) -> None:
+    def __init__(self, faults: list[Any], numbers: Sequence[Fault] = ()) -> None:
         super().__init__(f"{len(faults)} faults")
-        self.faults = faults
+        self.faults, self.numbers = faults, numbers
 
 
 def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> M:
@@ -64,9 +64,10 @@ def validated(model: type[M], check: Callable[[M], None], data: dict[str, Any]) 
         check(machine)
     except ValidationError as error:
         faults = [(fault, numbers_of(fault, model)) for fault in error.errors(include_url=False)]
+        mendable = [each for _, numbers in faults for each in numbers or ()]
         if refused := [fault for fault, numbers in faults if numbers is None]:
-            raise RefusedError(refused) from None
-        return None, [each for _, numbers in faults for each in numbers or ()]
+            raise RefusedError(refused, mendable) from None
+        return None, mendable
     except DesignError as error:
         return None, [of_rule("", error)]
     return machine, []

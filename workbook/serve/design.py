@@ -1,19 +1,18 @@
 """A design that is edited: its faults by entry, its figures axis by axis, the verdict on the whole of it."""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from pydantic import ValidationError
 
-from workbook.entries.design import fault_line, keys_of, numbers_of, of_rule
+from workbook.entries.design import RefusedError, fault_line, finished
 from workbook.entries.machine import Fault
 from workbook.errors import MotionbookError
-from workbook.fields.paths import Place, get, split
-from workbook.fields.types import DesignError, EntryError
+from workbook.fields.paths import get, split
+from workbook.fields.types import EntryError
 from workbook.laws.named import with_laws_by_code
 from workbook.reading.descriptions import parse_toml, template_named
 from workbook.selection.entries import COMMITTED
@@ -22,7 +21,6 @@ from workbook.serve.words import sentence, spoken
 from workbook.templates import AnyTemplate
 
 MARK = "\0"  # ends the key in the line of a fault
-ROUNDS = 8  # of leaving out what is faulty, until the rest goes together
 CONTEXT = ("template", "master", "laws", "gravity", "creep_forces", "power", "limits", "sizes")
 OF_DRIVES = ("gravity", "creep_forces", "power", "limits")  # of these a machine without drives has none
 OF_MOTION = ("name", "group", "unit", "closes", "smoothness", "shift", "position", "phases")
@@ -41,27 +39,21 @@ class Judged(NamedTuple):
 
 
 def judged(template: AnyTemplate, data: dict[str, Any]) -> Judged:
-    """Return the machine of a description, or all its faults."""
-    model, faults = template.model, dict[str, str]()
+    """Return the machine of a description, or its faults by their keys."""
+    model = template.model
     try:
-        machine = model.model_validate(with_laws_by_code(data, template.laws))
-        template.check(machine)
-        return Judged(machine, {})
-    except ValidationError as error:
-        for fault in error.errors(include_url=False):
-            numbers: list[Any] = [*(numbers_of(fault, model) or ())] or [fault]
-            for each in numbers:
-                key, _, line = fault_line(each, model, lambda key: f"{key}{MARK}").partition(f"{MARK}: ")
-                is_missing = isinstance(each, Fault) and each.is_missing
-                faults.setdefault(key, f"missing: {line}" if is_missing else line)
-            if not faults:  # of the description as a whole
-                faults[keys_of(model, fault["loc"])[0]] = str(fault["msg"])
-    except DesignError as error:
-        own = of_rule("", error)
-        faults[own.key] = own.message
+        machine = finished(model, template.check, with_laws_by_code(data, template.laws))
+        noted: Sequence[Any] = machine.design.faults
+    except RefusedError as error:
+        machine, noted = None, [*error.faults, *error.numbers]
     except EntryError as error:
-        faults[error.field] = str(error)
-    return Judged(None, faults)
+        return Judged(None, {error.field: str(error)})
+    faults = dict[str, str]()
+    for fault in noted:
+        key, _, line = fault_line(fault, model, lambda key: f"{key}{MARK}").partition(f"{MARK}: ")
+        is_missing = isinstance(fault, Fault) and fault.is_missing
+        faults.setdefault(key, f"missing: {line}" if is_missing else line)
+    return Judged(None if faults else machine, faults)
 
 
 class Edited:
@@ -74,7 +66,7 @@ class Edited:
         self.axes = axes if isinstance(axes, list) else []
         self.faults = dict[str, str]()
         self.own = [self._axis(k, axis) for k, axis in enumerate(self.axes)]
-        self._judge_rest()
+        self.faults |= judged(self.template, self.data).faults
         self.faults = {key: sentence(line) for key, line in self.faults.items()}
 
     def _axis(self, k: int, axis: Any) -> Judged:
@@ -118,23 +110,6 @@ class Edited:
         figures: dict[str, Any] = live.product_figures(machine, kind == "motor")
         return figures
 
-    def _judge_rest(self) -> None:
-        """Note the faults of all but the axes, and of what does not go together; faulty parts are left out."""
-        rest = dict(self.data)
-        for key in reversed(self.faults):
-            rest = without(rest, split(key))
-        left = names_of(self.axes) - names_of(rest.get("axes", []))
-        rest = without_names(rest, left)
-        for _ in range(ROUNDS):
-            found = judged(self.template, rest).faults
-            moved = moved_back(found, self.data, rest)
-            known = [*self.faults]  # what lacks a faulty part is no fault of its own
-            self.faults |= {k: v for k, v in moved.items() if not any(f"{key}.".startswith(f"{k}.") for key in known)}
-            if not found:
-                return
-            for key in found:
-                rest = without(rest, split(key))
-
     def figures(self, k: int) -> dict[str, Any]:
         """Return the figures of an axis, or what is wrong with it: of a faulty drive those of the motion remain."""
         axis, own = self.axes[k], self.own[k]
@@ -176,52 +151,6 @@ def peak_power(drives: list[dict[str, Any]], efficiency: float) -> float:
         proves = [own["power"]["peak"] / efficiency - sum(burnt) + low for own, low in zip(on, burnt, strict=True)]
         most += max(0.0, float(drawn.max()), *proves)
     return float(most / W_PER_KW)
-
-
-def without(data: dict[str, Any], place: Place) -> dict[str, Any]:
-    """Return a description without the row of a list, or the table, that an entry is in."""
-    if not place or place[0] not in data:
-        return data
-    part = data[place[0]]
-    if isinstance(part, list) and place[1:] and place[1].isdigit():
-        rows = [None if k == int(place[1]) else row for k, row in enumerate(part)]
-        return data | {place[0]: [row for row in rows if row is not None]}
-    return {key: value for key, value in data.items() if key != place[0]}
-
-
-def names_of(axes: Any) -> set[str]:
-    """Return the names of axes."""
-    return {str(axis.get("name")) for axis in (axes if isinstance(axes, list) else ()) if isinstance(axis, Mapping)}
-
-
-def without_names(data: dict[str, Any], names: set[str]) -> dict[str, Any]:
-    """Return a description without what names an axis that is left out."""
-    if not names:
-        return data
-    rest = {key: value for key, value in data.items() if key not in ("timing", "export")}
-    if isinstance(rows := data.get("clearances"), list):
-        rest["clearances"] = [row for row in rows if not {str(get(row, (end,))) for end in ENDS} & names]
-    if str(get(data, ("selection", "axis"))) in names:
-        rest["selection"] = {key: value for key, value in data["selection"].items() if key != "axis"}
-    return rest
-
-
-def moved_back(faults: dict[str, str], data: dict[str, Any], rest: dict[str, Any]) -> dict[str, str]:
-    """Return the faults of a description without some rows by the keys of the whole."""
-    moved = {}
-    for key, line in faults.items():
-        first, *more = split(key)
-        rows, left = data.get(first), rest.get(first)
-        if (
-            more
-            and more[0].isdigit()
-            and isinstance(rows, list)
-            and isinstance(left, list)
-            and int(more[0]) < len(left)
-        ):
-            more[0] = str(next(k for k, row in enumerate(rows) if row is left[int(more[0])]))
-        moved[".".join([first, *more])] = line
-    return moved
 
 
 def motion_of(axis: Mapping[str, Any]) -> dict[str, Any]:
