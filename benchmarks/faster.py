@@ -9,11 +9,12 @@ from pathlib import Path
 
 from workbook.build import build, read_description
 from workbook.commands.improve import is_roomy
+from workbook.description.editing import edited
 from workbook.judging.verify import verify
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
 from workbook.studies.design import Design, first_design
-from workbook.studies.improve import RATE, STAGES, better, edited, rate_to_write
+from workbook.studies.improve import RATE, STAGES, better, rate_to_write
 from workbook.templates import TEMPLATES
 
 NAMES = ("cutting-machine", "machine", "crank-press", "machine-linkages")
@@ -22,7 +23,7 @@ TRIED = {name: stage for name, stage in STAGES.items() if name != "motors"}
 
 def confirmed(design: Design, path: Path, rate: float, folder: Path) -> list[str]:
     """Build the book of a design at a rate and verify it; return a line for each finding and check that fails."""
-    text = edited(path.read_text("utf-8"), {**design.changes, RATE: rate})
+    text = edited(path.read_text("utf-8"), {**design.changes, RATE: rate}.items())
     description = folder / path.name
     description.write_text(text, encoding="utf-8")
     failing = build(read_machine(description), book := description.with_suffix(".xlsx"), overwrite=True)

@@ -22,11 +22,11 @@ import tomli_w
 from rich.console import Console
 from rich.table import Table
 
+from workbook.description.editing import edited
 from workbook.entries.design import as_entered
 from workbook.reading.descriptions import read_machine
 from workbook.serve.design import figures
 from workbook.serve.handler import COOKIE
-from workbook.serve.tables import edited
 from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 

@@ -6,11 +6,12 @@ from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
+from workbook.description.editing import edited
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
 from workbook.fields.paths import Place, get
 from workbook.reading.descriptions import parse_toml
-from workbook.serve.tables import edited, key_at, required, sections_at, unit_at
+from workbook.serve.tables import key_at, required, sections_at, unit_at
 from workbook.serve.typed import value_of
 
 Changes = list[tuple[Place, Any]]

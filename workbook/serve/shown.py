@@ -10,6 +10,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book
 from workbook.book.rows import is_number
 from workbook.book.summary import TITLE
+from workbook.description.editing import edited
 from workbook.differences.design import Design, Figure, Key
 from workbook.entries.machine import Machine
 from workbook.pool import THIS_PROCESS
@@ -17,7 +18,7 @@ from workbook.reading.descriptions import counted_from_1, described, parse_toml,
 from workbook.reports.differences import figure
 from workbook.reports.html import Line, document, plot, rendered
 from workbook.studies.design import first_design
-from workbook.studies.improve import edited, single_gains
+from workbook.studies.improve import single_gains
 
 REMEMBERED = 4  # designs that are remembered: the saved one, and the latest
 KNOWN = ("number", "revision", "author", "date")  # what identifies a machine beside its title
@@ -63,7 +64,7 @@ def gains(name: str, text: str) -> list[dict[str, str]]:
     machine = design(name, text).machine
     first = first_design(machine, "motion_pieces" in parse_toml(text, Path(name)).get("sizes", {}))
     rows = sorted(single_gains(first, THIS_PROCESS, lambda *_: None), key=lambda gain: gain.after)
-    return [{"sentence": gain.sentence(first), "text": edited(text, gain.changes)} for gain in rows]
+    return [{"sentence": gain.sentence(first), "text": edited(text, gain.changes.items())} for gain in rows]
 
 
 def failing(new: ShownDesign) -> list[list[str]]:

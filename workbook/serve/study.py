@@ -14,6 +14,7 @@ from pydantic import ValidationError
 
 from workbook.build import read_description
 from workbook.commands.study import announced, summary_from
+from workbook.description.editing import edited
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.fields.paths import Place, get, join, leaves, spell, spread
@@ -25,7 +26,6 @@ from workbook.reports.differences import figure
 from workbook.reports.html import shown
 from workbook.serve import pages
 from workbook.serve.handler import Page
-from workbook.serve.tables import edited
 from workbook.serve.typed import PLAIN, number
 from workbook.serve.words import spoken
 from workbook.studies import folder

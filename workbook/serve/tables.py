@@ -1,27 +1,23 @@
-"""The entries of a description by their places, and what is changed in its text; its comments stay."""
+"""The entries of a description by their places, as the page has them."""
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
-import tomlkit
-from tomlkit.exceptions import TOMLKitError
-from tomlkit.items import Array
 
-from workbook.description.keys import PRODUCTS, Key, Section, default_of, sections, toml
+from workbook.description.keys import PRODUCTS, Key, Section, default_of, sections
 from workbook.entries.abscissa import PLACE
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
-from workbook.fields.paths import Place, get, reach
+from workbook.fields.paths import Place, get
 from workbook.laws.entries import ENTRIES
 from workbook.laws.registry import FAMILY
 from workbook.selection.entries import COMMITTED
 from workbook.templates import TEMPLATES
 
-COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")  # entries, blanks, and a comment
 EITHER = re.compile(r", | or ")
 PHRASES = ("a ", "7 ")  # begins of the words that expect anything but a choice of texts
 SHAPE = 25  # points of the picture of a law
@@ -138,31 +134,3 @@ def sections_at(template: str, place: Place) -> list[Section]:
     """Return a template's sections for the table at a place, a section for each kind that it may have."""
     path = ".".join("*" if part.isdigit() else part for part in place)
     return [section for section in template_sections(template) if section.path == path]
-
-
-def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
-    """Return the text with other values at paths, None to remove an entry; raise InputError for a wrong text, path."""
-    try:
-        document = tomlkit.parse(text)
-        for path, value in changes:
-            put(document, path, value)
-        before, after = text.split("\n"), tomlkit.dumps(document).split("\n")
-    except (TOMLKitError, AttributeError, LookupError, TypeError, ValueError) as error:
-        raise InputError([f"the text cannot be changed there: {error}"]) from None
-    if len(before) == len(after):  # each comment keeps its column, where the line leaves room for it
-        for k, (old_line, new_line) in enumerate(zip(before, after, strict=True)):
-            then, now = COMMENTED.fullmatch(old_line), COMMENTED.fullmatch(new_line)
-            if then and now and then[3] == now[3]:
-                after[k] = f"{now[1]:<{then.start(3) - 1}} {now[3]}"
-    return "\n".join(after)
-
-
-def put(table: Any, path: Place, value: Any) -> None:
-    """Set an entry below a table of TOML, or take it away."""
-    held, key = reach(table, path, grow=False)
-    if value is None:
-        del held[key]
-    elif isinstance(held, list) and key == len(held):
-        held.append(tomlkit.parse(f"x = {toml(value)}")["x"] if isinstance(held, Array) else value)
-    else:
-        held[key] = value

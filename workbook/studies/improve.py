@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from engine.drive.highest_rate import RateLimit, limits_in_order, moment_of
 from engine.drive.limits import at_speed
 from workbook.errors import InputError
-from workbook.fields.paths import Place, get, key_of, put
+from workbook.fields.paths import Place, get, key_of
 from workbook.improving import AIMS, Change
 from workbook.pool import Pool, WorkerDied
 from workbook.studies.design import GAIN, Design
@@ -158,13 +158,3 @@ def rate_to_write(design: Design) -> float | None:
 def cut_off(rate: float) -> float:
     """Return a rate rounded down to two decimals."""
     return rate if math.isinf(rate) else math.floor(rate * 100.0) / 100.0
-
-
-def edited(text: str, changes: Mapping[Place, Any]) -> str:
-    """Return the text of a description with changes; comments stay."""
-    import tomlkit
-
-    document = tomlkit.parse(text)
-    for place, value in changes.items():
-        put(document, place, value)
-    return tomlkit.dumps(document)

@@ -16,6 +16,7 @@ from tests.workbook.machines.drawn_drives import drawn_machine
 from tests.workbook.studies.studied import base
 from workbook.build import read_entered, write_book
 from workbook.commands import improve as command
+from workbook.description.editing import edited
 from workbook.errors import AGREES, FAILS, InputError, WriteError
 from workbook.fields.paths import table
 from workbook.fields.units import PER_MINUTE, si
@@ -25,7 +26,7 @@ from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
 from workbook.studies import improve_sheet
 from workbook.studies.design import first_design
-from workbook.studies.improve import RATE, STAGES, better, edited, obstacles, rate_to_write, single_gains
+from workbook.studies.improve import RATE, STAGES, better, obstacles, rate_to_write, single_gains
 from workbook.studies.plan import changed_machine
 from workbook.templates import TEMPLATES
 
@@ -281,6 +282,6 @@ def test_a_law_that_nothing_takes_any_more_is_not_written(cutting) -> None:
     first, second = ({("laws", name): {"family": "PO5"}, ("axes", "0", "phases", "0", "law"): name} for name in "AB")
     one = cutting.changed(changes.Change("", first, "law"))
     two = one.changed(changes.Change("", second, "law"))
-    text = edited(CUTTING.read_text("utf-8"), two.changes)
+    text = edited(CUTTING.read_text("utf-8"), two.changes.items())
     assert "[laws.B]" in text
     assert "[laws.A]" not in text

@@ -4,9 +4,9 @@ import tomllib
 
 import pytest
 
+from workbook.description.editing import edited
 from workbook.errors import InputError
 from workbook.fields.paths import put
-from workbook.serve.tables import edited
 from workbook.template import FOLDER
 
 TEXT = (FOLDER / "machine.toml").read_text(encoding="utf-8")
