@@ -38,7 +38,7 @@ for (const { dataset, firstElementChild: cell } of design ? document.querySelect
 /** Fetch a part of the page, again and again while it is not the last of it; the tab says OK or FAIL where it has a state. */
 async function follow(place, before) {
   const answer = await fetch(place.dataset.from).catch(() => null); // null: the server has ended, or the page is left
-  if (!answer && before) place.textContent = "The server has ended: run motionbook again.";
+  if (!answer && before) [place.textContent, document.title] = ["The server has ended: run motionbook again.", "Ended: motionbook"];
   const html = answer?.ok ? await answer.text() : before;
   if (answer?.ok && html !== before && !place.matches(":active")) {
     const had = place.contains(document.activeElement);
