@@ -1,7 +1,11 @@
 """The highest rate in cells: against a search by the engine's other route, and by what it means."""
 
+import random
+
 import pytest
 
+from tests.mutation.machines import machine as drawn_machine
+from tests.tiers import nights, seed
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from tests.workbook.machines.test_machine_drives import CRANK, ROCKER, SCREW, lossy, table
@@ -10,7 +14,7 @@ from tests.workbook.machines.test_machine_selection import PRESS
 from workbook.machines.machine import exact
 from workbook.machines.machine.drive.view import AT_NO_RATE
 from workbook.machines.machine.entries import Master
-from workbook.machines.machine.exact import drives_of, rate_of
+from workbook.machines.machine.exact import drives_of, exact_rates, rate_of
 
 CHECKS = {
     "motor speed": "speed", "reducer input speed": "reducer_speed", "peak torque": "peak",
@@ -101,6 +105,38 @@ def test_a_motor_too_small_for_an_axis_that_stands_has_no_rate():
     )
     assert (found("drive1_highest"), found("drive1_lowest")) == (AT_NO_RATE, AT_NO_RATE)
     assert found("drive1_binds") == "RMS torque"
+
+
+def with_usual_motor(given):
+    """The machine with a motor whose torque at standstill is at most three times that at its rated speed."""
+    (axis,) = given.axes
+    stall, rated = axis.motor.stall_torque, axis.motor.rated_torque
+    motor = axis.motor.model_copy(update={"stall_torque": min(stall, 3.0 * rated) if stall and rated else stall})
+    return given.model_copy(update={"axes": [axis.model_copy(update={"motor": motor})]})
+
+
+@pytest.mark.parametrize("number", [*range(4), *nights(30)])
+def test_the_rate_of_the_sheet_is_at_most_a_per_cent_below_the_exact_one_and_never_above(request, number):
+    """At a machine's own rate that is 0.6 to 1.5 times it; entered, it is confirmed."""
+    told = f"pace {number}"
+    drawn = random.Random(seed(told) if request.node.get_closest_marker("nightly") else told)
+    given = with_usual_motor(drawn_machine(machine(200.0, {}, {}), drawn))
+    (view,) = drives_of(given)
+    exact = exact_rates(view)
+    if isinstance(exact.high, str):
+        assert view.rates.high == exact.high
+        return
+    (near,) = drives_of(at_rate(given, exact.high * drawn.uniform(0.6, 1.5)))
+    assert 0.99 * exact.high <= near.rates.high <= exact.high
+    (there,) = drives_of(at_rate(given, near.rates.high))
+    assert there.search.holds
+    assert there.driven.limit_checks.ok
+
+
+def at_rate(given, rate):
+    """A machine of one drive at another rate."""
+    axis = given.axes[0].model_copy(update={"rate": None})
+    return given.model_copy(update={"axes": [axis], "master": Master(rate=rate)})
 
 
 def test_a_drive_is_sized_at_a_rate_of_its_own():
