@@ -20,6 +20,7 @@ from engine.selection.task import Task
 
 Rank = Literal["smallest motor", "margin", "inertia match", "mass", "cost"]
 RANKS: tuple[str, ...] = get_args(Rank)
+MOTOR_LIMITS = ("shaft", "speed", "peak", "RMS", "large", "inertia", "mass")  # "large": beyond the greatest margin
 PARTS = 10_000  # of a unit, to which scores are rounded before they are compared
 
 
@@ -81,9 +82,11 @@ class PairMatrix:
         self.cycle_factors = cycle_factor_at(self.rate, r.full_rate, r.cycle_factor)
         # of each reducer at the rate (Nm)
         self.most_output_torque: Array = r.max_output_torque / self.cycle_factors
-        strong = (self.output_torque <= self.most_output_torque) & (self.load.mean_torque <= r.max_mean_torque)
+        torques = self.output_torque / self.most_output_torque, self.load.mean_torque / r.max_mean_torque
+        # the most that the load uses of a reducer's limits
+        self.reducer_uses: Array = np.maximum(np.maximum(*torques), self.speed / r.max_input_speed)
         # whether a reducer holds the load
-        self.fits: NDArray[np.bool_] = strong & (self.speed <= r.max_input_speed)
+        self.fits: NDArray[np.bool_] = self.reducer_uses <= 1.0
         # how many motors are rated less, of each
         self.smaller: NDArray[np.int_] = (rated < rated[:, None]).sum(axis=1)
 
@@ -131,28 +134,46 @@ class PairMatrix:
         return self.rms / self.motors.continuous(np.s_[:, None], self.load.mean_speed / self.reducers.ratio)
 
     @cached_property
-    def verdicts(self) -> NDArray[np.str_]:
-        """The first requirement that each pair fails, or "yes"."""
+    def limit_uses(self) -> dict[str, Array]:
+        """The use of each limit by each pair, 1 at the limit, in the order in which they are looked at."""
         m, wanted = self.motors, self.wanted
-        fails = {
-            "reducer": np.broadcast_to(~self.fits, self.rms.shape),
-            "shaft": m.shaft[:, None] > self.reducers.hub,
-            "speed": self.speed * wanted.least_speed > m.max_speed[:, None],
-            "peak": self.peak * wanted.least_peak > m.peak_torque[:, None],
+        mass = np.nan_to_num(m.size)[:, None] + np.nan_to_num(self.reducers.size)
+        return {
+            "reducer": np.broadcast_to(self.reducer_uses, self.rms.shape),
+            "shaft": m.shaft[:, None] / self.reducers.hub,
+            "speed": self.speed * wanted.least_speed / m.max_speed[:, None],
+            "peak": self.peak * wanted.least_peak / m.peak_torque[:, None],
+            "RMS": self.uses * wanted.least_margin,
+            "large": self.uses,  # of the continuous torque
+            "inertia": self.inertia_ratio / wanted.inertia_ratio,
+            "mass": mass / wanted.most_mass,
         }
-        return np.select(list(fails.values()), list(fails), self.wanted_verdicts)
+
+    @cached_property
+    def failures(self) -> dict[str, NDArray[np.bool_]]:
+        """Whether each pair fails each limit, in the order in which they are looked at."""
+        r, wanted = self.reducers, self.wanted
+        fails = {word: use > 1.0 for word, use in self.limit_uses.items()}
+        large = self.uses * wanted.greatest_margin < 1.0
+        heavy = np.nan_to_num(self.motors.size)[:, None] > wanted.most_mass - np.nan_to_num(r.size)
+        return fails | {"large": large, "mass": heavy}
+
+    @cached_property
+    def verdicts(self) -> NDArray[np.str_]:
+        """The first limit that each pair fails, or "yes"."""
+        return np.select(list(self.failures.values()), list(self.failures), "yes")
 
     @cached_property
     def wanted_verdicts(self) -> NDArray[np.str_]:
         """The first of margins, inertia ratio and mass that each pair fails, or "yes"."""
-        m = self.motors
-        fails = {
-            "RMS": self.uses * self.wanted.least_margin > 1.0,
-            "large": self.uses * self.wanted.greatest_margin < 1.0,
-            "inertia": self.inertia_ratio > self.wanted.inertia_ratio,
-            "mass": np.nan_to_num(m.size)[:, None] > self.wanted.most_mass - np.nan_to_num(self.reducers.size),
-        }
-        return np.select(list(fails.values()), list(fails), "yes")
+        words = ["RMS", "large", "inertia", "mass"]
+        return np.select([self.failures[word] for word in words], words, "yes")
+
+    @cached_property
+    def failing_uses(self) -> Array:
+        """The use of the limit that each pair fails first; 0 of usable pairs, and of those whose reducer fails."""
+        uses = [self.limit_uses[word] for word in MOTOR_LIMITS]
+        return np.select([self.verdicts == word for word in MOTOR_LIMITS], uses, 0.0)
 
     @cached_property
     def balance(self) -> Array:

@@ -21,7 +21,7 @@ def in_scope(text: str, scope: str) -> str:
 class Series:
     """One line of a chart; columns are written as ``[samples.xi]``."""
 
-    name: str  # in the legend; ``=tool1_name`` shows the cell of that name
+    name: str  # beside it; ``=tool1_name`` shows the cell of that name
     x: str
     y: str
     dashed: bool = False
@@ -54,7 +54,7 @@ class Chart:
     log_y: bool = False
     # whether it stands on the first sheet too, in place of the book's first chart
     in_short: bool = False
-    legend: bool = True  # of several lines; else the title says what they are
+    legend: bool = True  # whether several lines have their names beside them; else the title says what they are
 
     def within(self, scope: str) -> Self:
         """Return the chart with ``scope`` for each ``@`` in the references of its lines."""

@@ -243,7 +243,8 @@ class Sheet:
         """Write the title of a table and the heads of its columns."""
         self.texts.append(Text(row, first, title, "subheading"))
         for column, q in enumerate(quantities, first):
-            unit = f"{q.symbol} [{q.unit}]" if q.unit else q.symbol
+            symbol = "" if ", " in q.unit else f"{q.symbol} "  # behind which several units are too wide
+            unit = f"{symbol}[{q.unit}]".strip() if q.unit else q.symbol
             lines = [(q.label, "header"), (unit, "units"), *([(q.source, "equation")] if explained else [])]
             self.texts += [Text(row + k, column, text, style) for k, (text, style) in enumerate(lines, 1)]
 
@@ -260,11 +261,11 @@ class Sheet:
         workings.shared_heads = block.shared_heads
         block.workings = block.workings or workings
 
-    def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "") -> None:
+    def beside(self, block: Block, name: str, quantity: Quantity, blank: str = "", heads: bool = True) -> None:
         """Place a table of a column beside a table without equations: as many as a size says, each with its name."""
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
-        self.texts.append(Text(block.row - 2, column, quantity.label, "header"))
-        self.texts.append(Text(block.row - 1, column, quantity.unit, "units"))
+        lines = ((2, quantity.label, "header"), (1, quantity.unit, "units")) if heads else ()
+        self.texts += [Text(block.row - above, column, text, style) for above, text, style in lines]
         own, name = self._own((quantity,)), in_scope(name, self.scope)
         blank = in_scope(blank, self.scope)
         self._place(Block(name, self, block.row, column, own, block.size, block.title, blank=blank, lead=block))

@@ -51,11 +51,11 @@ USE = (
     "Workings are not printed, nor are Names, Catalogue, Laws, the laws' sheets, unless print_also asks for them.",
 )
 COLUMNS = 17
-WIDTHS: dict[int, float] = {FIRST: 14.5, FIRST + 1: 24, 6: 12, 7: 13, 13: 12, 14: 12, 15: 16}
+WIDTHS: dict[int, float] = {FIRST: 14.5, FIRST + 1: 17, FIRST + 2: 20.5, 9: 8, 10: 8, 11: 8, 12: 8.5, 13: 8, 16: 16}
 SENTENCE, FIGURES = 4, 6  # rows of the verdict in words, and of figures
 # width of a letter at most, and of a column that has none of its own, in digits
 LETTER, COLUMN = 0.95, 9.5
-ENTERED = 15  # the column of entries
+ENTERED = 16  # the column of entries
 PICTURE_ROW, PICTURE_ROWS = 11, 14
 
 
@@ -105,12 +105,10 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
         sheet.charts.append((picture, PICTURE_ROW, FIRST, COLUMNS - FIRST + 1, PICTURE_ROWS))
     stamp_line(book, sheet, SENTENCE + 1, ENTERED)
     sheet.heading("To mend")
-    sheet.rows(CELLS["to_mend"]("mend_count", summary(book).failing, to_mend=FAILING["mend"]))
     failing_table(sheet, "mend")
     sheet.not_printed_below()
-    if sheet.more:
-        sheet.heading("More results")
-        sheet.rows(*sheet.more)
+    sheet.heading("More results")
+    sheet.rows(CELLS["to_mend"]("mend_count", summary(book).failing, to_mend=FAILING["mend"]), *sheet.more)
     sheet.heading("Contents")
     for other in book.sheets[1:]:
         entry(sheet, Text(sheet.row, FIRST, other.title, "link", other.title), other.purpose)

@@ -104,7 +104,7 @@ def rms_point(sheet: Sheet, speed: float, torque: float) -> None:
 def plane(speed: str, torque: str, *more: Series, ink: str = "", title: str = "") -> Chart:
     """Return the chart of torque against speed, from these columns, and the RMS point, within the limits.
 
-    With a ``title`` that says what the lines are, it has no legend.
+    With a ``title`` that says what the lines are, they have no names beside them.
     """
     lines = (
         Series("cycle", speed, torque, color=ink),

@@ -15,7 +15,7 @@ def best_table(sheet: Sheet, view: PairSelection) -> None:
     """Declare the list of the best pairs."""
     cell = CELLS["best"]
     pairs, listed, motors, reducers = view.ranked[:BEST], view.listed, view.motors, view.reducers
-    torque = max([view.own.peak, *(pair.peak for pair in listed), 1e-3])
+    torque = max([*(pair.peak for pair in listed), 1e-3])
 
     def of(figure: str) -> list[float]:
         return filled([getattr(pair, figure) for pair in listed], BEST)

@@ -1,7 +1,6 @@
 """The drives on the sheet Selection: a row each, the named drive by its cells and points, each behind its reducer."""
 
 import re
-from collections.abc import Callable
 from typing import Any
 
 from engine.laws.base import Array
@@ -11,8 +10,8 @@ from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet, Text
 from workbook.book.rows import filled
 from workbook.fields.units import RPM, shown
-from workbook.selection.grids import LARGE, continuous, first_failure, margin_verdict, of_motor
-from workbook.selection.pair_selection import AS_ENTERED, FIGURES, MIXED, SQUARE, PairSelection, rms_of
+from workbook.selection.grids import LARGE
+from workbook.selection.pair_selection import AS_ENTERED, FIGURES, MIXED, SQUARE, PairSelection
 
 CELLS = cell_tables(__file__)
 
@@ -20,7 +19,7 @@ OWN = {"eta": "@held_eta", "i": "@held_i", "own": "@held_no_load"}
 
 
 def named_drive(sheet: Sheet, view: PairSelection) -> None:
-    """Declare the named drive, what its reducer makes of the load, its motor and reducer; all that may be named."""
+    """Declare the named drive, and all that may be named."""
     cell = CELLS["named_drive"]
     several = len(view.shafts) > 1
     number = "MATCH(@axis,[@drives.axis],0)" if several else "COUNT([@drives.k])"
@@ -28,8 +27,6 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
     taken = "INDEX([@drives.{}],@no)" if several else "[@drives.{}.1]"
     columns = list(zip(*(shaft.figures for shaft in view.shafts), strict=True))
     scales = [max(figure.scale for figure in column) for column in columns]
-    mixed, square = view.means_behind_own
-    motor, reducer = view.names_in_use
     sheet.rows(
         cell("@no", view.number + 1, number=number),
         *(
@@ -45,10 +42,6 @@ def named_drive(sheet: Sheet, view: PairSelection) -> None:
             for figure, scale in zip(view.shaft.figures, scales, strict=True)
         ),
         *([cell("@last", view.shaft.rows * POINTS)] if view.is_ragged else []),
-        cell("@held_mixed", mixed, mean=MIXED.format(**OWN), scale=view.shaft.product),
-        cell("@held_square", square, mean=SQUARE.format(**OWN), scale=view.shaft.torque**2),
-        cell("@held_motor", motor, as_entered=AS_ENTERED),
-        cell("@held_reducer", reducer, as_entered=AS_ENTERED),
     )
     points = [shaft.rows * POINTS for shaft in view.shafts]
     cell = CELLS["drives"]
@@ -147,14 +140,14 @@ def every_drive(sheet: Sheet, view: PairSelection) -> None:
 
 def motors_by_drives(sheet: Sheet, view: PairSelection) -> None:
     """Declare what each motor has to do behind the reducer of each drive, and what it fails first."""
-    drives, each = view.every_drive, [drive.behind_own for drive in view.every_drive]
+    each = [drive.behind_own for drive in view.every_drive]
     use = max(1.0, *(float(behind_own.uses.max()) for behind_own in each))
     torque = max(1e-3, *(float(behind_own.peak.max()) for behind_own in each))
     loads(sheet, view)
-    matrix(sheet, view, "share", share, "uses", 0.0, scale=use)
-    matrix(sheet, view, "peak", lambda n: peak(n, drives[n - 1]), "peak", 0.0, scale=torque)
-    matrix(sheet, view, "wanted", wanted, "wanted_verdicts", LARGE)
-    matrix(sheet, view, "word", word, "verdicts", "–")
+    matrix(sheet, view, "share", "uses", 0.0, scale=use)
+    matrix(sheet, view, "peak", "peak", 0.0, scale=torque)
+    matrix(sheet, view, "wanted", "wanted_verdicts", LARGE)
+    matrix(sheet, view, "word", "verdicts", "–")
 
 
 def loads(sheet: Sheet, view: PairSelection) -> None:
@@ -191,19 +184,10 @@ def of_drive(formula: str) -> str:
     return "=" + re.sub(r"@(\w+)", r"[@drives.\1.same]", formula)
 
 
-TITLES = {
-    "share": "Their RMS torque over their continuous torque",
-    "peak": "Their peak torque [Nm]",
-    "wanted": "What is wanted of them",
-    "word": "What they fail first; yes: they can do it",
-}
-
-
 def matrix(
     sheet: Sheet,
     view: PairSelection,
     name: str,
-    formula: Callable[[int], str],
     figure: str,
     spare: Any,
     scale: float = 0.0,
@@ -213,7 +197,7 @@ def matrix(
     down, names = view.rooms[0], view.motors.names
     order = [place_of(view, k) if k < len(names) else k + 1 for k in range(down)]
     sheet.row += 1
-    rows = cell.sharing(name=name, title=TITLES[name]).place(
+    rows = cell.sharing(name=name, title=CELLS[f"drives: {name}"].head[1]).place(
         sheet,
         cell("motor", filled(names, down, "")),
         cell("k", list(range(1, down + 1))),
@@ -221,36 +205,6 @@ def matrix(
     )
     for n, drive in enumerate(view.every_drive, 1):
         values = filled(getattr(drive.behind_own, figure)[:, 0], down, spare)
-        each = CELLS[f"drives: {name}"]("v", values, number=drive.shaft.number, formula=f"={formula(n)}", scale=scale)
+        cells = CELLS[f"drives: {name}"].sharing(n=n, number=drive.shaft.number, columns=drive.shaft.columns)
+        each = cells("v", values, scale=scale)
         sheet.beside(rows, f"@all_{name}{n}", each)
-
-
-def limit(n: int) -> str:
-    """Return the cell of a limit of a drive, with {} for its name."""
-    return f"[@drives.{{}}.{n}]"
-
-
-def wanted(n: int) -> str:
-    """Return the formula of the margin or inertia ratio that the motor of a row misses."""
-    return margin_verdict("all_", n, "@behind.at", "@drives.held_room", limit(n))
-
-
-def word(n: int) -> str:
-    """Return the formula of what the motor of a row fails first."""
-    motor = first_failure("all_", n, "@behind.fast", limit(n))
-    return f'IF({of_motor("on")}=0,"–",IF({of_motor("shaft")}>[@drives.held_hub.{n}],"shaft",{motor}))'
-
-
-def share(n: int) -> str:
-    """Return the formula of the RMS torque of the motor of a row over its continuous torque."""
-    rms = rms_of(
-        f"({of_motor('jm')}+[@behind.j.{n}])", f"[@drives.held_i.{n}]", f"[@behind.mixed.{n}]", f"[@behind.square.{n}]"
-    ).replace("@own", f"[@drives.own.{n}]")
-    return f"IF({of_motor('on')}=1,{rms}/({continuous(f'[@behind.mean.{n}]')}*[@behind.left.{n}]),0)"
-
-
-def peak(n: int, drive: PairSelection) -> str:
-    """Return the formula of the peak torque of the motor of a row: the drive's torque with this motor's inertia."""
-    torque, acceleration = (f"{drive.shaft.columns}_{column}" for column in ("T", "al"))
-    other = f"({of_motor('jm')}-[@drives.held_jm.{n}])*[@behind.turn.{n}]"
-    return f"IF({of_motor('on')}=1,SUMPRODUCT(MAX(({torque}+{other}*{acceleration})^2))^0.5,0)"

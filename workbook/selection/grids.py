@@ -1,52 +1,52 @@
 """Every pair of the catalogue on the sheet Selection: motors down, reducers across."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.selection.pair_matrix import PARTS, RANKS
+from engine.laws.base import Array
+from engine.selection.pair_matrix import MOTOR_LIMITS, PARTS, RANKS
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import Quantity, Sheet
+from workbook.book.declare import FIRST, Quantity, Sheet, Text
 from workbook.book.rows import filled
 from workbook.fields.units import MM, PER_RPM, RPM, shown
 from workbook.selection.catalogue import FULL_CYCLES
-from workbook.selection.pair_selection import MIXED, NO_LIMIT, SQUARE, PairSelection, rms_of, torque_of
+from workbook.selection.pair_selection import MIXED, NO_LIMIT, SQUARE, PairSelection
 
 CELLS = cell_tables(__file__)
 
+MOST_USE = 9.99  # that is shown of a limit
+USE = 'ROUND(100*[@reducers.use.{}],0)&" %"'
+LINE = 4.0  # points of the row with the line below the heads
 LARGE = "large"  # beyond the greatest margin; so is a pair that is not in use, and its cell shows nothing
 NOTE = (
-    "What a pair fails first: reducer (its torque or speed), shaft (too thick for its hub), speed, peak or RMS torque "
-    "of the motor, large (beyond the greatest margin), inertia, mass; yes: it can do it."
+    "What a pair fails first, in % of that limit: shaft (in the reducer's hub), speed, peak or RMS torque of a motor, "
+    "large (RMS torque, beyond the greatest margin), inertia, mass; reducer: see its use; yes: it can do it."
 )
-TITLES = {
-    "word": "Which pairs can do it",
-    "wanted": "What is wanted of a pair",
-    "share": "RMS torque of the motor over its continuous torque",
-    "peak": "Peak torque of the motor [Nm]",
-    "key": "What pairs are sorted by: what they are ranked by, then place",
-}
 
 
 def grids(sheet: Sheet, view: PairSelection) -> None:
     """Declare what pairs fail or not, what they use of the rated torque, and their peak torques."""
     g = view.grid
     sheet.heading("Motors by reducers (S5, steps 5 to 7)", NOTE)
-    grid(sheet, view, "word", verdict, g.verdicts, "–")
+    reducer_heads(sheet, view)
+    shares = np.char.add(" ", per_cent(np.minimum(g.failing_uses, MOST_USE)))
+    grid(sheet, view, "why", np.char.add(g.verdicts, np.where(g.failing_uses > 0.0, shares, "")), "–")
     sheet.print_columns = max(sheet.blocks[-1].columns.values())
     sheet.not_printed_below()
-    grid(sheet, view, "wanted", wanted, g.wanted_verdicts, LARGE)
-    grid(sheet, view, "share", share, g.uses, scale=max(1.0, float(g.uses.max())))
-    grid(sheet, view, "peak", peak, g.peak, scale=max(float(g.peak.max()), 1e-3))
+    sheet.heading("Workings: what pairs fail")
+    grid(sheet, view, "word", g.verdicts, "–")
+    grid(sheet, view, "use", g.failing_uses, scale=max(1.0, float(g.failing_uses.max())))
+    grid(sheet, view, "wanted", g.wanted_verdicts, LARGE)
+    grid(sheet, view, "share", g.uses, scale=max(1.0, float(g.uses.max())))
+    grid(sheet, view, "peak", g.peak, scale=max(float(g.peak.max()), 1e-3))
 
 
 def grid(
     sheet: Sheet,
     view: PairSelection,
     name: str,
-    formula: Callable[[int], str],
     values: NDArray[Any],
     spare: Any = 0.0,
     scale: float = 0.0,
@@ -55,89 +55,37 @@ def grid(
     down, across = view.rooms
     whole = np.full(view.rooms, spare, dtype=object)
     whole[: values.shape[0], : values.shape[1]] = values
-    sheet.row += 1
-    grid_heads(sheet, view, name)
-    cell = CELLS["motors of a grid"]
+    cells = CELLS[f"grid {name}"].sharing(most=MOST_USE, parts=PARTS, pairs=view.pairs)
+    cell, is_printed = CELLS["motors of a grid"], name == "why"
+    sheet.row += not is_printed
     names = filled(view.motors.names, down, "")
-    rows = cell.sharing(name=name, title=TITLES[name]).place(
-        sheet,
-        cell("motor", names) if name == "word" else cell("motor", names, formula="=[@word.motor.same]"),
-        cell("first", list(range(0, down * across, across))) if name == "key" else cell("k", list(range(1, down + 1))),
-    )
+    counted = [] if is_printed else [cell("k", [*range(1, down + 1)])]
+    numbers = [cell("first", [*range(0, down * across, across)])] if name == "key" else counted
+    motor = cell("motor", names) if name == "word" else cell("motor", names, formula="=[@word.motor.same]")
+    rows = cell.sharing(name=name, title=cells.head[1]).place(sheet, motor, *numbers, heads=not is_printed)
     for c, column in enumerate(whole.T.tolist(), 1):
-        unused = f"[@motors.on.same]*[@reducers.on.{c}]=0" if name in ("wanted", "word") else ""
-        each = CELLS[f"grid {name}"]("v", column, c=c, formula=f"={formula(c)}", scale=scale)._replace(
-            good="yes" if name == "word" else ""
-        )
-        sheet.beside(rows, f"@{name}{c}", each, unused)
+        unused = "" if scale or name == "key" else f"[@motors.on.same]*[@reducers.on.{c}]=0"
+        each = cells.sharing(c=c, before=c - 1)("v", column, scale=scale)
+        sheet.beside(rows, f"@{name}{c}", each._replace(good="yes" if is_printed else ""), unused, heads=not is_printed)
 
 
-def grid_heads(sheet: Sheet, view: PairSelection, name: str) -> None:
-    """Declare the names and reductions of the reducers above a table of the pairs."""
+def reducer_heads(sheet: Sheet, view: PairSelection) -> None:
+    """Declare names, reductions and uses of the reducers, as the heads of the table of pairs."""
     cell, across = CELLS["reducers of a grid"], view.rooms[1]
-    names = filled(view.reducers.names, across, "")
-    reductions = filled(view.reducers.reduction, across)
-    words = cell("what", ["name", "reduction"]), cell("k", [1, 2])
-    heads = sheet.table(f"@{name}_heads", "Reducers: name, reduction", 2, *words)
-    for c, both in enumerate(zip(names, reductions, strict=True), 1):
-        formulas = [f'=INDEX([reducers.name],{c})&""', f"=[@reducers.i.{c}]+0"]
-        sheet.beside(
-            heads, f"@{name}_head{c}", cell("v", both, c=c, formula=formulas, wrap=True), f"[@reducers.on.{c}]=0"
-        )
+    names, reductions = filled(view.reducers.names, across, ""), filled(view.reducers.reduction, across)
+    uses = filled(np.char.add(per_cent(view.grid.reducer_uses), " %"), across, "0 %")
+    heads = sheet.table("@heads", "", 3, cell("what", ["motor", "reduction", "use of the reducer"]), heads=False)
+    for c, each in enumerate(zip(names, reductions, uses, strict=True), 1):
+        formulas = [f'=INDEX([reducers.name],{c})&""', f"=[@reducers.i.{c}]+0", f"={USE.format(c)}"]
+        head = cell("v", each, c=c, formula=formulas, wrap=True)
+        sheet.beside(heads, f"@head{c}", head, f"[@reducers.on.{c}]=0", heads=False)
+    sheet.texts += [Text(sheet.row - 1, column, "", "units") for column in range(FIRST, FIRST + 1 + across)]
+    sheet.heights[sheet.row - 1] = LINE
 
 
-def of_motor(figure: str) -> str:
-    """Return a figure of the motor of a row."""
-    return f"[@motors.{figure}.same]"
-
-
-def share(c: int) -> str:
-    """Return the formula of the RMS torque of the motor of a row with a reducer, over its continuous torque."""
-    inertia = f"({of_motor('jm')}+[@reducers.jt.{c}])"
-    rms = rms_of(inertia, *(f"[@reducers.{name}.{c}]" for name in ("i", "mixed", "square")))
-    return f"IF({of_motor('on')}*[@reducers.on.{c}],{rms}/{continuous(f'[@reducers.mean.{c}]')},0)"
-
-
-def continuous(mean: str) -> str:
-    """Return the formula of the continuous torque of the motor of a row at a mean speed."""
-    return f"MAX({of_motor('rated')},{of_motor('stall')}-{of_motor('slope')}*{mean})"
-
-
-def peak(c: int) -> str:
-    """Return the formula of the peak torque of the motor of a row; no program takes ABS of an array in MAX alike."""
-    inertia = f"({of_motor('jm')}+[@reducers.jt.{c}])"
-    torques = torque_of(inertia, *(f"[@reducers.{name}.{c}]" for name in ("i", "out", "back", "own")))
-    return f"IF({of_motor('on')}*[@reducers.on.{c}],SUMPRODUCT(MAX(({torques})^2))^0.5,0)"
-
-
-def margin_verdict(table: str, n: int, inertia: str, room: str, limit: str) -> str:
-    """Return the formula of the margin, inertia ratio or mass that a motor misses in the n-th column; yes if none.
-
-    ``limit`` is the cell of a limit, with {} for its name.
-    """
-    used, most = f"[@{table}share{n}.v.same]", f"{limit.format('inertia_ratio')}*{of_motor('jm')}"
-    light = f'IF({of_motor("mass")}>[{room}.{n}],"mass","yes")'
-    other = f'IF({used}<@little,"{LARGE}",IF([{inertia}.{n}]>{most},"inertia",{light}))'
-    return f'IF({used}*{limit.format("rms_reserve")}>1,"RMS",{other})'
-
-
-def first_failure(table: str, n: int, fast: str, limit: str) -> str:
-    """Return the formula of what a motor fails first in the n-th column: speed, peak torque, or another limit."""
-    peak = f"[@{table}peak{n}.v.same]*{limit.format('peak_reserve')}"
-    other = f'IF({peak}>{of_motor("peak")},"peak",[@{table}wanted{n}.v.same])'
-    return f'IF([{fast}.{n}]>{of_motor("nmax")},"speed",{other})'
-
-
-def verdict(c: int) -> str:
-    """Return the formula of what a pair fails first: its reducer, its shaft in the reducer's hub, or its motor."""
-    takes, motor = f"[@reducers.takes.{c}]", first_failure("", c, "@reducers.fast", "@{}")
-    built = f'IF({of_motor("shaft")}>{takes},IF({takes}<0,"reducer","shaft"),{motor})'
-    return f'IF({of_motor("on")}*[@reducers.on.{c}]=0,"–",{built})'
-
-
-def wanted(c: int) -> str:
-    """Return the formula of the margin or inertia ratio that a pair misses."""
-    return margin_verdict("", c, "@reducers.j", "@reducers.room", "@{}")
+def per_cent(shares: Array) -> NDArray[np.str_]:
+    """Return shares as texts in %, halves rounded up, as cells do."""
+    return np.floor(100.0 * shares + 0.5).astype(int).astype(str)
 
 
 def products(sheet: Sheet, view: PairSelection) -> None:
@@ -146,20 +94,11 @@ def products(sheet: Sheet, view: PairSelection) -> None:
     numbers = ",".join(f'(@rank="{name}")*{n}' for n, name in enumerate(RANKS, 1))
     sheet.rows(CELLS["products"]("@rank_no", view.rank, numbers=numbers))
     sheet.row += 1
+    CELLS["fails"].place(sheet, CELLS["fails"]("word", list(MOTOR_LIMITS)))
     motors(sheet, view)
     reducers(sheet, view)
     keys = np.where(np.isfinite(view.keys), view.keys.astype(object), "–")
-    grid(sheet, view, "key", lambda c: key(view, c), keys, "–")
-
-
-def key(view: PairSelection, c: int) -> str:
-    """Return the formula of what a pair is sorted by: what it is ranked by, the lowest first, and its place."""
-    balance, inertia = f"[@reducers.balance.{c}]", f"({of_motor('jm')}+[@reducers.jt.{c}])"
-    match = f"MAX({balance}/{inertia},{inertia}*[@reducers.unit.{c}])^0.5"
-    used = f"(@rank_no<3)*(1-1/(1+[@share{c}.v.same]))"
-    score = f"{of_motor('weight')}+[@reducers.weight.{c}]+IF(@rank_no=3,{match},{used})"
-    usable = f'AND([@word{c}.v.same]="yes",{of_motor("known")}*[@reducers.known.{c}]=1)'
-    return f'IF({usable},ROUND({PARTS}*({score}),0)*{view.pairs}+[first]+{c - 1},"–")'
+    grid(sheet, view, "key", keys, "–")
 
 
 MASSLESS = 3  # ranks that need neither mass nor cost
@@ -238,6 +177,7 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
         cell("held", filled(torques / g.cycle_factors, n)),
         cell("tmean", filled(means, n)),
         cell("room", filled(most - np.nan_to_num(r.size), n, most)),
+        cell("use", filled(g.reducer_uses, n)),
         cell("fits", filled(g.fits.astype(int), n, 0)),
         cell("takes", filled(np.where(g.fits, hubs, -1.0), n, -1.0)),
         cell("balance", filled(g.balance, n), scale=largest),

@@ -10,7 +10,7 @@ from workbook.selection.catalogue import FALLING, HALF, MotorRow, ReducerRow
 from workbook.selection.drives import every_drive, motors_by_drives, named_drive, points_table
 from workbook.selection.entries import UNCHOSEN, Limits, Products, SelectionSizes
 from workbook.selection.grids import grids, products
-from workbook.selection.pair_selection import PairSelection, rms_of
+from workbook.selection.pair_selection import PairSelection
 
 CELLS = cell_tables(__file__)
 
@@ -47,7 +47,7 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
         book.column_names["sel_axes"] = ("sel_drives", "axis")
     pairs = book.sheet("Pairs", "Every motor of the catalogue with every reducer: which can do it, what others fail.")
     # to read a page
-    pairs.widths = {FIRST: 26, **dict.fromkeys(range(FIRST + 1, FIRST + 2 + view.rooms[1]), 8.5)}
+    pairs.widths = {FIRST: 21, **dict.fromkeys(range(FIRST + 1, FIRST + 1 + view.rooms[1]), 9.4)}
     with pairs.scoped("sel_"):
         grids(pairs, view)
         products(pairs, view)
@@ -84,7 +84,7 @@ def results(sheet: Sheet, view: PairSelection) -> None:
 
 
 def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
-    """Declare whether a pair fits, and what the pair does that the drive has."""
+    """Declare whether the axis has a drive, and whether a pair fits."""
     cell = CELLS["outcome"]
     message = str(sheet.book.blocks[in_scope("@message", sheet.scope)].quantities[0].value)
     chosen = "ISNUMBER(@no)" if len(view.shafts) > 1 else "[@drives.axis.1]=@axis"
@@ -92,19 +92,6 @@ def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
     sheet.checks(
         *([cell("@ok_axis", True, chosen=chosen, unchosen=UNCHOSEN)] if axis else []),
         cell("@ok", view.proposed is not None, says=CheckSentence("@message", message)),
-    )
-    sheet.heading("The pair that the drive has")
-    (motor, reducer), own, torque = view.names_in_use, view.own, max(view.own.peak, 1e-3)
-    rms = rms_of("@held_j", "@held_i", "@held_mixed", "@held_square")
-    sheet.rows(
-        cell("@own_motor", motor),
-        cell("@own_reducer", reducer),
-        cell("@own_rms", own.rms, rms=rms, scale=torque),
-        cell("@own_margin", own.margin),
-        cell("@own_peak", own.peak, scale=torque),
-        cell("@own_speed", own.speed),
-        cell("@own_inertias", own.inertias),
-        cell("@own_spare", own.spare, scale=torque),
     )
 
 

@@ -12,7 +12,7 @@ from engine.laws.base import Array
 from engine.laws.points import POINTS
 from engine.selection.catalogue import Motors, Reducers
 from engine.selection.pair_matrix import RANKS, Pair, PairMatrix, Requirements
-from engine.selection.point_load import PairArrays, PointLoad, shares_of
+from engine.selection.point_load import PairArrays, PointLoad
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import in_scope
 from workbook.book.rows import filled
@@ -160,7 +160,6 @@ class PairFigures(NamedTuple):
     """The figures of a pair, in the units of the sheet."""
 
     rms: float
-    margin: float
     peak: float
     speed: float
     inertias: float
@@ -263,27 +262,15 @@ class PairSelection:
         """The figures of the best pairs."""
         g, pairs = self.grid, []
         for m, r in self.ranked[:BEST]:
-            margin = float(shares_of(np.array(1.0), g.uses[m, r]))
             peak, speed = float(g.peak[m, r]), shown(float(g.speed[r]), RPM)
             inertias, spare = float(g.inertia_ratio[m, r]), g.reserve(m, r)
-            pairs.append(PairFigures(float(g.rms[m, r]), margin, peak, speed, inertias, spare))
+            pairs.append(PairFigures(float(g.rms[m, r]), peak, speed, inertias, spare))
         return pairs
 
     @cached_property
     def proposed(self) -> int | None:
         """The place of the first of the best pairs that stays below its motor's curve, from 0; None where none does."""
         return next((k for k, pair in enumerate(self.listed) if pair.spare >= 0.0), None)
-
-    @cached_property
-    def own(self) -> PairFigures:
-        """The pair that the drive has."""
-        figure, inertia = self.in_use, self.in_use("j")
-        ratio, motor = figure("i"), figure("jm")
-        rms = float(self.load.rms(Pair(inertia, ratio, figure("eta"), figure("no_load")).arrays)[0])
-        inertias = (inertia - motor + self.load.inertia / ratio**2) / motor if motor else 0.0
-        margin = figure("rated") / rms if rms else 0.0
-        speed = shown(ratio * self.load.speed, RPM)
-        return PairFigures(rms, margin, figure("top"), speed, inertias, figure("spare"))
 
     def whole(self, table: str) -> str:
         """Return the range of a table of all pairs."""

@@ -13,7 +13,6 @@ from openpyxl.chart.data_source import AxDataSource, NumDataSource, NumRef, StrD
 from openpyxl.chart.error_bar import ErrorBars
 from openpyxl.chart.label import DataLabel, DataLabelList
 from openpyxl.chart.layout import Layout, ManualLayout
-from openpyxl.chart.legend import Legend
 from openpyxl.chart.marker import Marker
 from openpyxl.chart.series import SeriesLabel, XYSeries
 from openpyxl.chart.shapes import GraphicalProperties
@@ -35,7 +34,8 @@ LOG_BASE = 10
 SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW = 1.5  # cm for the labels of the abscissa and its title
 NAMES = 3.0  # cm left of the plot, where the lines have their names there
-NAMED, LEGEND = 8, 1.6  # lines that have their names beside them, at most; cm for a legend of more
+FIGURES = 1.7  # cm for the figures of the ordinate and its title
+BESIDE = 12  # the share of a line at each of its ends that its name keeps off
 NO_LINE = GraphicalProperties(ln=LineProperties(noFill=True))
 GRIDLINES = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
 TITLE, AXIS_TITLE = (ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)) for size in (1300, 1000))
@@ -54,21 +54,16 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
         if chart.lanes:
             last = len(book.values(series.x)) - 1  # of a line that crosses the lanes
             drawn.series[-1].dLbls = name_at(last, "r", ink) if series.dashed else name_at(0, "l", ink)
-        elif is_named(chart):
+        elif chart.legend and len(chart.series) > 1:
             values = book.values(series.y)
-            largest = max(range(len(values)), key=lambda k: abs(values[k]) if is_number(values[k]) else -1.0)
+            inner = range(edge := len(values) // BESIDE, len(values) - edge)  # off the figures of the axis
+            largest = max(inner, key=lambda k: abs(values[k]) if is_number(values[k]) else -1.0)
             drawn.series[-1].dLbls = name_at(largest, "r" if series.points else "t", ink)
     drawn.graphical_properties = NO_LINE  # no frame
     drawn.visible_cells_only = not any(is_folded(series.y, book) for series in chart.series)
-    many = len(chart.series) > 1 and chart.legend and not chart.lanes
-    drawn.legend = Legend(legendPos="b") if many and not is_named(chart) else None
+    drawn.legend = None
     axes(drawn, chart, book)
     return drawn
-
-
-def is_named(chart: Chart) -> bool:
-    """Whether each of a chart's lines has its name beside it: they are few, and the title does not name them."""
-    return chart.legend and 1 < len(chart.series) <= NAMED
 
 
 def is_folded(text: str, book: Book) -> bool:
@@ -139,9 +134,8 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
     if chart.lanes:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
-    below = BELOW + (LEGEND if drawn.legend else 0.0)
-    room = 0.88 - below / drawn.height
-    left = max(0.13, NAMES / drawn.width) if chart.lanes else 0.13
+    room = 0.88 - BELOW / drawn.height
+    left = max(0.13, (NAMES if chart.lanes else FIGURES) / drawn.width)
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=0.12, w=0.95 - left, h=room))
 
 

@@ -67,7 +67,12 @@ def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
 def test_what_a_pair_fails_first_is_told():
     def told(**more):
         strong = replace(MOTORS, rated_torque=np.array([20.0, 200.0]), peak_torque=np.array([60.0, 600.0]))
-        return set(replace(grid(WIDE._replace(**more)), motors=strong).verdicts.ravel())
+        pairs = replace(grid(WIDE._replace(**more)), motors=strong)
+        words = set(pairs.verdicts.ravel())
+        # beyond its limit by what it is said to use of it
+        least, most = {"yes": (0, 0), "reducer": (0, 0), "large": (0, 1)}.get("".join(words), (1, np.inf))
+        assert ((pairs.failing_uses >= least) & (pairs.failing_uses <= most)).all()
+        return words
 
     assert told() == {"yes"}
     assert told(least_margin=1e9) == {"RMS"}

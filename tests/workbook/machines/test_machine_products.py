@@ -124,7 +124,7 @@ def test_the_figures_in_use_are_printed():
 @pytest.mark.parametrize("name", ["machine", "flying-cutter"])
 def test_the_table_of_what_each_pair_fails_is_printed_whole(name):
     blocks = TEMPLATES[name].declare(read_machine(FOLDER / f"{name}.toml")).blocks
-    matrix = [block for called, block in blocks.items() if called.startswith("sel_word")]
+    matrix = [block for called, block in blocks.items() if called.startswith("sel_why")]
     sheet = matrix[0].sheet
     assert max(block.row + block.size - 1 for block in matrix) <= sheet.print_rows
     assert max(max(block.columns.values()) for block in matrix) <= sheet.print_columns

@@ -81,7 +81,7 @@ def test_no_torque_of_a_listed_pair_comes_nearer_to_its_motors_curve_than_is_sai
         motor = MOTORS[m - 1]
         fall = (motor["peak_torque"] - motor.get("end_torque", motor["peak_torque"])) / (5000.0 - rated or 1.0)
         left = motor["peak_torque"] - fall * np.maximum(speed - rated, 0.0) - torque
-        assert value("sel_own_spare") == pytest.approx(left.min(), rel=1e-9, abs=1e-9 * motor["peak_torque"])
+        assert value("drive2_spare") == pytest.approx(left.min(), rel=1e-9, abs=1e-9 * motor["peak_torque"])
 
 
 @pytest.mark.parametrize(("axes", "row", "name"), [([driven(*RISE)], 0, "a1"), (None, 1, "b2")], ids=["one", "two"])

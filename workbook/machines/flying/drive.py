@@ -70,6 +70,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
         cell("@mean", shown(points.mean_speed, RPM)),
         motor.continuous(view.motor, points.mean_speed),
         cell("@spare", float(view.left.min()), scale=max(size, view.motor.peak_torque)),
+        cell("@inertias", view.inertia_ratio),
         cell("@smax", view.demand.torque, scale=view.torque),
         cell("@smean", view.demand.mean_torque, scale=view.torque),
         cell("@balance", view.balance),
@@ -85,7 +86,7 @@ def checks(view: ToolDrive) -> list[Quantity]:
         cell("@ok_told", True, unlisted=UNLISTED),
         *motor.limit_checks(view.reserve, "Drive"),
         motor.inertia_check(
-            "Drive", "sel_own_inertias", "limits_inertia_ratio", view.inertia_ratio, view.reserves.inertia_ratio
+            "Drive", "@inertias", "limits_inertia_ratio", view.inertia_ratio, view.reserves.inertia_ratio
         ),
         *motor.pair_checks(
             "Drive", shaft, hub, motor_mass + reducer_mass, view.reserves.largest_mass, "limits_largest_mass"

@@ -10,6 +10,7 @@ from workbook.book.public_names import ENTERED
 from workbook.fields.units import PERCENT, shown
 from workbook.machines.machine.drive.max_rate import RATE_LOOK
 from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.timing.sheet import units
 from workbook.machines.machine.view import MachineView, MovingAxis
 
@@ -31,6 +32,7 @@ def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveV
     block = cell.place(
         sheet,
         cell("axis", [axis.given.name for axis in axes]),
+        cell("group", [axis.given.group or "" for axis in axes]),
         *of_motors[:2],
         cell("travel", [high - low for low, high in reaches], unit=units(machine)),
         cell("v", [axis.max_velocity for axis in axes], symbol=symbols[1], unit=speed),
@@ -39,6 +41,21 @@ def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveV
     )
     if drives:
         sheet.workings(block, "axes_low", "", sheet.print_columns + 2, *of_motors[-2:])
+
+
+def gaps_summary(sheet: Sheet, gaps: Sequence[ClearanceView]) -> None:
+    """Declare the least gap of each clearance, and where it is."""
+    if not gaps:
+        return
+    over, size, unit = gaps[0].over, max(gap.size for gap in gaps), ", ".join(dict.fromkeys(gap.unit for gap in gaps))
+    cell = CELLS["gaps_short"].sharing(n=[gap.number for gap in gaps], unit=unit, over=over)
+    cell.place(
+        sheet,
+        cell("name", [gap.given.name for gap in gaps]),
+        cell("gap", [gap.least for gap in gaps], scale=size),
+        cell("least", [gap.given.least for gap in gaps]),
+        cell("at", [over.shown(gap.place) for gap in gaps], scale=over.length, format=over.format),
+    )
 
 
 def motors(axes: Sequence[MovingAxis], drives: Mapping[int, DriveView]) -> list[Quantity]:

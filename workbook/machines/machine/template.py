@@ -19,7 +19,7 @@ from workbook.fields.units import DEGREE, shown
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import laws
 from workbook.machines.machine import live
-from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary
+from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary, gaps_summary
 from workbook.machines.machine.backlash import backlash_sheet, sides_of
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
@@ -74,12 +74,14 @@ def declare(given: AnyMachine) -> Book:
     if bus:
         sheet.checks(rate_check(rates.rates, given.per_minute))
     axes_summary(sheet, machine, drives)
+    gaps = [ClearanceView(clearance, k, rows) for k, clearance in enumerate(given.clearances, 1)]
+    gaps_summary(sheet, gaps)
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
     for view in drives.values():
         named_drive_sheet(book, view)
-    clearances_sheet(book, [ClearanceView(clearance, k, rows) for k, clearance in enumerate(given.clearances, 1)])
+    clearances_sheet(book, gaps)
     vibration_sheet(book, swings_of(rows))
     backlash_sheet(book, sides_of(drives.values()))
     if bus:
@@ -173,8 +175,8 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
         "axes_judged",
         "",
         max(block.columns.values()) + 1,
-        cell("law", texts, formula=[LAW.format(axis.number) for axis in axes]),
         group_verdict_column(book, "axes_judged", "its checks", checks),
+        cell("law", texts, formula=[LAW.format(axis.number) for axis in axes]),
     )
     timing = book.blocks["axes"]
     verdicts = group_verdict_column(book, "axes_checked", "its checks", of_phases)

@@ -67,15 +67,12 @@ def means(sheet: Sheet, view: DriveView) -> None:
 def shaft_of(view: DriveView) -> Shaft:
     """Return the shaft behind the reducer of a drive, as the sheet Selection reads it."""
     d, motor, reducer = view.driven, view.driven.motor_used, view.driven.reducer
-    rms = view.reserve.rms_torque
-    top, torque = view.reserve.peak_torque.value, view.scales.torque
     load = load_of(view)
     turning = view.scales.turning * view.load.output_ratio
     behind = view.scales.behind
     rows = formulas_by_row(__file__, "as Selection reads it")
     formulas = dict(zip(rows["figure"], rows["reads"], strict=True))
     formulas |= {"brake": "0"} if view.brakes else {}
-    formulas |= {} if view.knows_falling else {"held_spare": "@motor_peak-MAX(@tmax,0-@tmin)"}
     values = {
         **load_figures(load, turning, behind),
         "cycles": view.cycles,
@@ -91,9 +88,6 @@ def shaft_of(view: DriveView) -> Shaft:
         "held_i": reducer.ratio,
         "held_eta": reducer.efficiency,
         "held_no_load": reducer.no_load_torque,
-        "held_rated": rms.limit * d.limits.rms_reserve,
-        "held_top": (top, torque),
-        "held_spare": (view.spare if view.knows_falling else d.motor.peak_torque - top, torque),
         "held_row": motor.row,
         "held_gear": reducer.row,
         "held_hub": reducer.hub or NO_LIMIT,

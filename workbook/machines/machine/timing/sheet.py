@@ -21,8 +21,8 @@ MARKS = {"mm": "mm", "°": "deg"}
 
 # the row and the column that the diagram begins at; rows of the other charts
 TOP, DIAGRAM, CURVE_ROWS = 5, 11, 12
-LABELS = 32.0  # width of the column of labels
-RATES = 12.5  # width of the columns of velocity, acceleration and jerk, whose units are long
+LABELS = 28.0  # width of the column of labels
+RATES = 11.0  # width of the columns of velocity, acceleration and jerk, whose units are long
 LEAST, COMPARED, PASSING = 13, 15, 16
 """columns that are printed: of the axes, of axes at two rates, of phases that hand over at speed"""
 
@@ -62,7 +62,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     sheet.rows(
         cell("eps", machine.near), cell("timing_end", 360.0 - 2.0 * machine.near), cell("timing_lane", LANE_SHARE)
     )
-    sheet.widths = {FIRST: LABELS} | dict.fromkeys(range(FIRST + 8, FIRST + 12), RATES)
+    sheet.widths = {FIRST: LABELS} | dict.fromkeys(range(FIRST + columns - 4, FIRST + columns), RATES)
     sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
 
 
