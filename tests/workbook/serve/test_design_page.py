@@ -213,7 +213,7 @@ def test_axes_and_phases_are_added_copied_and_deleted(page, server, wrapping):
 
 PARTS = ("MC01", "MC02", "MC03", "MC04", "Punch over cutter", "Valve 3", "Film sensor", "Cycle", "Export", "Timing",
          "Selection", "Sizes")  # fmt: skip
-BUTTONS = "aside button:not(.more):not(.in):not(:has-text('from the catalogue'))"
+BUTTONS = "aside button:not(.more):not(.in):not(:has-text('catalogue ▾'))"
 
 
 @pytest.mark.sample(1)
