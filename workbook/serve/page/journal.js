@@ -10,6 +10,7 @@ let at = 0; // where in the history the text is
 let number = 0;
 let running = null;
 let judging = null;
+let judged = Promise.resolve(); // once no verdict is waited for
 let preview = null; // changes of a drag that goes on
 let previewing = false;
 
@@ -147,7 +148,13 @@ export async function refigure() {
   judging = setTimeout(judge, IDLE, of);
 }
 
-async function judge(of) {
+/** Ask for the verdict, once that before is there: those that a change overtook are not asked for. */
+function judge(of) {
+  judged = judged.then(() => askVerdict(of));
+}
+
+async function askVerdict(of) {
+  if (of !== number) return;
   try {
     const given = await post("/verdict", { text: s.text.value });
     if (of === number) s.verdict.value = given;
