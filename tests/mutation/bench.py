@@ -130,7 +130,8 @@ class Bench:
         """Whether the formula's text alone gives the mutant away."""
         if not is_formula(mutant.mutated):
             return True
-        return not self.match.same_shape(self.pairs[mutant.address]._replace(held=mutant.mutated))
+        cell, address = self.pairs[mutant.address].cell, mutant.address
+        return not self.match.same_formula(cell.content, cell.block, mutant.mutated, address.sheet)
 
     def differs_at(self, mutant: Mutant, sets: list[Inputs] | None = None) -> int | None:
         """Return the number of the first set of inputs at which the cell computes another value, if any.
