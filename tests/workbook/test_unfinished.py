@@ -30,7 +30,7 @@ CASES = {
                       "no row is filled"),
     },
     "cutting-machine": {
-        "an overlap": ([(*MOVED, 1, "start", 60.0)], "Axis 2: no phase begins before the one above ends",
+        "an overlap": ([(*MOVED, 1, "start", 60.0)], "Axis 2: phases follow without overlap",
                        "MC02 row 2 begins at 60°, 30° before row 1 ends"),
         "a phase that runs backwards": ([(*MOVED, 1, "stop", 60.0)], "Axis 2: every phase runs forward",
                                         "MC02 row 2 ends at 60°, 30° before it begins"),
@@ -43,7 +43,7 @@ CASES = {
         "half a curve": ([("selection", "motors", 0, "end_torque", 1.0)], None,
                          "row 1, half of the curve is empty: peak torque up to: empty"),
         "several": ([("master", "rate", 0.0), (*MOVED, 1, "start", 60.0), (*FEED, "mechanism", "roller_radius", -1.0)],
-                    "Axis 2: no phase begins before the one above ends",
+                    "Axis 2: phases follow without overlap",
                     "MC02 row 2 begins at 60°, 30° before row 1 ends"),
     },
     "motion-composer": {

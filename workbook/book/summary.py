@@ -51,7 +51,18 @@ USE = (
     "Workings are not printed, nor are Names, Catalogue, Laws, the laws' sheets, unless print_also asks for them.",
 )
 COLUMNS = 17
-WIDTHS: dict[int, float] = {FIRST: 14.5, FIRST + 1: 17, FIRST + 2: 20.5, 9: 8, 10: 8, 11: 8, 12: 8.5, 13: 8, 16: 16}
+WIDTHS: dict[int, float] = {
+    FIRST: 14.5,
+    FIRST + 1: 17,
+    FIRST + 2: 20.5,
+    9: 8,
+    10: 8,
+    11: 8,
+    12: 8.5,
+    13: 8,
+    15: 13,
+    16: 16,
+}
 SENTENCE, FIGURES = 4, 6  # rows of the verdict in words, and of figures
 # width of a letter at most, and of a column that has none of its own, in digits
 LETTER, COLUMN = 0.95, 9.5

@@ -200,7 +200,7 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
     cell = CELLS["axis_checks"].sharing(t=t, label=label, lift=lift, i=i)
     sheet.checks(
         none_in("backwards", "forward", "every phase runs forward"),
-        none_in("early", "follows", "no phase begins before the one above ends"),
+        none_in("early", "follows", "phases follow without overlap"),
         *([none_in("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []),
         cell("{t}_position", motion.complete, lack=lack, says=lacks),
         room_check(f"{t}_room", tables.at, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
