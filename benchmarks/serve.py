@@ -75,8 +75,10 @@ def serving(folder: Path) -> Iterator[tuple[str, str]]:
         found = ADDRESS.match(process.stdout.readline() if process.stdout else "")
         if found is None:
             raise RuntimeError("the server did not begin")
-        yield found[1], found[2]
-        process.send_signal(signal.SIGINT)
+        try:
+            yield found[1], found[2]
+        finally:
+            process.send_signal(signal.SIGINT)  # Popen waits for its end, after an error too
 
 
 def asked(server: tuple[str, str], path: str, **fields: str) -> float:
