@@ -14,7 +14,7 @@ import sys
 import zlib
 from pathlib import Path
 
-from docs.contact import book_of
+from docs.pages import book_of
 from tests.functions.calc import Calc
 from workbook.functions import publish
 from workbook.template import FOLDER

@@ -1,7 +1,7 @@
 """Make the pictures of README and docs: workbooks by LibreOffice and pdftoppm, pages by Chromium, Calc's menu by Xvfb.
 
 .venv/bin/python -m docs.pictures
-.venv/bin/python -m docs.pictures --all    (a contact sheet of every page of every workbook, not committed)
+.venv/bin/python -m docs.pictures --all    (the pages of every workbook into docs/contact, not committed)
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ import tempfile
 from pathlib import Path
 
 from docs import browsing, menu
-from docs.contact import book_of, contact
+from docs.pages import SHOWN, book_of, draw_pages
 from tests.functions.calc import Calc
+from workbook.build import committed_descriptions
 from workbook.functions import publish
 from workbook.template import FOLDER
 from workbook.witnesses.engines import convert
@@ -22,17 +23,17 @@ from workbook.witnesses.engines import convert
 HERE = Path(__file__).parent
 RESOLUTION = 100  # dots per inch
 FUNCTIONS = "motion-functions"  # computed by the add-in
-PICTURES = (  # file, workbook, page of the printed book, left, top, width, height in dots
-    ("summary.png", "machine", 1, 30, 30, 1112, 712),
-    ("timing.png", "cutting-machine", 2, 30, 30, 1112, 696),
-    ("drive.png", "cutting-machine", 5, 30, 30, 1112, 712),
-    ("selection.png", "flying-cutter", 6, 30, 30, 1112, 685),
-    ("motion.png", "motion-composer", 2, 30, 30, 1112, 653),
-    ("overlap.png", "indexing-overlap", 2, 30, 30, 1112, 685),
-    ("actuator.png", "actuator-sizing", 4, 30, 30, 1112, 712),
-    ("cutter.png", "flying-cutter", 2, 30, 30, 1112, 712),
-    ("laws.png", "motion-laws", 2, 30, 30, 1112, 712),
-    ("functions.png", FUNCTIONS, 1, 40, 30, 974, 712),
+PICTURES = (  # file, workbook, title of the first of the pages that have it, left, top, width, height in dots
+    ("summary.png", "machine", "Wrapping machine", 30, 30, 1112, 712),
+    ("timing.png", "cutting-machine", "Timing", 30, 30, 1112, 696),
+    ("drive.png", "cutting-machine", "Drive MC01", 30, 30, 1112, 712),
+    ("selection.png", "flying-cutter", "Selection", 30, 30, 1112, 685),
+    ("motion.png", "motion-composer", "Timing", 30, 30, 1112, 653),
+    ("overlap.png", "indexing-overlap", "Overlap", 30, 30, 1112, 685),
+    ("actuator.png", "actuator-sizing", "Drive Slide", 30, 30, 1112, 712),
+    ("cutter.png", "flying-cutter", "Cutter", 30, 30, 1112, 712),
+    ("laws.png", "motion-laws", "Comparison", 30, 30, 1112, 712),
+    ("functions.png", FUNCTIONS, "", 40, 30, 974, 712),
 )
 
 
@@ -50,17 +51,27 @@ def printed(name: str, folder: Path) -> Path:
         calc.close()
 
 
+def page_titled(pdf: Path, title: str) -> int:
+    """Return the number of the first page that begins with a title, from 1."""
+    text = subprocess.run(["pdftotext", "-layout", str(pdf), "-"], check=True, capture_output=True, text=True).stdout
+    return next(k for k, page in enumerate(text.split("\f"), 1) if page.lstrip().startswith(title))
+
+
 def main(wanted: list[str]) -> None:
     """Make each picture, or those that are named."""
     with tempfile.TemporaryDirectory() as folder:
-        for name, book, page, left, top, width, height in PICTURES:
+        for name, book, title, left, top, width, height in PICTURES:
             if wanted and name not in wanted:
                 continue
             pdf = printed(book, Path(folder))
+            page = page_titled(pdf, title)
             cut = ["-x", left, "-y", top, "-W", width, "-H", height]
             command = ["pdftoppm", "-png", "-singlefile", "-r", RESOLUTION, "-f", page, "-l", page, *cut]
             subprocess.run([*map(str, command), str(pdf), str(HERE / Path(name).stem)], check=True)
             print(f"Made {HERE / name}")
+    for name in SHOWN:
+        if not wanted or f"pages-{name}.png" in wanted:
+            draw_pages(name, HERE / f"pages-{name}.png")
     browsing.main(wanted)
     if not wanted or menu.PICTURE.name in wanted:
         menu.main()
@@ -68,6 +79,8 @@ def main(wanted: list[str]) -> None:
 
 if __name__ == "__main__":
     if sys.argv[1:] == ["--all"]:
-        print(f"Made {contact()}")
+        (HERE / "contact").mkdir(exist_ok=True)
+        for path in committed_descriptions():
+            draw_pages(path.stem, HERE / "contact" / f"{path.stem}.png")
     else:
         main(sys.argv[1:])
