@@ -17,7 +17,7 @@ from workbook.serve.work import Work
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 
-MODULES = r"/(page/(?:vendor/)?[\w-]+\.(?:js|css))"
+MODULES = r"/\w+/(page/(?:vendor/)?[\w-]+\.(?:js|css))"
 ALL = "all"
 ORDERS = {"y": "position", "v": "velocity", "a": "acceleration", "j": "jerk"}
 

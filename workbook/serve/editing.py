@@ -7,6 +7,7 @@ from workbook.errors import InputError, ReadError, WriteError
 from workbook.reports.html import rendered
 from workbook.serve import design, parts, shown, study, tables
 from workbook.serve.handler import Page, state
+from workbook.serve.server import modules
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
@@ -20,7 +21,8 @@ async def edit(page: Page, name: str) -> str:
     """Show the design page of a description, or, unsaved, of a design among the best of a study of it."""
     page.folder.file(name)
     asked, number = page.get_query_argument("study", ""), page.get_query_argument("pick", "")
-    return rendered("serve/page/design.html", name=name, study=asked, pick=number)
+    version, scripts = modules()
+    return rendered("serve/page/design.html", name=name, study=asked, pick=number, version=version, scripts=scripts)
 
 
 async def open_design(page: Page) -> dict[str, Any]:
@@ -37,7 +39,9 @@ async def open_design(page: Page) -> dict[str, Any]:
     elif draft.exists():
         text = read_text(draft, EXPECTED)
         note = "These changes were not saved when the page was closed."
-    more = {"saved": saved, "state": state(path), "note": note, "target": target}
+    book = path.with_suffix(".xlsx")
+    built = {"name": book.name, "time": book.stat().st_mtime} if book.is_file() else None
+    more = {"saved": saved, "state": state(path), "note": note, "target": target, "book": built}
     return await page.work.in_worker(opened, saved if text is None else text, more)
 
 

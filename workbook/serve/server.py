@@ -1,5 +1,6 @@
 """A server for this computer alone: addresses with what is done at each, and the files that its pages load."""
 
+import hashlib
 import secrets
 import webbrowser
 from collections.abc import AsyncIterator, Mapping
@@ -27,7 +28,19 @@ async def static(page: Page, name: str) -> bytes:
     if not file.is_file():
         raise HTTPError(404)
     page.set_header("Content-Type", TYPES[file.suffix])
+    if name.startswith("page/"):  # its address tells its version
+        page.set_header("Cache-Control", "private, max-age=31536000, immutable")
     return file.read_bytes()
+
+
+def modules() -> tuple[str, list[str]]:
+    """Return the version of the design page's scripts and styles, and the addresses of its scripts in that version."""
+    here = Path(__file__).parent
+    files = [*sorted(here.glob("page/**/*.*s")), here / ELSEWHERE["page/colors.css"]]
+    states = [(file.name, file.stat().st_mtime_ns, file.stat().st_size) for file in files]
+    version = hashlib.sha256(repr(states).encode()).hexdigest()[:12]
+    scripts = [file.relative_to(here).as_posix() for file in files if file.suffix == ".js"]
+    return version, [f"/{version}/{script}" for script in scripts if script != "pages.js"]
 
 
 @asynccontextmanager

@@ -24,6 +24,7 @@ SHAPE = 25  # points of the picture of a law
 OF_AXIS = ("lift", "position", "low", "high")  # entries in the unit of their axis
 BEFORE = re.compile(r"^(Motor|Reducer), as entered: |^(Arm|Brake): ")
 NOTE = re.compile(r" \((.*)\)$")
+MORE = re.compile(r"(?!Of a |Stage |Drum: |Saw: |Duration )(.{5,}?)[:;.] (.*)")
 
 
 @lru_cache
@@ -46,11 +47,14 @@ def shown_key(key: Key) -> dict[str, Any]:
     words = BEFORE.sub("", key.meaning)
     note = NOTE.search(words)
     label = NOTE.sub("", words)
+    more = MORE.fullmatch(label)  # what follows the first clause is no name of a field
+    notes = [more[2] if more else "", note[1] if note else ""]
+    label = more[1] if more else label
     rows = sorted(key.rows, key=lambda row: row.default is None and not row.required)
     return {
         "name": key.name,
         "label": label[:1].upper() + label[1:],
-        "note": f"{note[1] if note else ''}",
+        "note": "; ".join(filter(None, notes)),
         "unit": key.unit,
         "expected": key.expected,
         "required": key.required,

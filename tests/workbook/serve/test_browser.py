@@ -38,8 +38,10 @@ def test_a_new_machine_is_built_verified_and_exported(page, server, tmp_path):
     field.press("Enter")
     page.get_by_role("button", name="Build workbook").click()
     with page.expect_download() as book:
-        page.locator('a[href="/file/mine.xlsx"]').click()
+        page.locator('.notice a[href="/file/mine.xlsx"]').click()
     book.value.save_as(tmp_path / "mine.xlsx")
+    page.locator("footer").get_by_role("button", name="Compare").click()
+    page.wait_for_selector("text=mine.xlsx and mine.toml")
     assert read_machine(server.root / "mine.toml").axes[0].phases[0].stop == 79.0
     assert "None: every formula cell computes what the engine computes" in verified(
         page, server, tmp_path / "mine.xlsx"

@@ -122,10 +122,17 @@ def test_what_is_wrong_is_told_below_the_field_and_never_in_the_file(page, serve
 
 def test_an_unfinished_axis_leaves_the_others(page, server, wrapping):
     opened(page, server)
+    line = page.locator(".lane.selected .line").get_attribute("d")
     enter(page, "axes.1.phases.0.stop", "")
+    assert page.locator(".lane.selected.stale .line").get_attribute("d") == line
     card = page.locator("nav .card", has_text="MC02")
     expect(card).to_contain_text("phase 1, to: missing")
     expect(page.locator(".pill")).to_have_text("1 to complete")
+    expect(page.get_by_role("button", name="Faster …")).to_be_disabled()
+    page.locator(".pill").click()
+    expect(page.locator(".verdict .list")).to_have_count(1)
+    page.keyboard.press("Escape")
+    expect(page.locator(".verdict .list")).to_have_count(0)
     expect(page.locator("nav .card", has_text="MC01").locator(".use b").first).to_have_text("95 %")
     enter(page, "master.rate", "100")
     expect(page.locator("nav .card", has_text="MC01").locator(".use b").first).not_to_have_text("95 %")
@@ -144,6 +151,13 @@ def test_changes_are_undone_from_a_field_and_redone(page, server, wrapping):
     expect(field(page, "axes.1.load.mass")).to_have_value("27")
     page.get_by_role("button", name="Text").click()
     expect(page.locator("#text")).to_have_value(re.compile("mass = 27.0 {12}# kg"))
+
+
+def test_what_cannot_be_read_is_told_in_place_of_the_page(page, server, wrapping):
+    wrapping.write_bytes('title = "Ü"'.encode("latin-1"))
+    page.goto(f"http://{server.host}/edit/wrapping.toml")
+    expect(page.locator("#page")).to_contain_text("UTF-8")
+    page.get_by_role("link", name="All machines").click()
 
 
 def test_a_file_that_changed_on_disk_is_told_and_a_second_tab_cannot_overwrite_it(browser, page, server, wrapping):

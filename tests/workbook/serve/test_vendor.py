@@ -27,8 +27,9 @@ def test_a_library_is_the_file_of_its_package(name, server):
     for ours, theirs in NAMES.items():
         text = text.replace(f'from"{ours}"', f'from"{theirs}"')
     assert hashlib.sha256(text.encode()).hexdigest() == LIBRARIES[name]
-    answer = server.ask(f"/page/vendor/{name}")
+    answer = server.ask(f"/0/page/vendor/{name}")
     assert (answer.code, answer.body) == (200, (VENDOR / name).read_bytes())
     assert answer.headers["Content-Type"] == f"text/{'css' if name.endswith('css') else 'javascript'}; charset=utf-8"
-    assert server.ask(f"/page/vendor/{name}", cookie="").code == 403
-    assert server.ask("/page/vendor/none.js").code == 404
+    assert "immutable" in answer.headers["Cache-Control"]  # the address tells the version
+    assert server.ask(f"/0/page/vendor/{name}", cookie="").code == 403
+    assert server.ask("/0/page/vendor/none.js").code == 404

@@ -1,5 +1,5 @@
 // The left side: axes with the use of their motors, what is between them, switches, the machine.
-import { html } from "./html.js";
+import { html, useEffect, useRef } from "./html.js";
 import { short } from "./colors.js";
 import { commit } from "./journal.js";
 import * as s from "./state.js";
@@ -24,8 +24,12 @@ function Card({ index }) {
   const axis = s.data.value.axes[index];
   const own = s.figures.value.axes[index];
   const isOn = !s.selected.value.part && s.selected.value.axis === index;
+  const place = useRef(/** @type {any} */ (null));
+  useEffect(() => {
+    if (isOn) place.current.scrollIntoView({ block: "nearest" });
+  }, [isOn]);
   const choose = () => choosePart({ axis: index, phase: null, part: null });
-  return html`<button class=${`card ${isOn ? "on" : ""} ${own?.stale ? "stale" : ""}`} aria-pressed=${isOn} onClick=${choose}>
+  return html`<button ref=${place} class=${`card ${isOn ? "on" : ""} ${own?.stale ? "stale" : ""}`} aria-pressed=${isOn} onClick=${choose}>
     <span class=${`dot axis-${index % 6}`}></span><span class="cn">${axis.name || `axis ${index + 1}`}<small>${axis.group}</small></span>
     <span class="mech">${about(axis) ?? html`no drive yet`}</span>
     ${own?.error && html`<span class="wrong">${own.error}</span>`}

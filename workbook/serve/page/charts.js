@@ -29,7 +29,7 @@ function plotIn(box, shown, cursor, view) {
         y: { range: () => rangesOf(shown().chart, shown().saved).y },
       },
       series: [{}, { scale: "y", paths: () => null, points: { show: false } }],
-      axes: [{ ...axis, size: 22, ...(incrs ? { incrs } : {}) }, { ...axis, size: 46, space: 28 }],
+      axes: [{ ...axis, size: 22, ...(incrs ? { incrs } : {}) }, { ...axis, size: 50, space: 20 }],
       cursor: { x: false, y: false, points: { show: false }, drag: { x: isOver, y: false, dist: 5 } },
       hooks: {
         draw: [(plot) => drawAll(plot, shown())],

@@ -33,7 +33,7 @@ export function followCursor(plot, shown, cursor) {
 export function Readout({ chart, saved, cursor }) {
   const at = cursor.value;
   const [now, before] = at === null ? [null, null] : [pointAt(chart, at), pointAt(saved, at)];
-  if (!now) return html`<output>peak ${short(peakOf(chart))}</output>`;
+  if (!now) return html`<output>${isOverCycle(chart) && `peak ${short(peakOf(chart))}`}</output>`;
   const speed = isOverCycle(chart) ? "" : ` at ${short(now.x)}`;
   const is = short(now.y);
   return html`<output>${is}${speed}${before && short(before.y) !== is ? `, saved ${short(before.y)}` : ""}</output>`;

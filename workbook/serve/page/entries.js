@@ -59,7 +59,7 @@ function Rows({ entry, path }) {
       onClick=${() => commit([{ path: [...path, k], do: "remove" }])}>×</button>`}`;
   const cell = (row) => (row.name === "law" ? LawChoice : row.options.length && !row.expected.startsWith("a text") ? Choice : Input);
   const list = isTable
-    ? html`<table class="rows"><thead><tr>${columns.map((row) => html`<th scope="col" title=${row.label}>${HEADS[row.name] ?? row.name.replaceAll("_", " ")}</th>`)}<td></td></tr></thead>
+    ? rows.length > 0 && html`<table class="rows"><thead><tr>${columns.map((row) => html`<th scope="col" title=${row.label}>${HEADS[row.name] ?? row.name.replaceAll("_", " ")}</th>`)}<td></td></tr></thead>
     <tbody>${rows.map((_, k) => html`<tr key=${k} class=${isPhases && s.selected.value.phase === k ? "on" : ""}
         onFocusIn=${() => isPhases && choosePhase(k)}>
       ${columns.map((row) => html`<td key=${row.name}><${cell(row)} entry=${row} path=${at(k, row)} label=${`${one} ${k + 1}, ${HEADS[row.name] ?? row.label}`} /></td>`)}

@@ -1,14 +1,14 @@
-// What would help most: the single changes that gain, each worked out exactly, to be tried and undone.
+// What each single change would gain in the highest rate; a click tries one, and undo takes it back.
 import { html, useState } from "./html.js";
 import { replaceText, settled } from "./journal.js";
+import { Popup } from "./popup.js";
 import { post, Refused } from "./server.js";
 import * as s from "./state.js";
 
 export function Gains() {
-  const [asked, ask] = useState(null);
-  const isOpen = asked?.text === s.text.value; // the rows are of no later text
-  const open = async () => {
-    if (isOpen) return ask(null);
+  const [asked, ask] = useState(/** @type {any} */ (null));
+  const isNow = asked?.text === s.text.value; // the rows are of no later text
+  const opened = async () => {
     await settled();
     const text = s.text.value;
     ask({ text, rows: null });
@@ -21,7 +21,9 @@ export function Gains() {
       s.notice.value = { kind: "bad", words: error.message };
     }
   };
-  const words = asked?.rows ? "No single change gains." : "Working out what each change would gain …";
-  return html`<span class="verdict"><button title="What would help most" aria-expanded=${isOpen} onClick=${open}>Faster …</button>
-    ${isOpen && html`<div class="list">${asked.rows?.length ? asked.rows.map(({ sentence, text }) => html`<button key=${sentence} title="Try it; undo takes it back" onClick=${() => replaceText(text)}>${sentence}</button>`) : words}</div>`}</span>`;
+  const isDone = ["OK", "FAIL"].includes(s.verdict.value?.verdict);
+  const words = !isNow ? "" : asked.rows ? "No single change gains." : "Working out what each change would gain …";
+  const rows = (isNow && asked.rows) || [];
+  return html`<${Popup} name="Faster …" title="What would help most: a click tries it, undo takes it back" words=${words} opened=${isDone && opened}
+    rows=${rows.map(({ sentence, text }) => [sentence, () => replaceText(text)])} />`;
 }

@@ -1,6 +1,6 @@
 // The journal: numbered changes in their order, undo and redo. An answer older than the last change replaces no field.
 import { batch } from "./html.js";
-import { Gone, post } from "./server.js";
+import { figuresOf, Gone, post } from "./server.js";
 import * as s from "./state.js";
 
 const IDLE = 400; // ms without a change, after which the machine is judged
@@ -130,7 +130,9 @@ function merge(given, of, took) {
   const known = before.names === names || Object.keys(before.axes).length === (s.data.value?.axes?.length ?? 0);
   const axes = known ? { ...before.axes } : {};
   for (const [k, own] of Object.entries(given.axes ?? {})) axes[k] = { ...axes[k], ...own };
-  const gaps = known && !given.machine ? { ...before.gaps, ...given.gaps } : (given.gaps ?? {});
+  const isThere = ([k, { name }]) => s.data.value?.clearances?.[k]?.name === name;
+  const stays = Object.entries(before.gaps).filter(isThere).map(([k, gap]) => [k, given.machine ? { ...gap, stale: true } : gap]);
+  const gaps = { ...Object.fromEntries(stays), ...given.gaps };
   s.figures.value = { number: of, names, axes, gaps, machine: given.machine ?? before.machine, took, at: Date.now() };
 }
 
@@ -139,7 +141,7 @@ export async function refigure() {
   const [of, begun] = [number, performance.now()];
   clearTimeout(judging);
   try {
-    const given = await post("/figures", { text: s.text.value, axis: s.selected.value.axis });
+    const given = await figuresOf(s.text.value, s.selected.value.axis);
     if (of !== number || preview) return;
     batch(() => merge(given, of, performance.now() - begun));
   } catch (error) {

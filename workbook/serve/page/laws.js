@@ -2,6 +2,7 @@
 import { html, useEffect, useRef, useState } from "./html.js";
 import { short } from "./colors.js";
 import { commit } from "./journal.js";
+import { useAway } from "./popup.js";
 import { laws } from "./catalogue.js";
 import * as s from "./state.js";
 
@@ -27,12 +28,9 @@ export function LawChoice({ path, label }) {
   const all = [...laws.value, ...own.map(([name, entry]) => ({ code: name, title: `own, ${entry.family ?? ""}` }))];
   const known = all.find((law) => law.code === value);
   useEffect(() => {
-    if (!isOpen) return undefined;
-    (place.current.querySelector(".chosen") ?? place.current.querySelector(".law-choice"))?.focus();
-    const away = (event) => place.current?.contains(event.target) || open(false);
-    document.addEventListener("pointerdown", away);
-    return () => document.removeEventListener("pointerdown", away);
+    if (isOpen) (place.current.querySelector(".chosen") ?? place.current.querySelector(".law-choice"))?.focus();
   }, [isOpen]);
+  useAway(place, isOpen, () => open(false));
   const close = () => {
     open(false);
     place.current.firstElementChild.focus();

@@ -1,5 +1,6 @@
 // The design page: top, left, middle, right and bottom; the keys that work everywhere.
 import { html, render } from "./html.js";
+import { BookLinks } from "./book.js";
 import { Cards, choosePart, goTo } from "./cards.js";
 import { laws, products } from "./catalogue.js";
 import { AxisCharts } from "./charts.js";
@@ -27,13 +28,12 @@ function Middle() {
 function Notice() {
   const notice = s.notice.value;
   if (!notice) return null;
-  const { words, kind, actions = [], links = [], lines = [], book } = notice;
-  if (kind === "busy")
-    return html`<div class="notice"><progress aria-label="Building"></progress>${words}${actions.map(([name, act]) => html`<button key=${name} onClick=${act}>${name}</button>`)}</div>`;
-  return html`<div class=${`notice ${kind}`} role="alert"><div>${words}${lines.map((line) => html`<small key=${line}>${line}</small>`)}</div>
-    ${actions.map(([name, act]) => html`<button key=${name} onClick=${act}>${name}</button>`)}
-    ${links.map(([name, href]) => (href === "/verify" ? html`<form key=${name} action=${href} method="post"><input type="hidden" name="name" value=${book} /><button>${name}</button></form>` : html`<a key=${name} class="button" href=${href}>${name}</a>`))}
-    <button class="close" aria-label="close" onClick=${() => (s.notice.value = null)}>×</button></div>`;
+  const { words, kind, actions = [], lines = [], isBuilt } = notice;
+  const isBusy = kind === "busy";
+  return html`<div class=${`notice ${kind}`} role=${isBusy ? undefined : "alert"}>
+    ${isBusy && html`<progress aria-label="Building"></progress>`}<div>${words}${lines.map((line) => html`<small key=${line}>${line}</small>`)}</div>
+    ${actions.map(([name, act]) => html`<button key=${name} onClick=${act}>${name}</button>`)} ${isBuilt && html`<${BookLinks} />`}
+    ${!isBusy && html`<button class="close" aria-label="close" onClick=${() => (s.notice.value = null)}>×</button>`}</div>`;
 }
 
 function Page() {
@@ -59,11 +59,15 @@ addEventListener("keydown", (event) => {
   event.preventDefault();
 });
 
-const opened = await openFile(/** @type {any} */ (document.body));
+const page = /** @type {HTMLElement} */ (document.getElementById("page"));
+const opened = await openFile().catch((error) => {
+  const way = Object.assign(document.createElement("a"), { href: "/", textContent: "All machines" });
+  page.firstElementChild?.replaceChildren(`${error.message} `, way);
+  throw error;
+});
 laws.value = opened.laws;
 products.value = opened.products;
 for (const entry of opened.schema.flatMap((each) => each.keys)) if (entry.options.length && entry.expected.startsWith("a text")) options(entry.name, entry.options);
-const page = /** @type {HTMLElement} */ (document.getElementById("page"));
 page.replaceChildren();
 render(html`<${Page} />`, page);
 let last = s.selected.value.axis;

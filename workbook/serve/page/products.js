@@ -38,7 +38,7 @@ export function Unused({ entry, path, kind }) {
     ${isEntered && html`<small>entered ${figure(value)} ${entry.unit}, not used</small>`}</div>`;
 }
 
-/** The table of products, those that can do it first. */
+/** The table of products. */
 function Table({ kind, value, axis, take }) {
   const [filter, look] = useState("");
   const [isAll, showAll] = useState(true);

@@ -1,11 +1,10 @@
 // Saving: under its name, or another; a file that changed on disk, a draft that was kept, leaving the page.
 import { begin, settled } from "./journal.js";
-import { onDisk, post, Refused } from "./server.js";
+import { figuresOf, onDisk, opening, post, Refused } from "./server.js";
 import { takeActive } from "./fields.js";
 import * as s from "./state.js";
 
 const LOOK = 2000; // ms between two looks at the file
-const SECOND = 1000; // ms
 
 const tell = (words, kind = "bad", actions = []) => {
   s.notice.value = { words, kind, actions };
@@ -19,6 +18,7 @@ export async function save() {
   const text = s.text.value;
   try {
     const given = await post("/save", { text, as: target, state: disk });
+    document.body.dataset.name = given.name;
     s.file.value = { name: given.name, target: given.name, disk: given.state, saved: text };
     s.saved.value = { axes: {}, machine: s.figures.value.machine, data: s.data.value };
     compare();
@@ -37,43 +37,18 @@ export async function save() {
   }
 }
 
-/** Save, and build the workbook of what is saved. */
-export async function build() {
-  if (!(await save())) return;
-  const [ending, begun] = [new AbortController(), Date.now()];
-  const working = () => {
-    const words = `Building the workbook, ${((Date.now() - begun) / 1000).toFixed(0)} s`;
-    s.notice.value = { words, kind: "busy", actions: [["cancel", () => ending.abort()]] };
-  };
-  working();
-  const timer = setInterval(working, SECOND);
-  try {
-    const { book, code, words, written } = await post("/build", {}, ending.signal);
-    const link = encodeURIComponent(book);
-    const links = code === 2 ? [] : [["Download", `/file/${link}`], ["Verify", "/verify"], ["Controller", `/controller/${link}`]];
-    const lines = words.split("\n").filter((line) => !line.startsWith("Built "));
-    s.notice.value = { words: `${book}: ${written || "built, all its checks OK"}`, kind: code ? "bad" : "note", lines, links, book };
-  } catch (error) {
-    if (!(error instanceof Refused)) throw error;
-    tell(error.message);
-  } finally {
-    clearInterval(timer);
-  }
-}
-
-async function open(fields = {}) {
-  const opened = await post("/open", fields);
+function show(opened) {
   s.schema.value = opened.schema;
-  s.file.value = { name: s.file.value.name, target: opened.target, disk: opened.state, saved: opened.saved };
+  s.book.value = opened.book;
+  s.file.value = { name: document.body.dataset.name ?? "", target: opened.target, disk: opened.state, saved: opened.saved };
   begin(opened);
-  return opened;
 }
 
-/** Open the description that the page is of; tell of a draft that was kept. @param {HTMLElement} body */
-export async function openFile(body) {
-  const { name = "", study, pick } = body.dataset;
-  s.file.value = { ...s.file.value, name };
-  const opened = await open(study ? { study, pick } : {});
+/** Show the description that the page is of; tell of a draft that was kept. */
+export async function openFile() {
+  const { study } = document.body.dataset;
+  const opened = await opening;
+  show(opened);
   if (opened.note && study) tell(opened.note, "note");
   else if (opened.note) tell(opened.note, "note", [["go on with them", () => (s.notice.value = null)], ["throw them away", () => reload()]]);
   compare();
@@ -86,7 +61,7 @@ export async function compare() {
   const { axis } = s.selected.value;
   const { saved } = s.file.value;
   if (s.saved.value.axes[axis]?.charts || saved === "") return;
-  const given = await post("/figures", { text: saved, axis });
+  const given = await figuresOf(saved, axis);
   if (saved !== s.file.value.saved) return;
   const axes = { ...given.axes };
   for (const [k, own] of Object.entries(s.saved.value.axes)) axes[k] = { ...axes[k], charts: axes[k]?.charts ?? own.charts };
@@ -94,7 +69,7 @@ export async function compare() {
 }
 
 async function reload() {
-  await open({ discard: 1 });
+  show(await post("/open", { discard: 1 }));
   s.notice.value = null;
 }
 

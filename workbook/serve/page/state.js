@@ -13,6 +13,7 @@ export const schema = signal([]);
 export const figures = signal({ number: 0, axes: {}, gaps: {}, machine: null, took: 0 });
 export const saved = signal({ axes: {}, machine: null, data: null });
 export const verdict = signal(null);
+export const book = signal(null); // the design's own: its name, when it was written (s); null where there is none
 export const sought = signal(""); // the key of an entry that a report led to
 export const selected = signal({ axis: 0, phase: null, part: null }); // part: another table than an axis
 export const cursor = signal(null);

@@ -1,4 +1,5 @@
 // The bottom: the text of the description in a drawer, the time of the last figures; lines that differ from a file's.
+import { OwnBook } from "./book.js";
 import { html, useLayoutEffect, useRef } from "./html.js";
 import { replaceText } from "./journal.js";
 import * as s from "./state.js";
@@ -41,6 +42,6 @@ export function Bottom() {
       : isOpen && html`<${Text} />`}
     <div class="foot"><button aria-expanded=${Boolean(isOpen)} onClick=${() => (s.drawer.value = !isOpen)}><b>Text</b> ${s.file.value.name} ${isOpen ? "▾" : "▴"}</button>
       ${s.broken.value && html`<span class="wrong" role="alert">${s.broken.value}; the figures are of the text before</span>`}
-      <span>figures of the engine${took ? `, in ${took.toFixed(0)} ms` : ""}</span><span class="sp"></span><span role="status">${s.said.value}</span></div>
+      <span class="took">figures of the engine${took ? `, in ${took.toFixed(0)} ms` : ""}</span><span class="sp"></span><span role="status">${s.said.value}</span><${OwnBook} /></div>
   </footer>`;
 }

@@ -89,6 +89,12 @@ function useWidth(ref) {
   return size.value.width;
 }
 
+/** Scroll lanes until a place is in view, below the scale. @param {any} box @param {{y: number, height: number}} place */
+function reveal(box, { y, height }) {
+  const scale = box.firstElementChild.clientHeight;
+  box.scrollTop = Math.min(Math.max(box.scrollTop, y + height + scale + 8 - box.clientHeight), y);
+}
+
 /** Draw only lanes of which something changed: Preact passes over an element that it was given before. @param {(place: any) => [any, any]} draw */
 function useLanes(draw) {
   const drawn = useRef(new Map());
@@ -119,6 +125,11 @@ export function TimingDiagram({ data, figures, saved, selected, cursor, propose 
   const rows = rowsOf(tree, shown.gaps);
   const scale = now?.target.kind === "lift" ? now.scale : null;
   const layout = layOut(rows, shown, period, width, selected.value, scale, saved.value);
+  const axis = selected.value?.axis;
+  useEffect(() => {
+    const place = layout.places.find(({ row }) => row.isAxis && row.index === axis);
+    if (place) reveal(box.current, place);
+  }, [axis]);
   const hands = useHands({ svg, rows, layout, period, selected, cursor, drag, propose });
   const key = useRef(/** @type {any} */ (null));
   key.current = hands.key;

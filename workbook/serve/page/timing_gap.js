@@ -10,7 +10,7 @@ export function Gap({ place, layout, period }) {
   const gap = row.item;
   const need = toY(gap.need);
   const words = `${short(gap.least)} ${gap.ok ? "≥" : "<"} ${short(gap.need)}${space(gap.unit)}`;
-  return html`<g class=${`gap ${gap.ok ? "" : "bad"}`}>
+  return html`<g class=${`gap ${gap.ok ? "" : "bad"} ${gap.stale ? "stale" : ""}`}>
     <title>${`${row.name}: the gap over the cycle; least ${short(gap.least)}${space(gap.unit)}, at ${short(gap.at)}${space(period.unit)}`}</title>
     <text class="name" x="8" y=${y + height / 2 - 3}>${clipped(row.name, 88)}</text>
     <text class="least" x="8" y=${y + height / 2 + 13}>${words}</text>

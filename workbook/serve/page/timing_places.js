@@ -37,6 +37,15 @@ function lineFor(row, figure, length) {
   return line;
 }
 
+/** The latest lines of axes whose phases all have their begin and end, by their names. @type {Map<string, any>} */
+const latest = new Map();
+
+/** The line of an axis as it is edited: of an unfinished one the latest. @param {Row} row @param {any} figure @param {number} length */
+function editedLine(row, figure, length) {
+  if (row.spans.every(isWhole)) latest.set(row.name, lineFor(row, figure, length));
+  return latest.get(row.name) ?? lineFor(row, figure, length);
+}
+
 /** The line of a gap, and how much of it is near enough to be drawn. @param {any} gap */
 function lineOfGap(gap) {
   const most = Math.max(...gap.y);
@@ -81,7 +90,7 @@ function savedLine(past, figures, row, length) {
 
 /** @param {Row} row @param {any} figure @param {number} length @param {number} y @param {number} height @param {any} before @param {any} scale @returns {Place} */
 function placeOf(row, figure, length, y, height, before, scale) {
-  const line = row.isAxis ? lineFor(row, figure, length) : row.isGap ? lineOfGap(row.item) : NONE;
+  const line = row.isAxis ? editedLine(row, figure, length) : row.isGap ? lineOfGap(row.item) : NONE;
   const also = before.runs.length ? before : line;
   const low = Math.min(line.low, also.low, scale?.low ?? Infinity);
   const high = Math.max(line.high, also.high, scale?.high ?? -Infinity);

@@ -1,10 +1,12 @@
 // The top: what the machine comes to, the verdict, undo, save and what else is done with a design.
-import { html, useState } from "./html.js";
+import { html } from "./html.js";
 import { Input } from "./fields.js";
 import { redo, undo } from "./journal.js";
 import { goTo } from "./cards.js";
 import { Gains } from "./gains.js";
-import { build, save } from "./save.js";
+import { Popup } from "./popup.js";
+import { build } from "./book.js";
+import { save } from "./save.js";
 import * as s from "./state.js";
 
 const figure = (value, digits = 4) => (typeof value === "number" ? Number(value.toPrecision(digits)).toLocaleString("en", { useGrouping: true, maximumFractionDigits: 6 }) : "–");
@@ -15,17 +17,12 @@ function Figure({ title, value, unit, note, before }) {
 }
 
 function Verdict() {
-  const [isOpen, open] = useState(false);
   const given = s.verdict.value;
   if (!given) return html`<span class="pill wait">judging …</span>`;
   const { checks, number } = given;
   const words = { OK: `${number} checks OK`, FAIL: `${checks.length} of ${number} checks FAIL`, unfinished: `${checks.length || 1} to complete`, unknown: "no verdict" };
-  const go = ({ path, sentence }) => {
-    open(false);
-    goTo(path?.join(".") ?? sentence);
-  };
-  return html`<span class="verdict"><button class=${`pill ${given.verdict}`} aria-expanded=${isOpen} disabled=${!checks.length} onClick=${() => open(!isOpen)}>${words[given.verdict]}</button>
-    ${isOpen && html`<div class="list">${checks.map((each, k) => html`<button key=${k} onClick=${() => go(each)}>${each.sentence}</button>`)}</div>`}</span>`;
+  const rows = checks.map(({ path, sentence }) => [sentence, () => goTo(path?.join(".") ?? sentence)]);
+  return html`<${Popup} name=${words[given.verdict]} kind=${`pill ${given.verdict}`} rows=${rows} />`;
 }
 
 export function Top() {
