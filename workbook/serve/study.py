@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 from urllib.parse import urlencode
 
 import tomlkit
@@ -17,7 +17,7 @@ from workbook.commands.study import announced, summary_from
 from workbook.description.editing import edited
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
-from workbook.fields.paths import Place, get, join, leaves, spell, spread
+from workbook.fields.paths import Place, get, join, leaves, spell, split, spread
 from workbook.laws.entries import ENTRIES, references
 from workbook.pool import cores
 from workbook.reading.descriptions import parse_toml, template_named, write_machine
@@ -52,13 +52,16 @@ ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
 SHARE, STEPS = 0.1, 5  # of a number, to either side, and in so many values: what is proposed
 GOALS = ("minimise", "maximise", "results")
 BOUNDS = {"at least": "min", "at most": "max"}
+Tables: TypeAlias = dict[str, list[dict[str, Any]]]
+"""fields of entries that can vary, by the tables of their entries"""
 value_of = partial(number, unit="", expected="a number")
 
 
 async def vary(page: Page, name: str) -> str:
     """Show the form of a study of a description."""
     path = page.folder.file(name)
-    tables, results = await page.work.in_worker(choices, path)
+    picked = page.get_query_arguments("vary")
+    tables, results, others = await page.work.in_worker(choices, path, picked)
     given: dict[str, Any] = {
         "name": name,
         "tables": tables,
@@ -66,6 +69,8 @@ async def vary(page: Page, name: str) -> str:
         "rows": ROWS,
         "asked": ASKED,
         "ways": WAYS,
+        "picked": picked,
+        "others": others,
     }
     return pages.page(f"{name}: study", "vary", do=[pages.link(pages.address("edit", name), f"Design {name}")], **given)
 
@@ -141,17 +146,22 @@ def forecast(path: Path) -> str:
     return " ".join(announced(plan, seconds, max(1, cores() - 1))) or f"{plan.space.size:,} designs, soon done."
 
 
-def choices(base: Path) -> tuple[dict[str, list[dict[str, Any]]], list[tuple[str, Label]]]:
-    """Return the entries that can vary by their tables, and the results that are proposed, by their names."""
+def choices(
+    base: Path, picked: list[str]
+) -> tuple[dict[str, list[dict[str, Any]]], list[tuple[str, Label]], list[str]]:
+    """Return the entries that can vary by their tables, results by their names, those of ``picked`` that cannot vary."""
     machine = read_description(base)
-    return fields_of(machine), proposed(machine)
+    tables = fields_of(machine)
+    known = {row["at"] for rows in tables.values() for row in rows}
+    data = machine.model_dump()
+    return tables, proposed(machine), [spoken(split(key), data) for key in picked if key not in known]
 
 
-def fields_of(machine: Any) -> dict[str, list[dict[str, Any]]]:
+def fields_of(machine: Any) -> Tables:
     """Return the entries that can vary by their tables."""
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
     words = {reference.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for reference in references(machine)}
-    tables: dict[str, list[dict[str, Any]]] = {}
+    tables: Tables = {}
     for part in PRODUCTS:  # a product without a name of the catalogue can be given a name
         for _, row in spread(data, ("axes", "*", part)):
             if isinstance(row, dict):
@@ -187,7 +197,7 @@ def field_to_vary(data: Mapping[str, Any], path: Place, value: Any, words: list[
         over = f"{low:.6g} to {high:.6g} in {STEPS}" if value else ""
     rows = len(get(data, above[:-1])) if last in EDGES and above[-1].isdigit() else 0
     givers = [spell([*above[:-1], str(k)]) for k in range(rows) if str(k) != above[-1]]
-    return {"key": spell(path), "now": figure(value), "over": over, "known": known, "givers": givers}
+    return {"key": spell(path), "at": join(path), "now": figure(value), "over": over, "known": known, "givers": givers}
 
 
 def composed(base: str, asked: Mapping[str, list[str]]) -> str:

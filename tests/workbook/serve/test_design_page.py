@@ -153,6 +153,27 @@ def test_changes_are_undone_from_a_field_and_redone(page, server, wrapping):
     expect(page.locator("#text")).to_have_value(re.compile("mass = 27.0 {12}# kg"))
 
 
+def test_the_entries_of_a_study_are_chosen_by_clicking_them_in_the_design(page, server, wrapping):
+    opened(page, server)
+    page.get_by_role("button", name="Study").click()
+    field(page, "axes.1.phases.0.stop").click()
+    page.locator("aside .law button").first.click()
+    page.locator("aside label", has_text="Mass that travels").click()
+    for _ in range(2):  # the second takes it back
+        field(page, "axes.1.mechanism.efficiency").click()
+    field(page, "axes.1.mechanism.lead").focus()
+    page.keyboard.press("Enter")
+    page.locator('[data-path="axes.1.mechanism.kind"]').click()
+    expect(page.locator(".notice")).to_contain_text("Study of MC02, phase 1, to; MC02, phase 1, law")
+    page.get_by_role("button", name="Choose goals").click()
+    ticked = page.locator("input[name=vary]:checked")
+    expect(ticked).to_have_count(4)
+    assert [box.input_value() for box in ticked.all()] == [
+        f"axes[2].{entry}" for entry in ("phases[1].stop", "phases[1].law", "mechanism.lead", "load.mass")
+    ]
+    expect(page.locator("p.disagrees")).to_have_text("No study varies: MC02, mechanism, kind.")
+
+
 def test_what_cannot_be_read_is_told_in_place_of_the_page(page, server, wrapping):
     wrapping.write_bytes('title = "Ü"'.encode("latin-1"))
     page.goto(f"http://{server.host}/edit/wrapping.toml")

@@ -3,6 +3,7 @@ import { html, useState } from "./html.js";
 import { Choice, Field, Input, Wrong } from "./fields.js";
 import { commit } from "./journal.js";
 import { LawChoice } from "./laws.js";
+import { pick } from "./picking.js";
 import { Catalogue, Products, Unused } from "./products.js";
 import * as s from "./state.js";
 
@@ -167,5 +168,6 @@ function remove(path) {
 
 export function Entries() {
   const { axis, part } = s.selected.value;
-  return html`<aside aria-label="Entries" key=${JSON.stringify([axis, part])}>${part ? html`<${Part} path=${part} />` : html`<${Axis} index=${axis} />`}</aside>`;
+  return html`<aside aria-label="Entries" class=${s.picked.value ? "picking" : ""}
+    onMouseDownCapture=${pick} onClickCapture=${pick} onKeyDownCapture=${pick} key=${JSON.stringify([axis, part])}>${part ? html`<${Part} path=${part} />` : html`<${Axis} index=${axis} />`}</aside>`;
 }

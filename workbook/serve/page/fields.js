@@ -84,7 +84,7 @@ export function Input({ entry, path, label, wide }) {
   const about = [entry.note, entry.expected].filter(Boolean).join("; ");
   const list = entry.options.length ? `options-${entry.name}` : undefined;
   return html`<span class=${`in ${wrong ? "bad" : ""}`}>
-    <input ref=${place} data-path=${key} class=${wide ? "words" : ""} aria-label=${label ?? entry.label} title=${about}
+    <input ref=${place} data-path=${key} data-picked=${s.isPicked(key)} class=${wide ? "words" : ""} aria-label=${label ?? entry.label} title=${about}
       placeholder=${entry.default === "none" ? "" : entry.default} spellcheck=${false} autocomplete="off" list=${list}
       aria-invalid=${wrong ? "true" : undefined} ...${events} />
     ${unit && !wide && html`<em>${unit}</em>`}
@@ -96,7 +96,7 @@ export function Choice({ entry, path, label, empty }) {
   const value = s.get(s.data.value, path);
   const onChange = (event) => commit([{ path, value: event.target.value }]);
   const words = [...new Set([...(value === undefined ? [] : [value]), ...entry.options])];
-  return html`<select class="in" data-path=${s.keyOf(path)} aria-label=${label ?? entry.label} title=${entry.note || entry.expected}
+  return html`<select class="in" data-path=${s.keyOf(path)} data-picked=${s.isPicked(s.keyOf(path))} aria-label=${label ?? entry.label} title=${entry.note || entry.expected}
       onChange=${onChange} value=${value ?? ""}>
     ${(empty !== undefined || !entry.required) && html`<option value="">${empty ?? entry.default}</option>`}
     ${words.map((word) => html`<option value=${word} selected=${word === value}>${word}</option>`)}

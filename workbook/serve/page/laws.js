@@ -50,7 +50,7 @@ export function LawChoice({ path, label }) {
     if (code !== value) commit([{ path, value: code }]);
   };
   return html`<span class="law" ref=${place} onKeyDown=${onKeyDown}>
-    <button class="in" aria-label=${`${label}: ${value ?? "none"}`} aria-haspopup="listbox" aria-expanded=${isOpen} data-path=${s.keyOf(path)}
+    <button class="in" aria-label=${`${label}: ${value ?? "none"}`} aria-haspopup="listbox" aria-expanded=${isOpen} data-path=${s.keyOf(path)} data-picked=${s.isPicked(s.keyOf(path))}
       title=${known?.title ?? ""} onClick=${() => open(!isOpen)}>${value ?? "–"} ${picture(known?.shape)}</button>
     ${isOpen && html`<div class="law-list" role="listbox" aria-label="Laws">${all.map((law) => html`<button key=${law.code} role="option"
       aria-selected=${law.code === value} class=${`law-choice ${law.code === value ? "chosen" : ""}`} onClick=${() => take(law.code)}>

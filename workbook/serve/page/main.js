@@ -7,6 +7,7 @@ import { AxisCharts } from "./charts.js";
 import { Entries } from "./entries.js";
 import { takeActive } from "./fields.js";
 import { propose, redo, refigure, undo } from "./journal.js";
+import { Picking } from "./picking.js";
 import { compare, openFile, save } from "./save.js";
 import { Bottom } from "./text.js";
 import { TimingDiagram } from "./timing.js";
@@ -37,7 +38,7 @@ function Notice() {
 }
 
 function Page() {
-  return html`<${Top} /><${Notice} /><${Cards} /><${Middle} /><${Entries} /><${Bottom} />`;
+  return html`<${Top} /><div class="notices"><${Picking} /><${Notice} /></div><${Cards} /><${Middle} /><${Entries} /><${Bottom} />`;
 }
 
 function options(name, words) {

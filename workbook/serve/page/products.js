@@ -104,6 +104,6 @@ export function Products({ path, kind }) {
   };
   return html`<div class="sel"><span>${value || (kind === "motor" ? "as entered" : "as entered, or none")}</span>
       ${value && html`<button class="quiet" onClick=${() => take("")}>enter figures</button>`}
-      <button class="quiet" onClick=${() => open(true)}>from the catalogue ▾</button></div><${Wrong} path=${path} />
+      <button class="quiet" data-path=${s.keyOf(path)} data-picked=${s.isPicked(s.keyOf(path))} aria-label=${`${kind} from the catalogue`} onClick=${() => open(true)}>from the catalogue ▾</button></div><${Wrong} path=${path} />
     ${isOpen && html`<${Window} heading=${`Choose a ${kind}`} close=${() => open(false)}><${Table} kind=${kind} value=${value} axis=${path[1]} take=${take} /><//>`}`;
 }

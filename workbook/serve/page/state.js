@@ -20,12 +20,15 @@ export const cursor = signal(null);
 export const chosen = signal("both");
 export const notice = signal(null); // { words, kind, actions: [[label, function]] } above the page
 export const said = signal(""); // for screen readers, and in the footer
+export const picked = signal(null); // the entries that a study is to vary, by their keys with their names, while they are chosen
 export const steps = signal({ undo: false, redo: false });
 export const drawer = signal(false);
 
 export const isChanged = computed(() => text.value !== file.value.saved || file.value.target !== file.value.name);
 
 export const get = (tree, path) => path.reduce((at, part) => at?.[part], tree);
+/** Whether an entry is chosen for a study, as an attribute. @param {string} key */
+export const isPicked = (key) => Boolean(picked.value?.[key]) || undefined;
 export const keyOf = (path) => path.join(".");
 
 /** A copy of a tree with another value at a path. @param {any} tree @param {any[]} path @param {any} value @returns {any} */

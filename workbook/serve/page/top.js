@@ -42,7 +42,7 @@ export function Top() {
     <span class="sp"></span>
     <button class="icon" title="Undo (Ctrl+Z)" aria-label="Undo" disabled=${!s.steps.value.undo} onClick=${undo}>↶</button>
     <button class="icon" title="Redo (Ctrl+Y)" aria-label="Redo" disabled=${!s.steps.value.redo} onClick=${redo}>↷</button>
-    <a class="button" href=${`/vary/${link}`}>Study</a>
+    <button title="Choose the entries that a study varies" onClick=${() => (s.picked.value ??= {})}>Study</button>
     <a class="button" href=${`/print/${link}`}>Print</a>
     <button title="Save (Ctrl+S)" onClick=${() => save()}>Save</button>
     <button class="main" onClick=${build}>Build workbook</button>
