@@ -146,10 +146,8 @@ def forecast(path: Path) -> str:
     return " ".join(announced(plan, seconds, max(1, cores() - 1))) or f"{plan.space.size:,} designs, soon done."
 
 
-def choices(
-    base: Path, picked: list[str]
-) -> tuple[dict[str, list[dict[str, Any]]], list[tuple[str, Label]], list[str]]:
-    """Return the entries that can vary by their tables, results by their names, those of ``picked`` that cannot vary."""
+def choices(base: Path, picked: list[str]) -> tuple[Tables, list[tuple[str, Label]], list[str]]:
+    """Return the entries that can vary, results by their names, and those of ``picked`` that cannot vary."""
     machine = read_description(base)
     tables = fields_of(machine)
     known = {row["at"] for rows in tables.values() for row in rows}

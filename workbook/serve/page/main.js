@@ -9,6 +9,7 @@ import { takeActive } from "./fields.js";
 import { propose, redo, refigure, undo } from "./journal.js";
 import { Picking } from "./picking.js";
 import { compare, openFile, save } from "./save.js";
+import { Refused } from "./server.js";
 import { Bottom } from "./text.js";
 import { TimingDiagram } from "./timing.js";
 import { Top } from "./top.js";
@@ -60,24 +61,30 @@ addEventListener("keydown", (event) => {
   event.preventDefault();
 });
 
+/** Show the page of what was opened. @param {any} opened @param {HTMLElement} page */
+function start(opened, page) {
+  laws.value = opened.laws;
+  products.value = opened.products;
+  for (const entry of opened.schema.flatMap((each) => each.keys)) if (entry.options.length && entry.expected.startsWith("a text")) options(entry.name, entry.options);
+  page.replaceChildren();
+  render(html`<${Page} />`, page);
+  let last = s.selected.value.axis;
+  s.selected.subscribe(({ axis }) => {
+    if (axis !== last) {
+      refigure();
+      compare();
+    }
+    last = axis;
+  });
+  if (opened.live === false) choosePart({ part: [] }); // a kind of machine without axes of its own
+  goTo(new URLSearchParams(location.search).get("at"));
+}
+
 const page = /** @type {HTMLElement} */ (document.getElementById("page"));
-const opened = await openFile().catch((error) => {
+try {
+  start(await openFile(), page);
+} catch (/** @type {any} */ error) {
+  if (!(error instanceof Refused)) throw error;
   const way = Object.assign(document.createElement("a"), { href: "/", textContent: "All machines" });
   page.firstElementChild?.replaceChildren(`${error.message} `, way);
-  throw error;
-});
-laws.value = opened.laws;
-products.value = opened.products;
-for (const entry of opened.schema.flatMap((each) => each.keys)) if (entry.options.length && entry.expected.startsWith("a text")) options(entry.name, entry.options);
-page.replaceChildren();
-render(html`<${Page} />`, page);
-let last = s.selected.value.axis;
-s.selected.subscribe(({ axis }) => {
-  if (axis !== last) {
-    refigure();
-    compare();
-  }
-  last = axis;
-});
-if (opened.live === false) choosePart({ part: [] }); // a kind of machine without axes of its own
-goTo(new URLSearchParams(location.search).get("at"));
+}
