@@ -91,30 +91,15 @@ def choices(key: Key) -> list[str]:
 
 def key_at(template: str, data: Any, place: Place) -> Key:
     """Return the key of the entry at a place; raise InputError where no table has it."""
-    for section in template_sections(template):
-        parts = section.path.split(".") if section.path else []
-        if section.kind and get(data, (*place[: len(parts)], KIND)) != section.kind:
-            continue
-        if not fits(place, parts):
-            continue
-        name, *below = place[len(parts) :] or ("",)
-        key = next((key for key in section.keys if key.name == name), None)
-        if key is not None and not below:
-            return key
-        if key is not None and len(below) == 2 and below[0].isdigit():
-            rows = {row.name: row for row in key.rows} | {str(n): row for n, row in enumerate(key.rows)}
-            if below[1] in rows:
-                return rows[below[1]]
+    for depth in (1, 3):  # an entry of a table; of a row of its list
+        above, (name, *below) = place[:-depth], place[-depth:]
+        kinds = ("", get(data, (*above, KIND)))
+        keys = [key for section in sections_at(template, above) if section.kind in kinds for key in section.keys]
+        for key in (key for key in keys if key.name == name and len(below) == depth - 1):
+            rows = {row.name: row for row in key.rows} | {str(n): row for n, row in enumerate(key.rows)} | {"": key}
+            if (row := "".join(below[1:])) in rows:
+                return rows[row]
     raise InputError([f"{'.'.join(place)}: there is no such entry"])
-
-
-def fits(place: Place, parts: Sequence[str]) -> bool:
-    """Whether a place lies in the table of a pattern with ``*`` for any row; laws are by their names."""
-    if len(place) < len(parts):
-        return False
-    if parts[:1] == ["laws"]:
-        return place[0] == "laws"
-    return all(part == own or (part == "*" and own.isdigit()) for part, own in zip(parts, place, strict=False))
 
 
 def unit_at(key: Key, data: Any, place: Place) -> str:
@@ -135,6 +120,8 @@ def required(keys: Sequence[Key]) -> dict[str, Any]:
 
 
 def sections_at(template: str, place: Place) -> list[Section]:
-    """Return a template's sections for the table at a place, a section for each kind that it may have."""
+    """Return the sections for the table at a place: of each kind that it may have, of each family of a law."""
     path = ".".join("*" if part.isdigit() else part for part in place)
-    return [section for section in template_sections(template) if section.path == path]
+    is_law = place[:1] == ("laws",)
+    every = template_sections(template)
+    return [section for section in every if section.path == path or (is_law and section.path.startswith("laws."))]
