@@ -95,6 +95,7 @@ def place(word, ending, folder):
 @posix
 @pytest.mark.parametrize("command", TO)
 @pytest.mark.parametrize("word", PLACES)
+@pytest.mark.sample(29)
 def test_an_odd_place_is_refused_in_one_line(word, command, refused, tmp_path):
     refused(*TO[command], place(word, ENDINGS.get(command, ".out"), tmp_path))
 
@@ -102,6 +103,7 @@ def test_an_odd_place_is_refused_in_one_line(word, command, refused, tmp_path):
 @posix
 @pytest.mark.parametrize("command", TO)
 @pytest.mark.parametrize("word", [word for word in PLACES if word[:4] not in ("kept", "gone")])
+@pytest.mark.sample(23)
 def test_what_is_no_file_is_refused_by_force_too(word, command, refused, tmp_path):
     refused(*TO[command], place(word, ENDINGS.get(command, ".out"), tmp_path), "--force")
 

@@ -168,7 +168,7 @@ def test_no_look_up_hangs_on_less_than_a_billionth(description):
 def scaled(duration):
     """S3's exercise, in so much of its abscissa."""
     phases = [(law, lift, share * duration / 360.0) for law, lift, share in EXERCISE]
-    return composed(phases, sizes={"cycle": 360, "law": 100})
+    return composed(phases, sizes={"cycle": 120, "law": 40})
 
 
 @pytest.mark.parametrize("total", [1.0, 0.25, 1e-3, 1e-6])

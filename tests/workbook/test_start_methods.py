@@ -8,9 +8,7 @@ import sys
 
 import pytest
 
-from tests.workbook.composed import small
 from tests.workbook.studies.studied import laws, stops, written
-from workbook.build import build
 from workbook.serve import design, work
 
 METHOD = "forkserver"
@@ -32,12 +30,6 @@ def motionbook_by_server(tmp_path):
         return done.stdout
 
     return run
-
-
-def test_books_are_verified_by_a_pool(motionbook_by_server, tmp_path):
-    for name in ("a.xlsx", "b.xlsx"):
-        build(small(), tmp_path / name)
-    assert "2 workbooks" in motionbook_by_server("verify", ".", "--jobs", 2)
 
 
 def test_a_study_is_worked_out_by_a_pool(motionbook_by_server, tmp_path):

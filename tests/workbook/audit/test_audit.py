@@ -110,6 +110,7 @@ def test_sheets_are_compared_and_hidden_ones_named(tmp_path):
 
 
 @pytest.mark.parametrize(("program", "sure"), [("Microsoft Excel", "high"), ("A Copier", "medium")])
+@pytest.mark.sample(1)
 def test_a_saved_value_that_two_evaluators_do_not_give_is_named(program, sure, tmp_path):
     """Of a file that asks to be computed at opening, as XlsxWriter leaves it, no saved value counts."""
     path = save_as_excel(tmp_path / "b.xlsx", {"A1": 2, "A2": ("=A1*3", 6), "A3": ("=A1*4", 9)}, program)

@@ -4,9 +4,7 @@ import re
 
 import pytest
 
-from tests.workbook.composed import EXERCISE, composed
-from tests.workbook.judging.hands import LINKS, STRINGS, STYLES, TYPES, WORKBOOK, Known, refused, repacked, sub
-from workbook.build import build
+from tests.workbook.judging.hands import LINKS, STRINGS, STYLES, TYPES, WORKBOOK, refused, repacked, sub
 from workbook.judging.verify import verify
 from workbook.reading.files import open_book
 
@@ -16,10 +14,8 @@ LINK = "http://schemas.openxmlformats.org/officeDocument/2006/relationships/"
 
 
 @pytest.fixture(scope="module")
-def book(tmp_path_factory):
-    path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(composed((*EXERCISE, ("DWL", 0.0, 0.5))), path)  # so that no first number is whole
-    return Known(path)
+def book(press):
+    return press
 
 
 def override(part, kind):

@@ -43,6 +43,7 @@ def entered(rate=100.0, lift=50.0, stop=90.0, mass=25.0, law="MTP"):
     ],
     ids=str,
 )  # fmt: skip
+@pytest.mark.sample(4)
 def test_cells_and_engine_agree_at_tiny_and_huge_entries(entries):
     wrong, cells = disagreeing(TEMPLATE, entered(**entries))
     assert wrong == []

@@ -24,6 +24,7 @@ def test_a_machine_of_24_axes_with_drives_can_be_read(tmp_path):
 
 
 @pytest.mark.parametrize(("where", "said"), LIMITS.items(), ids=[name for _, name in LIMITS])
+@pytest.mark.sample(2)
 def test_what_verify_would_not_read_is_not_built(where, said, monkeypatch, tmp_path):
     path = tmp_path / "book.xlsx"
     path.write_bytes(b"an engineer's own")

@@ -71,12 +71,10 @@ FAULTS = [
     ([[-1.0, 40.0]], "row 1, on from (1): -1; expected a number from 0 to 360"),
     ([{"start": 20.0}], "row 1, a time on without its begin, or without its end"),
 ]
-DAILY = 2
 
 
-@pytest.mark.parametrize(
-    ("on", "said"), [*FAULTS[:DAILY], *(pytest.param(*one, marks=pytest.mark.nightly) for one in FAULTS[DAILY:])]
-)
+@pytest.mark.parametrize(("on", "said"), FAULTS)
+@pytest.mark.sample(1)
 def test_times_that_do_not_do_fail_by_row_and_amount(on, said, tmp_path):
     machine = switched(("Valve", on), ("Sensor", [[345.0, 15.0]]))
     assert machine.design.faults

@@ -49,6 +49,7 @@ def changes_an_output(path):
     return False
 
 
+@pytest.mark.nightly
 @pytest.mark.skipif(WITNESSES["formulon"]().version() is None, reason="formulon is not on this machine")
 def test_the_page_says_how_many_faults_of_the_pump_s_workbook_are_named(tmp_path):
     declared, path = tmp_path / "pump.py", tmp_path / "pump.xlsx"

@@ -54,6 +54,7 @@ def renamed(table, *names):
 
 @pytest.mark.parametrize("table", TABLES)
 @pytest.mark.parametrize(("name", "says"), NO_NAMES.items())
+@pytest.mark.sample(35)
 def test_what_a_look_up_would_not_find_is_no_name(table, name, says):
     with pytest.raises(InputError) as caught:
         renamed(table, "first", name)
@@ -64,6 +65,7 @@ def test_what_a_look_up_would_not_find_is_no_name(table, name, says):
 
 @pytest.mark.parametrize("table", TABLES)
 @pytest.mark.parametrize(("name", "other"), ALIKE)
+@pytest.mark.sample(17)
 def test_names_that_some_program_takes_for_one_are_refused(table, name, other):
     with pytest.raises(InputError) as caught:
         renamed(table, name, other)

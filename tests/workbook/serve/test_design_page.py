@@ -79,9 +79,9 @@ def test_what_would_help_most_is_tried_and_undone(page, server, wrapping):
     assert value_at(saved(page, wrapping), "axes.0.phases.0.stop") == 80.0
 
 
-@pytest.mark.parametrize("is_finished", [True, False])
 @pytest.mark.parametrize("pause", [40, 90, 160, 300])
-@pytest.mark.sample(3)
+@pytest.mark.parametrize("is_finished", [True, False])
+@pytest.mark.sample(2)
 def test_no_digit_is_lost_at_any_pace_while_figures_come_back(page, server, wrapping, pause, is_finished):
     if not is_finished:
         text = wrapping.read_text(encoding="utf-8")

@@ -124,6 +124,7 @@ ANYWHERE = ["axes", "axes.1", "axes.1.phases", "axes.1.phases.0", "master", "axe
 
 @pytest.mark.parametrize("wrong", ODD)
 @pytest.mark.parametrize("place", ANYWHERE)
+@pytest.mark.sample(24)
 def test_whatever_stands_in_the_text_is_told_or_shown(wrong, place):
     data = tomllib.loads(TEXT)
     put(data, split(place), tomllib.loads(f"x = {wrong}")["x"])

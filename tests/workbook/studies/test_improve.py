@@ -86,6 +86,7 @@ NUMBERS = [*((k, "faster") for k in range(7)), (198, "1, faster")]  # the last r
 
 
 @pytest.mark.parametrize(("number", "drawn_from"), NUMBERS)
+@pytest.mark.sample(3)
 def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number: int, drawn_from: str) -> None:
     try:
         design = first_design(drawn_machine(number, drawn_from), True)

@@ -96,6 +96,7 @@ def test_every_result_without_a_book_is_what_the_book_says(tmp_path, more):
 
 
 @pytest.mark.parametrize("template", ["machine", "machine-linkages", "crank-press"])
+@pytest.mark.sample(2)
 def test_every_result_of_a_whole_machine_is_what_its_book_says(tmp_path, template):
     data = as_entered(read_machine(TEMPLATES["machine"].description.with_name(f"{template}.toml")))
     data["sizes"] |= SIZES
