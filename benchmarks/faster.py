@@ -13,8 +13,8 @@ from workbook.description.editing import edited
 from workbook.judging.verify import verify
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
-from workbook.studies.design import Design, first_design
-from workbook.studies.improve import RATE, STAGES, better, rate_to_write
+from workbook.studies.design import RATE, Design, first_design
+from workbook.studies.improve import STAGES, better
 from workbook.templates import TEMPLATES
 
 NAMES = ("cutting-machine", "machine", "crank-press", "machine-linkages")
@@ -42,7 +42,7 @@ def main(names: list[str]) -> None:
                 best[stage] = best[begin]
                 for other in better(best[begin], kinds, THIS_PROCESS, lambda *_: None):
                     best[stage] = other
-            rates = {stage: rate_to_write(design) for stage, design in best.items()}
+            rates = {stage: design.rate_to_write for stage, design in best.items()}
             before = rates[""]
             cells = [f"{rate:.1f}" + (f" ({rate / before - 1:+.1%})" if stage else "") for stage, rate in rates.items()]
             print(f"| {name} | {' | '.join(cells)} |", flush=True)

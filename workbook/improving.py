@@ -21,8 +21,8 @@ class Change(NamedTuple):
 
     @property
     def what(self) -> tuple[Place, ...]:
-        """The places of its entries, those of laws aside: changes of the same exclude each other."""
-        return tuple(place for place in self.entries if place[0] != "laws")
+        """The places of its entries, those of laws and sizes aside: changes of the same exclude each other."""
+        return tuple(place for place in self.entries if place[0] not in ("laws", "sizes"))
 
 
 class Room(NamedTuple):

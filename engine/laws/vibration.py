@@ -8,13 +8,23 @@ Source: P. Meckl and W. Seering, Minimizing residual vibration, J. Vib. Acoust. 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import ClassVar
 
 import numpy as np
 
 from engine.laws.extremes import NODES, WEIGHTS, Curve
+from engine.laws.family import Law
+from engine.laws.piece import Piece, gains, located
+from engine.laws.pieces import PieceLaw
 
 TOLERABLE = 0.05  # share of the vibration that a shaper may leave within its band
+SHORTEST = 0.01  # of a move: so much at least is left to the law that is given out in impulses
+NEAR = 1e-3  # of the largest acceleration: so near are the cubics of a law that is given out in impulses
+APART = 1e-9  # of a move: breaks of laws that are nearer are the same
+SHARES = np.linspace(0.0, 1.0, 9)  # of a cubic, at which it is compared
+# what a cubic adds to a(0), by its powers 1, 2 and 3: at its end, to the gain of v and to that of s
+ADDS = np.array([[1.0, 1.0, 1.0], [1 / 2, 1 / 3, 1 / 4], [1 / 6, 1 / 12, 1 / 20]])
 
 
 def left_by(velocities: Sequence[tuple[Curve, float, float]], omega: float, damping: float = 0.0) -> float:
@@ -58,18 +68,18 @@ class Shaper:
     """Impulses in which a move is given out so that the vibrations that they leave cancel each other.
 
     They are half a period of the damped oscillator apart. ZV leaves no vibration at the frequency it is made for, ZVD
-    has a level minimum there too; EI, for an oscillator without damping, leaves 5 % there and less on both sides.
+    has a level minimum there too; EI, whose shares are those without damping, leaves 5 % there and less on both sides.
     Source: W. Singhose, Command shaping for flexible systems, Int. J. Precis. Eng. Manuf. 10 (2009), 153.
     """
 
     KINDS: ClassVar[tuple[str, ...]] = ("ZV", "ZVD", "EI")
     kind: str  # of KINDS
-    damping: float = 0.0  # damping ratio ζ that it is made for, below 0.2; 0 of EI
+    damping: float = 0.0  # damping ratio ζ that it is made for, below 0.2; of EI below 0.05
 
     def __post_init__(self) -> None:
         if self.kind not in self.KINDS:
             raise ValueError(f"kind is {self.kind!r}; expected {', '.join(self.KINDS)}")
-        _require_damping(self.damping, 1e-9 if self.kind == "EI" else 0.2)
+        _require_damping(self.damping, 0.05 if self.kind == "EI" else 0.2)
 
     @property
     def shares(self) -> tuple[float, ...]:
@@ -102,3 +112,63 @@ class Shaper:
             for way in (-1.0, 1.0)
         )
         return low, high
+
+    def law(self, base: Law, periods: float, room: int) -> PieceLaw:
+        """Return the law from rest to rest that gives another out in the impulses, by cubics of the acceleration.
+
+        Each impulse begins the other law, times its share, in the time that the last of them leaves. The cubics go from
+        break to break of their sum, with its s, v and a at both ends; they are halved until they are near it.
+
+        Parameters
+        ----------
+        base : Law
+            From rest to rest.
+        periods : float
+            How many natural periods of the oscillator without damping the move lasts.
+        room : int
+            Pieces at most.
+
+        Returns
+        -------
+        PieceLaw
+            Of cubics whose acceleration is within 0.1 % of the largest.
+
+        Raises
+        ------
+        ValueError
+            For a move that is too short for the impulses; where there is no room for so many pieces.
+        """
+        lasts = 1.0 - self.time / periods
+        if lasts < SHORTEST:
+            least, move = self.time / (1.0 - SHORTEST), f"the move lasts {periods:.4g} natural periods of its load"
+            raise ValueError(f"{move}; expected at least {least:.4g}, as {self.kind} needs")
+        laws = []
+        for share, wait in zip(self.shares, np.linspace(0.0, 1.0 - lasts, len(self.shares)).tolist(), strict=True):
+            moves = (piece.scaled(share / lasts**2, lasts) for piece in base.as_pieces())
+            laws.append(PieceLaw([Piece(wait), *moves, Piece(max(0.0, 1.0 - wait - lasts))]))
+        breaks = np.unique([each for law in laws for each in law.breaks if APART < each < 1.0 - APART])
+        edges = [0.0, *breaks[np.diff(breaks, prepend=0.0) > APART].tolist(), 1.0]
+        while len(edges) <= room + 1:
+            pieces, largest, off = zip(*(cubic_near(laws, *ends) for ends in pairwise(edges)), strict=True)
+            far = np.array(off) > NEAR * max(largest)
+            if not far.any():
+                return PieceLaw(pieces)
+            edges = sorted([*edges, *(np.array([*map(sum, pairwise(edges))])[far] / 2.0).tolist()])
+        raise ValueError(f"a law of more than {room} pieces; expected another to be given out by {self.kind}")
+
+
+def cubic_near(laws: Sequence[PieceLaw], begin: float, end: float) -> tuple[Piece, float, float]:
+    """Return a cubic with s, v and a of the sum of laws at two ξ, the largest a between these, and how far it is off.
+
+    None of the laws has a break between them.
+    """
+    lasts, ends, a = end - begin, np.zeros((2, 2)), np.zeros_like(SHARES)
+    for law in laws:
+        at, between = law.evaluate(np.array([begin, end])), located(law.pieces, np.array([0.5 * (begin + end)]))
+        row = np.array(law.pieces[between.piece[0]].row)
+        ends, a = np.add(ends, [at.s, at.v]), a + gains(between.u + (SHARES - 0.5) * lasts, row)[2]
+    (s0, s1), (v0, v1) = ends
+    adds = a[-1] - a[0], (v1 - v0) / lasts - a[0], (s1 - s0 - v0 * lasts) / lasts**2 - 0.5 * a[0]
+    powers = [a[0], *np.linalg.solve(ADDS, adds)]
+    off = abs(np.polynomial.polynomial.polyval(SHARES, powers) - a).max()
+    return Piece(lasts, tuple(c / lasts**k for k, c in enumerate(powers))), float(abs(a).max()), float(off)

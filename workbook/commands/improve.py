@@ -16,14 +16,12 @@ from workbook.pool import Pool
 from workbook.reading.descriptions import parse_toml
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.reports.terminal import shown as escaped
-from workbook.studies.design import Design, first_design
+from workbook.studies.design import RATE, Design, first_design
 from workbook.studies.improve import (
-    RATE,
     STAGES,
     better,
     gain_in_words,
     obstacles,
-    rate_to_write,
     reshaped_laws,
     single_gains,
 )
@@ -33,6 +31,7 @@ from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_suffix, write_text
 
+FITS = "still fits"
 DESCRIPTION = "a machine description, a .toml file"
 
 
@@ -88,11 +87,12 @@ def freeze(path: Path, output: Path | None, force: bool) -> int:
     if output is not None:
         refuse_existing(output, force)
     with ERR.status("Shaping laws for their drives …"):
-        laws = [*reshaped_laws(first_design(read_description(path), is_roomy(path), AIMS["torque"]))]
+        laws = [*reshaped_laws(first_design(read_description(path), is_roomy(path), AIMS["acceleration"]))]
     for _, words, gain in laws:
-        say(OUT, f"{words}, {gain or 'fits its drive'}")
+        say(OUT, f"{words}, {gain or FITS}")
     if not laws:
-        raise InputError([f'{path}: no law is shaped for its drive; expected laws.OPT.shaped = "torque", or "rate"'])
+        expected = 'laws.OPT.shaped = "torque", or "rate"; or a shaper'
+        raise InputError([f"{path}: no law is shaped for its drive or its load; expected {expected}"])
     if output is None:
         return FAILS if any(gain for *_, gain in laws) else AGREES
     return write_best(path, laws[-1][0], output, force)
@@ -129,7 +129,7 @@ def show_fit(design: Design, lines: list[str]) -> None:
     """Print whether laws that are shaped still fit their drives, or what shaping them anew gains."""
     try:
         for _, words, gain in reshaped_laws(design):
-            show(lines, f"{words}, {gain or 'fits its drive'}")
+            show(lines, f"{words}, {gain or FITS}")
     except InputError as error:  # of a law that several phases have, or none
         show(lines, str(error), "yellow")
 
@@ -163,7 +163,7 @@ def write_best(path: Path, best: Design, output: Path, force: bool) -> int:
         say(ERR, f"{output} is not written: no better design is known", "yellow")
         return AGREES
     with ERR.status(escaped(f"Writing and judging {output} …")):
-        rate = rate_to_write(best)
+        rate = best.rate_to_write
         changes = {**best.changes} | ({RATE: rate} if rate else {})
         write_text(output, edited(read_text(path, DESCRIPTION), changes.items()), force)
         machine = read_description(output)

@@ -149,8 +149,11 @@ def in_family(name: str, entry: Any) -> Any:
     if name in CODES:
         if entry.get("family", name) != name:
             raise EntryError(f"{name}.family", f"the law {name} is of its own family; expected another name")
-        if entry.get("shaped"):
-            raise EntryError(f"{name}.shaped", "every book has this law; expected a name of its own, such as laws.OPT")
+        for key in ("shaped", "shaper"):
+            if entry.get(key):
+                raise EntryError(
+                    f"{name}.{key}", "every book has this law; expected a name of its own, such as laws.OPT"
+                )
         return {**entry, "family": name}
     given = entry.get("family", code_named(name))
     if (family := listed(code_named(given) if isinstance(given, str) else given, [*ENTRIES])) is None:

@@ -1,8 +1,9 @@
 """A machine that is to be better: what changed in it, and what it has less of; the rate, or another aim."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, replace
+from functools import cached_property
 from types import ModuleType
 from typing import Any
 
@@ -17,6 +18,7 @@ from workbook.improving import AIMS, Aim, Change
 from workbook.studies.plan import changed_machine
 from workbook.templates import TEMPLATES
 
+RATE = ("master", "rate")
 GAIN = 1e-4  # share of the cost: less is no gain
 
 
@@ -60,13 +62,31 @@ class Design:
         """The rate (1/s) that the machine has: the highest, by points, or the entered one where the aim is another."""
         return 1.0 / self.cost if self.aim.is_rate else si(self.machine.per_minute, PER_MINUTE)
 
-    @property
+    @cached_property
     def exact_cost(self) -> float:
         """The cost of the machine by the exact engine."""
         if not self.aim.is_rate:
             return self.cost
         rates = [self.exact(axis).rate for axis in self.costs]
         return 1.0 / float(min([*rates, self.improving.timing.process_rate(self.machine)]))
+
+    @cached_property
+    def rate_to_write(self) -> float | None:
+        """The highest rate (cycles/min) that sheets and the exact engine hold, cut off; None of another aim."""
+        if get(self.machine, RATE) is None or not self.aim.is_rate:
+            return None
+        exact = cut_off(self.shown(max(self.cost, self.exact_cost)))
+        there = changed_machine(self.base, dict(self.data), {**self.changes, RATE: exact})
+        return exact if isinstance(there, str) else min(exact, cut_off(self.improving.sheet_rate(there)))
+
+    def is_no_worse(self, than: "Design", broken: Set[str]) -> bool:
+        """Return whether it breaks nothing else, and is no worse than another: exactly, and by the rate of its book.
+
+        Sheets state a rate up to 1 % below the exact one: what is better by points may be written with a lower rate.
+        """
+        if not self.breaks() <= broken or self.exact_cost > than.exact_cost:
+            return False
+        return (self.rate_to_write or math.inf) >= (than.rate_to_write or 0.0)
 
     def shown(self, cost: float) -> float:
         """Return a cost as it is shown: as a rate (cycles/min), or in the unit of the aim."""
@@ -159,3 +179,8 @@ def aimed(design: Design, axis: str, rates: Mapping[str, float]) -> Design:
     held = {name: min(rate, design.rate) for name, rate in rates.items()}
     aim = design.aim._replace(unit=figures[most].unit)
     return replace(design, costs={most: figures[most].value}, held=held, aim=aim)
+
+
+def cut_off(rate: float) -> float:
+    """Return a rate rounded down to two decimals."""
+    return rate if math.isinf(rate) else math.floor(rate * 100.0) / 100.0

@@ -1,25 +1,26 @@
 """Make a machine better: its limits in their order, single changes by what they gain, the best together."""
 
-import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from engine.drive.highest_rate import RateLimit, limits_in_order, moment_of
 from engine.drive.limits import at_speed
 from workbook.errors import InputError
-from workbook.fields.paths import Place, get, key_of
+from workbook.fields.paths import Place, key_of
 from workbook.improving import AIMS, Change
+from workbook.law_sheets.library import laws
 from workbook.pool import Pool, WorkerDied
 from workbook.studies.design import GAIN, Design
-from workbook.studies.plan import changed_machine
 from workbook.studies.timing import Done, best_timing
 
 ORDER = 5  # limits that are listed in their order
 DIGITS = 4  # of figures in words
 STARTS = 2  # from which the best timing is looked for, beside the present one
 ROUNDS = 12  # over all phases of the axis that limits, at most
-RATE = ("master", "rate")
+SAMPLES, SAME = np.linspace(0.0, 1.0, 65), 1e-6  # ξ and shares of the rise by which laws that differ are told apart
 STAGES: dict[str, tuple[str, Collection[str], str]] = {
     "laws": ("laws", ("law",), ""),
     "timing": ("timing", ("edge",), ""),
@@ -110,8 +111,8 @@ def better(design: Design, kinds: Collection[str], pool: Pool, done: Done) -> It
         for changes in tries.values():
             if design.limiting != axis:
                 break
-            gaining = (other for _, other in improved(design, changes, pool, done) if other.breaks() <= broken)
-            if other := next(gaining, None):
+            others = (other for _, other in improved(design, changes, pool, done) if other.is_no_worse(design, broken))
+            if other := next(others, None):
                 design = other
                 yield design
         if "edge" in kinds and (timed := best_timing(design, 0 if n else STARTS, done)):
@@ -122,39 +123,46 @@ def better(design: Design, kinds: Collection[str], pool: Pool, done: Done) -> It
 
 
 def reshaped_laws(design: Design) -> Iterator[tuple[Design, str, str]]:
-    """Yield each law that is shaped for its drive shaped anew: a design with it, its place, and what that gains.
+    """Yield each law that is shaped for its drive or its load shaped anew: a design with it, in words, what that gains.
 
     A law that gains nothing stays as it is, and what it gains is empty.
     """
     for name in design.machine.laws.names:
-        if not (aim := getattr(design.machine.laws[name], "shaped", None)):
+        shaped, shaper = (getattr(design.machine.laws[name], key, None) for key in ("shaped", "shaper"))
+        if not (shaped or shaper):
             continue
-        present, costs = replace(design, aim=AIMS[aim], held={}, costs={}), list[float]()
-        for _ in range(ROUNDS):  # at the higher rate another law is the best
-            try:
-                axis, change = design.improving.reshaped(present.machine, name)
-                other = present.changed(change)
-                costs = costs or [present.cost_of(axis)]
-                cost = math.inf if isinstance(other, str) else other.cost_of(axis)
-            except (ValueError, ArithmeticError) as error:  # too few pieces, or what the engine refuses
-                raise InputError([f"laws.{key_of(name)}.shaped: {error}"]) from None
-            if isinstance(other, str) or cost >= costs[-1] * (1.0 - GAIN):
-                break
-            present = other
-            costs.append(cost)
-        design = replace(design, machine=present.machine, changes=present.changes)
-        yield design, f"{name}: {change.words}", gain_in_words(present, costs[0], costs[-1]) if costs[1:] else ""
+        present = replace(design, aim=AIMS[shaped] if shaped else AIMS["vibration"], held={}, costs={})
+        try:
+            other, words, gain = given_out_anew(present, name) if shaper else reshaped(present, name)
+        except (ValueError, ArithmeticError) as error:  # too few pieces, or what the engine refuses
+            key = "shaper" if shaper else "shaped"
+            raise InputError([f"laws.{key_of(name)}.{key}: {error}"]) from None
+        design = replace(design, machine=other.machine, changes=other.changes)
+        yield design, f"{name}: {words}", gain
 
 
-def rate_to_write(design: Design) -> float | None:
-    """Return the highest rate (cycles/min) that sheets and the exact engine hold, cut off; None of another aim."""
-    if get(design.machine, RATE) is None or not design.aim.is_rate:
-        return None
-    exact = cut_off(design.shown(max(design.cost, design.exact_cost)))
-    there = changed_machine(design.base, dict(design.data), {**design.changes, RATE: exact})
-    return exact if isinstance(there, str) else min(exact, cut_off(design.improving.sheet_rate(there)))
+def reshaped(design: Design, name: str) -> tuple[Design, str, str]:
+    """Return the design with a law shaped anew for its drive until that gains no more, in words, and the gain."""
+    costs, words = list[float](), ""
+    for _ in range(ROUNDS):  # at the higher rate another law is the best
+        axis, change = design.improving.reshaped(design.machine, name)
+        words, costs, other = change.words, costs or [design.cost_of(axis)], design.changed(change)
+        if isinstance(other, str) or (cost := other.cost_of(axis)) >= costs[-1] * (1.0 - GAIN):
+            break
+        design = other
+        costs.append(cost)
+    return design, words, gain_in_words(design, costs[0], costs[-1]) if costs[1:] else ""
 
 
-def cut_off(rate: float) -> float:
-    """Return a rate rounded down to two decimals."""
-    return rate if math.isinf(rate) else math.floor(rate * 100.0) / 100.0
+def given_out_anew(design: Design, name: str) -> tuple[Design, str, str]:
+    """Return the design with a law given out anew by its shaper, in words, and what it leaves where that differs."""
+    axis, change = design.improving.reshaped(design.machine, name)
+    other = design.changed(change)
+    if isinstance(other, str):
+        raise ValueError(other)
+    then, now = (laws(each.machine.laws)[name].s(SAMPLES) for each in (design, other))
+    if abs(now - then).max() < SAME:
+        return design, change.words, ""
+    left = [each.improving.figure_of(each.machine, axis, design.aim) for each in (design, other)]
+    unit = design.aim._replace(unit=left[0].unit)
+    return other, change.words, gain_in_words(replace(other, aim=unit), left[0].value, left[1].value)

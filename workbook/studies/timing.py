@@ -30,7 +30,8 @@ def best_timing(design: Design, starts: int, done: Done) -> Design | None:
     for n, start in enumerate(search.starts(starts), 1):
         done(n, starts + 1, "timings from other places")
         best = search.refined(search.settled(search.solved(start), best))
-    return best if best.cost < design.cost * (1.0 - GAIN) else None
+    is_better = best.cost < design.cost * (1.0 - GAIN) and best.is_no_worse(design, search.broken)
+    return best if is_better else None
 
 
 class TimingSearch:

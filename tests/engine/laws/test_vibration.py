@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from engine.laws import law
-from engine.laws.vibration import Shaper, left_by
+from engine.laws.vibration import SHORTEST, Shaper, left_by
 from engine.motion import Motion, Phase
 from engine.motion.pieces import motion_pieces
 
@@ -70,3 +70,28 @@ def test_a_shaper_leaves_nothing_at_the_frequency_that_it_is_made_for(kind: str,
 def test_a_shaper_that_is_extra_insensitive_leaves_its_share_at_three_frequencies() -> None:
     shaper = Shaper("EI")
     assert [shaper.left(ratio) for ratio in (*shaper.band, 1.0)] == pytest.approx([0.05] * 3)
+
+
+@pytest.mark.parametrize("kind", Shaper.KINDS)
+@pytest.mark.parametrize("name", ["CIC", "MTP", "PO7", "DHM", "ACS"])
+@pytest.mark.parametrize(("periods", "damping"), [(3.3, 0.0), (1.01 / (1.0 - SHORTEST), 0.04)])
+def test_a_law_given_out_leaves_the_share_of_its_shaper(name: str, kind: str, periods: float, damping: float) -> None:
+    """At the frequency it is made for and beside it; its position is the sum of the laws that the impulses begin."""
+    shaper, base = Shaper(kind, damping), law(name)
+    given, alone = shaper.law(base, periods, 60), periods - shaper.time
+    xi = np.linspace(0.0, 1.0, 301)
+    begun = (xi - wait / periods for wait in np.linspace(0.0, shaper.time, len(shaper.shares)))
+    parts = [base.s(np.clip(each * periods / alone, 0.0, 1.0)) for each in begun]
+    assert given.s(xi) == pytest.approx(np.array(shaper.shares) @ parts, abs=2e-5)
+    assert (given.end.s, given.end.v) == pytest.approx((1.0, 0.0), abs=1e-11)
+    assert given.coefficients.cv <= base.coefficients.cv * periods / alone * (1.0 + 1e-4)
+    for ratio in (0.9, 1.0, 1.1):
+        left = residual(given, periods * ratio, damping)
+        assert left == pytest.approx(shaper.left(ratio) * residual(base, alone * ratio, damping), abs=2e-5)
+
+
+def test_a_law_that_cannot_be_given_out_says_why() -> None:
+    with pytest.raises(ValueError, match=r"expected at least 1\.01, as EI"):
+        Shaper("EI").law(law("MTP"), 1.0, 60)
+    with pytest.raises(ValueError, match="a law of more than 20 pieces; expected another to be given out by ZVD"):
+        Shaper("ZVD").law(law("MTP"), 3.3, 20)

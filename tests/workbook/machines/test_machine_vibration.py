@@ -1,23 +1,28 @@
 """What moves leave in a load that swings behind its axis: printed figures, cells, the exact engine, and odd loads."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 from engine.laws import law
+from engine.laws.vibration import Shaper
 from tests.engine.laws.test_vibration import residual
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
-from workbook.build import build, read_inputs
-from workbook.errors import InputError
+from workbook.build import build, read_entered, read_inputs
+from workbook.commands.improve import freeze
+from workbook.controllers.registry import target
+from workbook.controllers.tabulation import automatic
+from workbook.errors import AGREES, FAILS, InputError
 from workbook.improving import AIMS
-from workbook.machines.machine.entries_beside import UNTUNED
+from workbook.machines.machine.entries_beside import UNTUNED, Vibration
 from workbook.machines.machine.exact import axes_of, judgement
 from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.vibration import MOST, swings_of
 from workbook.pool import THIS_PROCESS
-from workbook.reading.descriptions import validated
+from workbook.reading.descriptions import read_machine, validated, write_machine
 from workbook.studies.design import first_design
 from workbook.studies.improve import single_gains
 from workbook.template_outputs import Column
@@ -132,3 +137,78 @@ def test_studies_and_improve_know_it():
     assert gains  # though the other of both moves that leave alike stays
     with pytest.raises(InputError, match="expected --frequency of a load"):
         first_design(swinging(None), False, AIMS["vibration"])
+
+
+def given_out(folder, load, phases=MOVES, of="MTP", **entries):
+    """The description of a machine whose first move is given out by a shaper, as it is entered and frozen."""
+    path, frozen = folder / "soft.toml", folder / "frozen.toml"
+    machine = swinging(load, *phases).model_dump(exclude_none=True)
+    machine["laws"]["SOFT"] = {"family": "OPT", "of": of, "shaper": "ZVD"} | entries
+    machine["axes"][0]["phases"][0]["law"] = "SOFT"
+    text = write_machine(TEMPLATE.model.model_validate(machine))
+    path.write_text(re.sub("(?m)^motion_pieces.*", "", text), encoding="utf-8")
+    return path, frozen
+
+
+@pytest.mark.parametrize("kind", Shaper.KINDS)
+def test_within_its_band_a_shaper_leaves_at_most_5_percent_on_the_sheet(kind, tmp_path):
+    """Of what the other law leaves, in the time that the shaper leaves it; the book has it and takes it back."""
+    path, frozen = given_out(tmp_path, {"frequency": 40.0}, shaper=kind)
+    assert freeze(path, None, False) == FAILS
+    assert freeze(path, frozen, False) == AGREES
+    assert freeze(frozen, None, False) == AGREES
+    machine, shaper = read_machine(frozen), Shaper(kind)
+    for ratio in (*shaper.band, 1.0):
+        swinging_so = machine.axes[0].model_copy(update={"vibration": Vibration(frequency=40.0 * ratio)})
+        load = swings_of(axes_of(machine.model_copy(update={"axes": [swinging_so]})))[0]
+        shorter = load.ms(load.turned[0]) / 1e3 - shaper.time / 40.0
+        alone = 100.0 * residual(law("MTP"), 40.0 * ratio * shorter)
+        assert load.shares[0] == pytest.approx(shaper.left(ratio) * alone, abs=1e-3)
+        assert load.shares[0] < 0.0501 * alone + 1e-3
+    assert judgement(machine).deviations == []
+    (cam,) = TEMPLATE.axes(machine)
+    assert automatic(target("csv"), cam, {"a": 0.01}).excess({"a": 0.01}) <= 1.0
+    build(machine, tmp_path / "book.xlsx")
+    assert read_entered(tmp_path / "book.xlsx")[1].laws["SOFT"] == machine.laws["SOFT"]
+
+
+def test_a_law_that_is_given_out_fits_until_the_rate_changes_and_its_cells_agree(tmp_path, capsys):
+    path, frozen = given_out(tmp_path, {"frequency": 40.0, "damping": 0.02})
+    assert freeze(path, frozen, False) == AGREES
+    assert "SOFT: A1 phase 1 → ZVD of MTP, which costs 25.01 of 50 ms, " in capsys.readouterr().out
+    machine = read_machine(frozen)
+    assert machine.sizes.pieces == len(machine.laws["SOFT"].pieces) == 28
+    assert disagreeing(TEMPLATE, machine)[0] == []
+    text = frozen.read_text("utf-8")
+    frozen.write_text(text.replace("rate = 200.0", "rate = 201.0"), encoding="utf-8")
+    assert freeze(frozen, None, False) == FAILS
+
+
+@pytest.mark.parametrize(
+    ("load", "entries", "match"),
+    [
+        ({"frequency": 20.0}, {}, r"laws.SOFT.shaper: the move lasts 1 natural periods of its load; expected at least"),
+        ({"frequency": 40.0, "damping": 0.3}, {}, r"laws.SOFT.shaper: damping is 0.3; expected"),
+        ({"frequency": 40.0}, {"of": "MTQ"}, r"laws.SOFT.of: found 'MTQ'; expected a law from rest to rest"),
+        ({"frequency": 40.0}, {"of": "SOFT"}, r"laws.SOFT.of: found 'SOFT'; expected a law"),
+        (None, {}, r"laws.SOFT.shaper: 1 phases have this law, 0 of them between two rests with a vibration"),
+    ],
+)
+def test_a_law_that_cannot_be_given_out_says_why(load, entries, match, tmp_path):
+    with pytest.raises(InputError, match=match):
+        freeze(given_out(tmp_path, load, **entries)[0], None, False)
+
+
+@pytest.mark.parametrize("entries", [{"shaper": "ZVD"}, {"of": "MTP"}, {"shaper": "EI", "of": "MTP", "shaped": "rate"}])
+def test_a_shaper_and_its_law_are_entered_together(entries):
+    with pytest.raises(InputError, match=r"laws.SOFT"):
+        validated(TEMPLATE, swinging(LOAD).model_dump() | {"laws": {"SOFT": {"family": "OWN"} | entries}}, str)
+
+
+def test_improve_tries_shapers_for_a_vibration():
+    design = first_design(swinging({"frequency": 45.0}), False, AIMS["vibration"])
+    tried = {change.words.partition(" → ")[2]: change for change in design.tries("A1") if " of " in change.words}
+    assert [*tried][:2] == ["ZV of MTP, which costs 11.11 of 50 ms", "ZVD of MTP, which costs 22.22 of 50 ms"]
+    other = design.changed(tried["ZVD of MTP, which costs 22.22 of 50 ms"])
+    assert other.cost < design.cost
+    assert other.machine.laws["ZVD 1-1"].of == "MTP"

@@ -28,8 +28,8 @@ from workbook.machines.machine.studies import changes, timing
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
 from workbook.studies import improve_sheet
-from workbook.studies.design import first_design
-from workbook.studies.improve import RATE, STAGES, better, obstacles, rate_to_write, single_gains
+from workbook.studies.design import RATE, first_design
+from workbook.studies.improve import STAGES, better, obstacles, single_gains
 from workbook.studies.plan import changed_machine
 from workbook.templates import TEMPLATES
 
@@ -97,7 +97,7 @@ def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number
         assert other.rate >= best.rate
         best = other
     assert best.breaks() <= design.breaks()
-    rate = rate_to_write(best)
+    rate = best.rate_to_write
     if not rate:
         return
     for view in drives_of(at_rate(best, rate)):
@@ -140,7 +140,7 @@ def test_a_drawn_machine_improved_is_never_worse_and_its_book_verifies(number: i
     for other in islice(better(design, ("law", "edge"), THIS_PROCESS, silent), 3):
         assert other.rate >= best.rate
         best = other
-    before, rate = rate_to_write(design), rate_to_write(best)
+    before, rate = design.rate_to_write, best.rate_to_write
     if not before or not rate:
         return
     assert rate >= before * (1.0 - 0.01)  # to what sheets state of rates
@@ -158,7 +158,7 @@ def test_what_is_written_keeps_comments_and_is_the_best_design(tmp_path) -> None
     assert "# a remark" in faster.read_text("utf-8")
     before, after = (first_design(read_machine(file), False) for file in (path, faster))
     assert after.rate > before.rate * 1.01
-    assert after.machine.per_minute == pytest.approx(rate_to_write(after), abs=0.02)
+    assert after.machine.per_minute == pytest.approx(after.rate_to_write, abs=0.02)
     untouched = [line for line in text.splitlines() if not re.search(r"\b(rate|law) = ", line)]
     assert set(untouched) <= set(faster.read_text("utf-8").splitlines())
 
@@ -249,7 +249,7 @@ def test_a_law_is_frozen_and_fits_until_the_drive_changes(aim: str, tmp_path, ca
     assert after.machine.laws["OPT"].shaped == aim
     assert after.machine.master == before.machine.master
     assert command.freeze(frozen, None, False) == AGREES
-    assert "fits its drive" in capsys.readouterr().out
+    assert "still fits" in capsys.readouterr().out
     text = re.sub(r"(?m)^efficiency = .*", "efficiency = 0.6", frozen.read_text("utf-8"))
     frozen.write_text(text, encoding="utf-8")
     assert command.freeze(frozen, None, False) == FAILS
@@ -262,7 +262,7 @@ def test_a_law_is_shaped_with_no_more_jerk_than_its_bound(tmp_path, capsys) -> N
     assert 69.0 < PieceLaw([piece.engine_piece for piece in law.pieces]).coefficients.cj <= 70.0
     assert law.max_jerk == 70.0
     command.show_fit(first_design(read_machine(frozen), False), lines := [])
-    assert [line.partition(", ")[2] for line in lines] == ["fits its drive"]
+    assert [line.partition(", ")[2] for line in lines] == ["still fits"]
 
 
 def test_a_book_keeps_what_its_law_is_shaped_for(tmp_path) -> None:

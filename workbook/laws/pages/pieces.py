@@ -62,6 +62,8 @@ TURNING = RowRule("turning", "OR([P]+0=0,[omega]+0<>0)", "omega", "ω of a sine,
 
 
 SHAPED = "What `motionbook improve --freeze` shapes its pieces for: least RMS torque of its drive, or its highest rate"
+SHAPER = "The input shaper by which `motionbook improve --freeze` gives out another law, for the vibration of its axis"
+SHAPER_OF = "The law that its input shaper gives out"
 MOST_JERK = "Its coefficient of jerk, c_j, is at most that, of a law that is shaped"
 
 
@@ -72,11 +74,17 @@ class OwnLaw(LawSheet):
     pieces: list[Piece] = Field(default=[Piece(duration=1.0, c1=60.0, c2=-180.0, c3=120.0)])
     shaped: Literal["torque", "rate"] | None = Field(default=None, description=SHAPED, examples=["torque"])
     max_jerk: Positive | None = Field(default=None, description=MOST_JERK, examples=[200.0])
+    shaper: Literal["ZV", "ZVD", "EI"] | None = Field(default=None, description=SHAPER, examples=["ZVD"])
+    of: Text | None = Field(default=None, description=SHAPER_OF, examples=["MTP"])
 
     @model_validator(mode="after")
-    def _shaped_if_bounded(self) -> Self:
+    def _belong_together(self) -> Self:
         if self.max_jerk and not self.shaped:
             raise EntryError("max_jerk", 'bounds laws that are shaped; expected shaped = "torque", or "rate", with it')
+        if (self.shaper is None) != (self.of is None):
+            raise EntryError("of", 'of an input shaper; expected shaper = "ZVD", for one, and of = "MTP", both or none')
+        if self.shaper and self.shaped:
+            raise EntryError("shaper", "the law is shaped for its drive; expected a shaper or shaped, not both")
         return self
 
     def design_faults(self) -> Iterator[DesignError]:
