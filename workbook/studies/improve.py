@@ -145,7 +145,7 @@ def reshaped(design: Design, name: str) -> tuple[Design, str, str]:
     """Return the design with a law shaped anew for its drive until that gains no more, in words, and the gain."""
     costs, words = list[float](), ""
     for _ in range(ROUNDS):  # at the higher rate another law is the best
-        axis, change = design.improving.reshaped(design.machine, name)
+        axis, change = design.improving.shaping.reshaped(design.machine, name)
         words, costs, other = change.words, costs or [design.cost_of(axis)], design.changed(change)
         if isinstance(other, str) or (cost := other.cost_of(axis)) >= costs[-1] * (1.0 - GAIN):
             break
@@ -156,7 +156,7 @@ def reshaped(design: Design, name: str) -> tuple[Design, str, str]:
 
 def given_out_anew(design: Design, name: str) -> tuple[Design, str, str]:
     """Return the design with a law given out anew by its shaper, in words, and what it leaves where that differs."""
-    axis, change = design.improving.reshaped(design.machine, name)
+    axis, change = design.improving.shaping.reshaped(design.machine, name)
     other = design.changed(change)
     if isinstance(other, str):
         raise ValueError(other)

@@ -1,0 +1,176 @@
+"""Changes of laws: another for a phase, laws shaped for its drive, and laws given out by a shaper for its load."""
+
+import math
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from functools import partial
+from itertools import count
+from typing import Any
+
+from engine.drive.limits import at_speed
+from engine.drive.rate_range import at_points
+from engine.drive.shaped import shape_phase
+from engine.laws import Law
+from engine.laws.base import Kinematics
+from engine.laws.vibration import Shaper
+from workbook.book.sentence import figure
+from workbook.errors import InputError
+from workbook.fields.paths import Place, key_of
+from workbook.fields.units import MS, PER_MINUTE, shown, si
+from workbook.improving import Aim, Change
+from workbook.law_sheets.library import NamedLaw, laws, named_laws
+from workbook.laws.entries import ENTRIES, Laws, listed, references
+from workbook.machines.machine.drive.driven import Driven
+from workbook.machines.machine.entries import AnyMachine, Axis
+from workbook.machines.machine.entries_beside import Vibration
+from workbook.machines.machine.view import MachineView
+
+FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
+# by what must not jump: the highest derivative that is 0 at ends
+RESTS = {"velocity": 1, "acceleration": 2, "jerk": 3}
+SHAPED = "Shaped"  # begins the name of a new law that is shaped for its drive
+TORQUE_OR_RATE = ("torque", "rate")
+# aims for which laws are shaped, all but the rate by least torque
+SHAPED_FOR = ("rate", "torque", "power", "energy")
+PIECES = 8  # of a law that is shaped for its drive, at most
+MOST_PIECES = 60  # of an own law
+NEAR = 1e-9  # of the rise: ends of laws that differ by less are the same
+
+
+def drives(machine: AnyMachine) -> dict[str, Any]:
+    """Return functions that make the drives of a machine with their limits, by the names of their axes."""
+    view = MachineView(machine, laws(machine.laws))
+    return {axis.given.name: partial(Driven, axis, machine) for axis in view.axes if axis.given.motor}
+
+
+def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[Change]:
+    """Yield another law for each phase of an axis that moves from rest to rest, of all families; shaped ones too."""
+    axis = machine.axes[i]
+    known = {each.name: each for each in from_rest_to_rest(machine)}
+    driven = drives(machine)[axis.name]() if axis.motor and aim.name in SHAPED_FOR else None
+    for k, phase in enumerate(axis.phases):
+        if not phase.lift or passes(axis, k) or phase.law not in known:
+            continue
+        path = ("axes", str(i), "phases", str(k), "law")
+        begin = f"{axis.name} phase {k + 1}: {known[phase.law].words}"
+        if driven:
+            with suppress(ValueError, ArithmeticError):  # too few pieces, or what the engine refuses
+                yield shaped(machine, driven, rate, k, begin, free_name(machine, i, k), TORQUE_OR_RATE[aim.is_rate])
+        yield from shapers(machine, i, k, begin) if aim.name == "vibration" else ()
+        for law in known.values():
+            if law.name != phase.law and not is_shaped(law.entered):  # for another phase
+                new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
+                yield Change(f"{begin} → {law.words}", new | {path: law.name}, "law")
+
+
+def from_rest_to_rest(machine: AnyMachine) -> Iterator[NamedLaw]:
+    """Yield the laws of a machine, and those of all families, that rise from rest to rest."""
+    codes = [code for code in ENTRIES if code not in (*machine.laws.names, *FREE)]
+    more = named_laws(Laws.model_validate({code: {} for code in codes}))
+    for law in (*named_laws(machine.laws), *(law for law in more if law.name in codes)):
+        ends: Sequence[Kinematics[float]] = law.law.start, law.law.end
+        if (
+            abs(ends[1].s - 1.0) < NEAR
+            and max(abs(end.v) for end in ends) < NEAR
+            and (not law.basic or law.name != "OWN")
+        ):
+            yield law
+
+
+def is_shaped(entered: Any) -> bool:
+    """Return whether a law is shaped for the drive or the load of a phase."""
+    return bool(getattr(entered, "shaped", None) or getattr(entered, "shaper", None))
+
+
+def free_name(machine: AnyMachine, i: int, k: int) -> str:
+    """Return a name for a law that is shaped for a phase; that of the law that it has, if no other phase takes that."""
+    begin, own = f"{SHAPED} {i + 1}-{k + 1}", machine.axes[i].phases[k].law
+    users = [reference.name for reference in references(machine)].count(own)
+    if getattr(machine.laws[own], "shaped", None) and users == 1:
+        return own
+    return next(name for n in count(1) if (name := f"{begin} {n}") not in machine.laws.names)
+
+
+def shaped(machine: AnyMachine, driven: Driven, rate: float, k: int, begin: str, name: str, aim: str) -> Change:
+    """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into its pieces."""
+    axis, least_torque, most = driven.axis, aim == "torque", min(PIECES, machine.sizes.pieces)
+    rest, checks = RESTS[axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau)
+    jerk = getattr(machine.laws[axis.given.phases[k].law], "max_jerk", None)
+    law = shape_phase(checks, axis.motion, axis.entered[k], 5, rest, most, least_torque, jerk or math.inf).law
+    words = f"Shaped for its drive at {shown(1.0 / checks.drive_cycle.time, PER_MINUTE):.1f} cycles/min"
+    own = frozen(law, words) | {"shaped": aim} | ({"max_jerk": jerk} if jerk else {})
+    path = ("axes", str(axis.number - 1), "phases", str(k), "law")
+    return Change(f"{begin} → shaped for its drive", {("laws", name): own, path: name}, "law")
+
+
+def frozen(law: Law, words: str) -> dict[str, Any]:
+    """Return the entries of an own law of a name with the pieces of another, of cubics."""
+    pieces = [{"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c)} for piece in law.as_pieces()]
+    return {"family": "OWN", "name": words, "pieces": pieces}
+
+
+def shapers(machine: AnyMachine, i: int, k: int, begin: str) -> Iterator[Change]:
+    """Yield the law of a phase given out by each input shaper that its time and its load allow."""
+    law = machine.axes[i].phases[k].law
+    of = getattr(machine.laws[law], "of", None) or law
+    for kind in Shaper.KINDS if is_fit(machine.axes[i], k, "vibration") else ():
+        with suppress(ValueError):
+            yield given_out(machine, i, k, begin, f"{kind} {i + 1}-{k + 1}", kind, of)
+
+
+def given_out(machine: AnyMachine, i: int, k: int, begin: str, name: str, kind: str, of: str) -> Change:
+    """Return the change of a phase to a law given out by an input shaper for the load of its axis, in its pieces.
+
+    Raises ValueError for a load or a time that the shaper does not suit, InputError for a law that it cannot give out.
+    """
+    view = MachineView(machine, laws(machine.laws)).axes[i].sized
+    load, known = view.given.vibration or Vibration(), {law.name: law for law in from_rest_to_rest(machine)}
+    base = known.get(listed(of, [*known]) or "")
+    if base is None or getattr(base.entered, "shaper", None):
+        raise InputError([f"laws.{key_of(name)}.of: found {of!r}; expected a law from rest to rest, without a shaper"])
+    time = view.motion.phases[view.entered[k]].duration / view.speed
+    shaper, natural = Shaper(kind, load.damping), load.natural(view.given.unit)
+    law = shaper.law(base.law, time * natural, MOST_PIECES)
+    rate = shown(view.speed / math.tau, PER_MINUTE)
+    own = frozen(law, f"{kind} of {base.name}, {figure(natural)} Hz at {rate:.1f} cycles/min")
+    entries: dict[Place, Any] = {("laws", name): own | {"shaper": kind, "of": base.name}}
+    if (count := len(own["pieces"])) > machine.sizes.pieces:
+        entries["sizes", "pieces"] = count
+    entries["axes", str(i), "phases", str(k), "law"] = name
+    costs = f"{shown(shaper.time / natural, MS):.4g} of {shown(time, MS):.4g} ms"
+    return Change(f"{begin} → {kind} of {base.name}, which costs {costs}", entries, "law")
+
+
+def reshaped(machine: AnyMachine, name: str) -> tuple[str, Change]:
+    """Return the axis whose drive or load a law is shaped for, and the change that shapes it anew.
+
+    That is at the rate or the highest. Raises InputError unless the law is that of a single phase that moves from rest
+    to rest, with a drive; with a natural frequency where a shaper gives it out.
+    """
+    entered = machine.laws[name]
+    needed, key = ("vibration", "shaper") if entered.shaper else ("drive", "shaped")
+    phases = [(i, k) for i, axis in enumerate(machine.axes) for k, phase in enumerate(axis.phases) if phase.law == name]
+    fitting = [(i, k) for i, k in phases if is_fit(machine.axes[i], k, needed)]
+    if len(phases) != 1 or not fitting:
+        problem = f"{len(phases)} phases have this law, {len(fitting)} of them between two rests with a {needed}"
+        expected = f"expected a single phase, between two rests with a {needed}"
+        raise InputError([f"laws.{key_of(name)}.{key}: {problem}; {expected}"])
+    ((i, k),) = fitting
+    axis, begin = machine.axes[i].name, f"{machine.axes[i].name} phase {k + 1}"
+    if entered.shaper:
+        return axis, given_out(machine, i, k, begin, name, entered.shaper, entered.of)
+    driven, aim = drives(machine)[axis](), entered.shaped
+    high = at_points(driven.limit_checks).range.high if aim == "rate" else 0.0
+    rate = high if 0.0 < high < math.inf else si(machine.per_minute, PER_MINUTE)
+    return axis, shaped(machine, driven, rate, k, begin, name, aim)
+
+
+def is_fit(axis: Axis, k: int, needed: str) -> bool:
+    """Return whether a phase of an axis moves from rest to rest, with a drive or with the vibration of its load."""
+    has = axis.motor if needed == "drive" else axis.vibration and axis.vibration.natural(axis.unit)
+    return bool(has and axis.phases[k].lift and not passes(axis, k))
+
+
+def passes(axis: Axis, k: int) -> bool:
+    """Return whether a phase of an axis begins or ends at speed."""
+    return bool(axis.phases[k].passes or axis.phases[(k + 1) % len(axis.phases)].passes)
