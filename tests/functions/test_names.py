@@ -3,7 +3,6 @@
 import openpyxl
 import pytest
 
-from tests import tiers
 from tests.functions import lambdas
 from tests.functions.case import Case
 from tests.functions.cases import value_cases
@@ -27,18 +26,8 @@ def folder(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def answers(folder):
-    cases = [*by_day(value_cases()), *edge_cases()]
+    cases = [*value_cases(), *edge_cases()]
     return list(zip(cases, lambdas.computed(cases, folder / "cases.xlsx"), strict=True))
-
-
-def by_day(cases):
-    """Every eighth case of what there are a thousand of; by night each."""
-    return [case for k, case in enumerate(cases) if tiers.night or k % 8 == 0 or not often(case)]
-
-
-def often(case):
-    """Whether it is one of the many of a law that has points of its own."""
-    return case.function in {"S", "V", "A", "J", "XI", "CV", "CA", "CARMS", "CJ"} and case.law != "LIN"
 
 
 @pytest.mark.parametrize("function", [f.key for f in FUNCTIONS])

@@ -83,6 +83,7 @@ def depth(formula):
 
 
 @pytest.mark.parametrize("name", BOOKS)
+@pytest.mark.sample(10)
 def test_formulas_are_read_at_a_glance_and_use_functions_that_every_program_has(name):
     found = formulas(name)
     assert {called: len(max(texts, key=len)) for called, texts in found.items() if max(map(len, texts)) > LONGEST} == {}

@@ -155,3 +155,10 @@ def test_a_phase_whose_peak_torque_limits_uses_it_less_than_the_law_of_least_rms
     shaped = {motor: shape_phase(*reversed(checks_of(law("PO5"), 0.3, motor)), 0).law for motor in (by_rms, by_peak)}
     assert most_use(shaped[by_peak], by_peak) < 0.97 * most_use(shaped[by_rms], by_peak)
     assert most_use(shaped[by_rms], by_rms) < most_use(shaped[by_peak], by_rms)
+
+
+@pytest.mark.parametrize("lift", [0.3, -0.3])
+def test_a_phase_whose_speed_limits_is_slower_at_its_fastest_whichever_way_it_goes(lift: float) -> None:
+    motors = Motor(1e-3, rated_torque=1.0), Motor(1e-3, 1e3, 1e6, max_speed=10.0)
+    by_rms, by_speed = (shape_phase(*reversed(checks_of(law("PO5"), lift, motor)), 0).law for motor in motors)
+    assert by_speed.coefficients.cv < 0.97 * by_rms.coefficients.cv

@@ -11,6 +11,7 @@ from pathlib import Path
 import openpyxl
 import pytest
 
+from tests.mutation.bench import smaller
 from tests.tiers import by_day
 from tests.workbook.composed import COMPOSED, DESCRIBED, committed_as
 from workbook.build import build
@@ -23,7 +24,7 @@ PATIENCE = 300  # seconds in which npm has to come with the packages
 @pytest.fixture(scope="module", params=by_day(DESCRIBED, COMPOSED))
 def book(request, tmp_path_factory):
     path = tmp_path_factory.mktemp("book") / "book.xlsx"
-    build(committed_as(request.param)[1], path)
+    build(smaller(committed_as(request.param)[1]), path)
     return path
 
 
