@@ -90,6 +90,18 @@ def test_a_sum_that_has_itself_is_a_circle(tmp_path):
     assert ("circular", ("Sheet", "C9")) in named(audited(book, tmp_path / "book.xlsx"))
 
 
+@pytest.mark.parametrize(("total", "cells"), [("=SUM(C1:C4)", {"B5"}), ("=SUM(Other!C1:C4)", set())])
+def test_a_number_among_totals_is_named_where_these_are_of_its_own_sheet(total, cells, tmp_path):
+    book = openpyxl.Workbook()
+    for row in (*([k, f"=A{k}*2", f"=A{k}*3"] for k in range(1, 5)), [None, 21, total]):
+        book.active.append(row)
+    other = book.create_sheet("Other")
+    for k in range(1, 5):
+        other.append([k, k, k])
+    found = named(audited(book, tmp_path / "book.xlsx"))
+    assert {cell for rule, (_, cell) in found if rule == "typed-over"} == cells
+
+
 def test_sheets_are_compared_and_hidden_ones_named(tmp_path):
     """The rules that need two sheets; with these every rule has a case."""
     book = openpyxl.Workbook()

@@ -17,9 +17,10 @@ from workbook.serve.shown import design
 WITHIN = "The rate is within the range of all drives"
 
 
-def sized_at(own, rate, **motor):
+def sized_at(own, rate, reducer=None, **motor):
     """A machine at a rate whose drive is sized at another."""
-    made = small([driven(*RISE, load={"mass": 20.0, "friction": 0.1}, motor=FREE | motor) | {"rate": own}])
+    load = {"mass": 20.0, "friction": 0.1}
+    made = small([driven(*RISE, load=load, motor=FREE | motor, reducer=reducer or {}) | {"rate": own}])
     return made.model_copy(update={"master": made.master.model_copy(update={"rate": rate})})
 
 
@@ -72,8 +73,10 @@ def test_a_rate_that_the_exact_engine_alone_finds_too_high_fails_everywhere(tmp_
 
 @pytest.mark.parametrize("rate", [30.0, 90.0, 240.0])
 def test_at_the_machines_rate_points_and_exact_engine_use_the_same_of_a_limit(rate):
-    (view,) = drives_of(sized_at(100.0, rate, rated_torque=10.0, peak_torque=40.0, max_speed=2500.0))
-    (there,) = drives_of(sized_at(None, rate, rated_torque=10.0, peak_torque=40.0, max_speed=2500.0))
+    """Of the reducer's too, whose torque counts four times beyond 150 cycles a minute."""
+    limits = {"rated_torque": 10.0, "peak_torque": 40.0, "max_speed": 9000.0}
+    reducer = {"ratio": 1.0, "peak_torque": 2.0, "full_cycles": 9000.0, "cycle_factor": 4.0}
+    (view,), (there,) = (drives_of(sized_at(own, rate, reducer, **limits)) for own in (100.0, None))
     limit = limit_of_rate(view, [], rate)
     assert limit.exact.value == pytest.approx(100.0 * there.driven.limit_checks.worst.use, rel=1e-12)
     assert limit.sheet.value == pytest.approx(limit.exact.value, rel=2e-3)

@@ -76,3 +76,4 @@ def test_the_front_is_what_comparing_each_with_each_leaves():
             for k, one in enumerate(points)
         ]
         assert sorted(front(points).tolist()) == np.flatnonzero(~np.array(beaten)).tolist()
+        assert front(points[:0]).tolist() == []
