@@ -75,6 +75,7 @@ def changes(machine: AnyMachine, name: str, rate: float, aim: Aim) -> Iterator[C
     if machine.axes[i].motor:
         yield from product_changes(machine, i)
         yield from lighter(machine.axes[i], i)
+        yield from balanced(machine, i)
     if aim.is_rate:
         yield from reserve_changes(machine, i)
 
@@ -126,6 +127,24 @@ def lighter(axis: Axis, i: int) -> Iterator[Change]:
             entries["axes", str(i), "parts", str(k), name] = LIGHTER * getattr(part, name)
     if entries:
         yield Change(f"{axis.name}: load and parts with 10 % less inertia", entries, "other")
+
+
+def balanced(machine: AnyMachine, i: int) -> Iterator[Change]:
+    """Yield the weight of a load on a slope held by a spring of constant force, and by a counterweight as heavy.
+
+    That of a load that rubs on a slope would rub too as an entry of its mass, so only a spring holds it.
+    """
+    axis, path = machine.axes[i], ("axes", str(i), "load")
+    load, slope = axis.load, si(axis.load.slope, DEGREE)
+    weight = load.mass * machine.gravity * math.sin(slope)
+    if abs(weight) < NEAR:
+        return
+    begin = f"{axis.name}: weight of {figure(load.mass)} kg held by"
+    yield Change(f"{begin} a spring of {abs(weight):.4g} N", {(*path, "force"): load.force - weight}, "other")
+    if not load.friction or math.cos(slope) < NEAR:
+        share = 1.0 + abs(math.sin(slope))
+        entries = {(*path, "mass"): share * load.mass, (*path, "force"): load.force - share * weight}
+        yield Change(f"{begin} a counterweight", entries, "other")
 
 
 def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
