@@ -12,7 +12,7 @@ from engine.drive.rate_range import rate_range
 from engine.laws import PieceLaw
 from tests.tiers import nights, seed
 from tests.workbook.evaluated import by_formulon
-from tests.workbook.machines.drawn_drives import TABLE, drawn_machine
+from tests.workbook.machines.drawn_drives import drawn_machine
 from tests.workbook.studies.studied import base
 from workbook.book.quantity import OK
 from workbook.build import read_entered, write_book
@@ -130,10 +130,13 @@ SMALL = {"cycle": 4, "law": 4, "export": 1, "points": 8, "rotors": 2}
 
 
 def apart(machine):
-    """A small machine whose first two axes, if there are, keep nine tenths of the least gap that their motions leave."""
+    """A small machine whose first two axes, if there are, keep nine tenths of the least gap of their motions."""
     named = {reference.name for reference in references(machine)}
     data = table(machine) | {"laws": {name: law for name, law in machine.laws.root.items() if name in named}}
-    data["sizes"] = SMALL | {"phases": max(2, *(len(axis.phases) for axis in machine.axes)), "positions": TABLE}
+    data["sizes"] = SMALL | {
+        "phases": max(2, *(len(axis.phases) for axis in machine.axes)),
+        "positions": machine.sizes.positions,
+    }
     if len(machine.axes) > 1:
         pair = {"name": "Gap", "first": machine.axes[0].name, "second": machine.axes[1].name}
         wide = TEMPLATES["machine"].model.model_validate(data | {"clearances": [pair | {"least": -1e4}]})
