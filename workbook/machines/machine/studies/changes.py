@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -30,11 +29,6 @@ from workbook.template_outputs import LIMITS
 LIGHTER = 0.9  # of the inertias of load and parts
 RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
 NEAR = 1e-9  # of a torque or a ratio: those that differ by less are the same
-
-
-def limit_checks(machine: AnyMachine) -> dict[str, Any]:
-    """Return functions that give the limits of the drives of a machine, by the names of their axes."""
-    return {name: partial(lambda make: make().limit_checks, make) for name, make in shaping.drives(machine).items()}
 
 
 def where(machine: AnyMachine, name: str, moment: Moment) -> str:
@@ -143,8 +137,8 @@ def balanced(machine: AnyMachine, i: int) -> Iterator[Change]:
     yield Change(f"{begin} a spring of {abs(weight):.4g} N", {(*path, "force"): load.force - weight}, "other")
     if not load.friction or math.cos(slope) < NEAR:
         share = 1.0 + abs(math.sin(slope))
-        entries = {(*path, "mass"): share * load.mass, (*path, "force"): load.force - share * weight}
-        yield Change(f"{begin} a counterweight", entries, "other")
+        moved: dict[Place, Any] = {(*path, "mass"): share * load.mass, (*path, "force"): load.force - share * weight}
+        yield Change(f"{begin} a counterweight", moved, "other")
 
 
 def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
