@@ -87,7 +87,7 @@ class Design:
         """
         if not self.breaks() <= broken or self.exact_cost > than.exact_cost:
             return False
-        return (self.rate_to_write or math.inf) >= (than.rate_to_write or 0.0)
+        return self.rate_to_write is None or self.rate_to_write >= (than.rate_to_write or 0.0)
 
     def shown(self, cost: float) -> float:
         """Return a cost as it is shown: as a rate (cycles/min), or in the unit of the aim."""
