@@ -64,8 +64,15 @@ def cutting_machine() -> Iterator[Figure]:
     section = "Timing diagram for a cutting machine"
     for quantity, unit, printed, ours, reason, cell in (
         ("speed of the master shaft at 200 pieces/min", "rad/s", "20.944", shaft_speed(200 / 60), "", "omega_compared"),
-        ("MC01, geometric velocity, peak", "m/rad", "0.43", rise.of.y1_max, "", "axis1.y1.1"),
-        ("MC01, geometric acceleration, peak", "m/rad²", "0.61", rise.of.y2_max, "cut off, not rounded", "axis1.y2.1"),
+        ("MC01, geometric velocity, peak", "m/rad", "0.43", rise.of.y1_max, "", "axis1_taken.y1.1"),
+        (
+            "MC01, geometric acceleration, peak",
+            "m/rad²",
+            "0.61",
+            rise.of.y2_max,
+            "cut off, not rounded",
+            "axis1_taken.y2.1",
+        ),
         ("MC01, velocity, peak", "m/s", "9", rise.v_max, "", "axes.vc.1"),
         ("MC01, acceleration, peak", "m/s²", "270", rise.a_max, "", "axes.ac.1"),
     ):

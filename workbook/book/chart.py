@@ -51,9 +51,8 @@ class Chart:
     y_range: tuple[float, float | None, float | None] | None = None
     # each line in a lane of its own, named where it begins; heights have no figures
     lanes: bool = False
+    is_lane: bool = False  # low, one of several below each other: its title beside it, places without figures
     log_y: bool = False
-    # whether it stands on the first sheet too, in place of the book's first chart
-    in_short: bool = False
     legend: bool = True  # whether several lines have their names beside them; else the title says what they are
 
     def within(self, scope: str) -> Self:

@@ -27,12 +27,12 @@ class Limit(NamedTuple):
     expected: str
     number: bool = True
 
-    def holds(self, cell: str, short: bool = False) -> str:
-        """Return the condition that a cell obeys; a ``short`` condition lets texts pass: they compare above numbers."""
+    def holds(self, cell: str) -> str:
+        """Return the condition that a cell obeys; texts compare above numbers."""
         if not self.number:
             return f'{cell}<>""'
         parts = [f"{cell}{sign}{bound:.12g}" for sign, bound in self.bounds]
-        if self.required or (not short and all(sign.startswith(">") for sign, _ in self.bounds)):
+        if self.required or all(sign.startswith(">") for sign, _ in self.bounds):
             parts.insert(0, f"ISNUMBER({cell})")
         within = f"AND({','.join(parts)})" if len(parts) > 1 else parts[0]
         return within if self.required else f'OR({cell}="",{within})'
@@ -54,17 +54,11 @@ class Guard(NamedTuple):
     rows: int
     entries: tuple[tuple[Quantity, Limit], ...]
     rules: tuple[RowRule, ...]
-    each: int  # entries that share a column of messages
 
     @property
     def columns(self) -> list[str]:
         """The columns of a table's messages, by entry and rule, without that of the row."""
-        return [column_of(run[0][0].name) for run in self.runs] + [column_of(rule.rule) for rule in self.rules]
-
-    @property
-    def runs(self) -> list[tuple[tuple[Quantity, Limit], ...]]:
-        """The entries that share a column of messages."""
-        return [self.entries[i : i + self.each] for i in range(0, len(self.entries), self.each)]
+        return [column_of(q.name) for q, _ in self.entries] + [column_of(rule.rule) for rule in self.rules]
 
 
 def column_of(name: str) -> str:
@@ -157,13 +151,10 @@ def in_use(rows: int, inputs: Sequence[Quantity]) -> list[int]:
 
 def message_columns(guard: Guard) -> Iterator[Quantity]:
     """Yield the column of messages on each entry, and on each rule."""
-    for run in guard.runs:
-        says = quoted("")
-        for q, limit in reversed(run):
-            cell = f"[{q.name}]"
-            holds = f"OR([{USED}]=0,{limit.holds(cell)})" if limit.required else limit.holds(cell, len(run) > 1)
-            says = f"IF({holds},{says},{limit_message(q.label, cell, limit)})"
-        yield message_column(column_of(run[0][0].name), ", ".join(q.label for q, _ in run), f"={says}")
+    for q, limit in guard.entries:
+        cell = f"[{q.name}]"
+        holds = f"OR([{USED}]=0,{limit.holds(cell)})" if limit.required else limit.holds(cell)
+        yield message_column(column_of(q.name), q.label, f'=IF({holds},"",{limit_message(q.label, cell, limit)})')
     for rule in guard.rules:
         says = f"{quoted(f'{rule.words}: ')}&{entered_text(f'[{rule.column}]')}" if rule.column else quoted(rule.words)
         yield message_column(column_of(rule.rule), rule.rule, f'=IF({rule.condition},"",{says})')

@@ -104,12 +104,14 @@ class Sheet:
         self.texts.append(Text(self.row, FIRST, text, "note"))
         self.row += 1
 
-    def rows(self, *quantities: Quantity) -> None:
-        """Place quantities in a column; beside inputs with limits what is expected, below all a check."""
+    def rows(self, *quantities: Quantity, section: str = "", first: Quantity | None = None) -> None:
+        """Place quantities, a ``section`` from its ``first`` on; beside inputs what is expected, below a check."""
         own = self._own(quantities)
         watched = self.limited(own)
         messages = {q.name: limits.message_beside(q, limit) for q, limit in watched}
-        for q in own:
+        for q, given in zip(own, quantities, strict=True):
+            if given is first:
+                self.heading(section)
             self._row(q, messages.get(q.name))
         if watched:
             name = f"{watched[0][0].name}_entries"
@@ -197,9 +199,7 @@ class Sheet:
         self, block: Block, watched: Sequence[tuple[Quantity, Limit]], rules: Sequence[RowRule], inputs: list[Quantity]
     ) -> None:
         """Give a table of inputs its messages, and below it the check that counts them."""
-        last = max(block.columns.values()) + len(watched) + len(rules) + 2
-        each = 1 if last <= MOST_COLUMNS else 2
-        guard = Guard(block.name, block.size, tuple(watched), tuple(rules), each)
+        guard = Guard(block.name, block.size, tuple(watched), tuple(rules))
         label = f"{self.called or self.title}, {re.split(r'[:;(]', block.title)[0].strip()}: entries within limits"
         some = self.book.limit(inputs[0].key.partition(".*")[0], inf)
         columns, verdict = limits.guard_rows(guard, label, inputs, some is not None and some.required)
@@ -213,11 +213,11 @@ class Sheet:
         self.checks(verdict)
         self.row += 1
 
-    def heads(self, title: str, quantities: Sequence[Quantity]) -> None:
-        """Write the title and the heads of a table, or of several alike, below what is there."""
+    def heads(self, title: str, quantities: Sequence[Quantity], column: int = FIRST) -> None:
+        """Write the title and the heads of a table, or of several alike, below what is there, from a column on."""
         self.shared_heads = self.row + 1
         explained = any(q.source for q in quantities)
-        self._heads(title, self.row, FIRST, explained, quantities)
+        self._heads(title, self.row, column, explained, quantities)
         self.row += 4 if explained else 3
 
     def place_messages(self) -> None:

@@ -112,7 +112,7 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
     sheet = book.sheets[0]
     sheet.put(cell("about_verdict", in_one(book), formula=IN_ONE), SENTENCE, FIRST)
     drawn = [chart for other in book.sheets[1:] for chart, *_ in other.charts]
-    for picture in sorted(drawn, key=lambda chart: not chart.in_short)[:1]:
+    for picture in drawn[:1]:
         sheet.charts.append((picture, PICTURE_ROW, FIRST, COLUMNS - FIRST + 1, PICTURE_ROWS))
     stamp_line(book, sheet, SENTENCE + 1, ENTERED)
     sheet.heading("To mend")

@@ -34,6 +34,7 @@ LOG_BASE = 10
 SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW = 1.5  # cm for the labels of the abscissa and its title
 NAMES = 3.0  # cm left of the plot, where the lines have their names there
+LANE = 3.4  # likewise of a lane, with its title
 FIGURES = 1.7  # cm for the figures of the ordinate and its title
 BESIDE = 12  # the share of a line at each of its ends that its name keeps off
 NO_LINE = GraphicalProperties(ln=LineProperties(noFill=True))
@@ -45,7 +46,7 @@ NUMBERS = re.compile(rb"<numRef><f>([^<]*)</f></numRef>")
 def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     """Return the openpyxl chart for ``chart``, ``width`` by ``height`` cm large."""
     drawn = ScatterChart()
-    drawn.title = heading(chart.title, TITLE if chart.legend else AXIS_TITLE, book)
+    drawn.title = heading(chart.title, TITLE if chart.legend else AXIS_TITLE, book, beside=chart.is_lane)
     drawn.style, drawn.scatterStyle = 2, "lineMarker"
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
@@ -74,13 +75,14 @@ def is_folded(text: str, book: Book) -> bool:
     return 0 < sheet.folded <= block.columns[column] or 0 < sheet.folded_rows <= block.row
 
 
-def heading(text: str, look: ParagraphProperties, book: Book) -> Title:
-    """Return a title; ``=name`` shows a cell: it follows units as entered."""
+def heading(text: str, look: ParagraphProperties, book: Book, beside: bool = False) -> Title:
+    """Return a title, over or ``beside`` the chart; ``=name`` shows a cell: it follows units as entered."""
     if text.startswith("="):
         plain = RichText(p=[Paragraph(pPr=look)])
         return Title(tx=ChartText(strRef=str_ref(text[1:], book)), overlay=False, txPr=plain)
     paragraph = Paragraph(pPr=look, r=[RegularTextRun(rPr=look.defRPr, t=text)])
-    return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=False)
+    place = Layout(ManualLayout(xMode="edge", yMode="edge", x=0.04, y=0.25)) if beside else None
+    return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=beside, layout=place)
 
 
 def str_ref(name: str, book: Book) -> StrRef:
@@ -132,6 +134,11 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     if chart.log_y:
         drawn.y_axis.scaling.logBase = LOG_BASE
     drawn.x_axis.tickLblPos = drawn.y_axis.tickLblPos = "low"
+    if chart.is_lane:
+        drawn.x_axis.number_format, drawn.x_axis.majorTickMark = ";;;", "none"
+        place = ManualLayout("inner", "edge", "edge", x=LANE / drawn.width, y=0.12, w=0.97 - LANE / drawn.width, h=0.76)
+        drawn.layout = Layout(place)
+        return
     if chart.lanes:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
     room = 0.88 - BELOW / drawn.height

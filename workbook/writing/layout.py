@@ -30,6 +30,7 @@ EMS = {**dict.fromkeys(NARROW, 0.3), **dict.fromkeys(SLIM, 0.37), **dict.fromkey
 CAPITAL, LETTER, DIGIT = 0.62, 0.545, 0.507
 HEAD = 10.0  # points of a table's heads
 FULL = 11.0  # points in which a column's width is counted
+TWO_LINES = 0.7  # the share of a text that the longer of two lines takes
 BOLD = 1.06  # how much wider than others bold letters are
 
 
@@ -104,6 +105,11 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
         if text.style in ("header", "units") and not is_folded:
             words = text.text.split() if text.style == "header" else [text.text]
             needed = GAP + max((text_width(word, HEAD, text.style == "header") for word in words), default=0.0)
+            if 0 < sheet.print_columns < text.column:  # of workings, which make no printed row high
+                needed = max(needed, GAP + TWO_LINES * text_width(text.text, HEAD, bold=True))
+            known_widths[text.column] = max(needed, known_widths.get(text.column, COLUMN_WIDTH))
+        elif text.style == "unit":  # before a note
+            needed = 3 * GAP + text_width(text.text, HEAD)
             known_widths[text.column] = max(needed, known_widths.get(text.column, COLUMN_WIDTH))
     taken = taken_rows(sheet)
     for block in sheet.blocks:
@@ -226,7 +232,8 @@ def unbroken_spans(sheet: Sheet, last: int, ends: list[float]) -> Iterator[tuple
     for _, row, _, _, height in sheet.charts:
         if row <= last:
             yield row, bisect_left(ends, ends[row - 1] + height * ROW), CHART
-    judged, headed = {block.row for block in sheet.blocks if block.quantities[0].role == "check"}, {0}
+    checks = [block for block in sheet.blocks if block.quantities[0].role == "check" and block.column == FIRST + 2]
+    judged, headed = {block.row for block in checks}, {0}
     for block in sheet.blocks:
         if block.is_table and block.lead is None:
             heads = block.shared_heads  # of the first below them they are a part

@@ -180,6 +180,6 @@ def test_the_first_sheet_is_titled_by_what_is_entered():
 
 def test_no_chart_of_a_machine_mixes_travelling_and_turning_axes():
     book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
-    labels = [chart.y for sheet in book.sheets for chart, *_ in sheet.charts]
-    assert [label for label in labels if "," in label] == []
+    labels = [text for sheet in book.sheets for chart, *_ in sheet.charts for text in (chart.title, chart.y)]
+    assert [label for label in labels if "[" in label and "," in label] == []
     assert {"ẏ [m/s]", "ẏ [rad/s]"} <= set(labels)

@@ -55,7 +55,7 @@ def small(name):
 
 
 ENTRIES = {"timing_cycle", "timing_rate_entries", "timing_rate_entries_says", "timing_rate_expected"}
-PLACES = {("bus", "theta"), *((f"axis{k}", name) for k in range(1, 10) for name in ("ms", "pause"))}
+PLACES = {("bus", "theta"), *((f"axis{k}", "ms") for k in range(1, 10))}
 """columns that a book in seconds has under another name: its places are times, and its durations in s"""
 SENTENCES = ("says", "about_verdict", "listed")
 """ends of the names of cells with sentences: of places, and of how many checks there are"""

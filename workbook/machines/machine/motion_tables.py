@@ -31,12 +31,13 @@ STEPS = "Steps of axis {}: its phases, and the rests between them"
 class AxisTables:
     """An axis at its place in a book: its pieces in cells, and their joints.
 
-    With its ``name``, that of the table of phases, all its tables begin; the table of phases has ``rows`` rows.
+    With its ``name``, that of the table of phases, all its tables begin; the table of phases has ``rows`` rows, and
+    its workings beside it are called ``taken``.
     """
 
     def __init__(self, machine: MachineView, axis: MovingAxis, stack: Pieces) -> None:
         self.axis, self.machine, self.name = axis, machine, f"axis{axis.number}"
-        self.rows = machine.given.sizes.phases
+        self.taken, self.rows = f"{self.name}_taken", machine.given.sizes.phases
         self.steps = self.rows + self.rows + 1
         self.pieces = rows_of(self.at, axis.motion, stack, axis.places, self.steps)
         self.joints = Joints.of(self.pieces, axis.motion, self.required)
@@ -68,7 +69,7 @@ class AxisTables:
             self.axis.given.smoothness,
             f"[axes.smooth.{i}]",
             f"{t}_order",
-            (f"MAX([{t}.y1])", f"MAX([{t}.y2])"),
+            (f"MAX([{t}_taken.y1])", f"MAX([{t}_taken.y2])"),
             over.after,
             (f"[axes.name.{i}]", self.axis.given.name),
             wraps=f'[axes.closes.{i}]<>"open"',
@@ -128,7 +129,7 @@ def row_by_row(tables: AxisTables, rest: str, phase: str) -> list[str]:
 def step_columns(tables: AxisTables) -> list[Quantity]:
     """Return the columns of where steps begin, how long they last, their laws, lifts and positions."""
     t, axis, handed = tables.name, tables.axis, tables.ends
-    motion, base, end = axis.motion, axis.base, f"[{tables.name}.begin.{tables.rows + 1}]"
+    motion, base, end = axis.motion, axis.base, f"[{tables.taken}.begin.{tables.rows + 1}]"
     start, size = f"[axes_taken.y0.{axis.number}]", motion.size(0)
     entered = [end for p in axis.given.phases for end in (p.start, p.stop)]
 
@@ -142,16 +143,19 @@ def step_columns(tables: AxisTables) -> list[Quantity]:
         own = handed.own(name, formula) if handed else formula
         return cell(name, values, base=base, formula=own, scale=size)
 
-    begin = [text.replace(f"[{t}.end.0]", "0") for text in each(f"=[{t}.end.{{before}}]", f"=[{t}.begin.{{}}]")]
-    rest = f"=IF([{t}.begin.{{behind}}]-[begin]>check_zero,RADIANS([{t}.begin.{{behind}}]-[begin]),0)"
-    span = [text.replace(end, "360") for text in each(rest, f"=[{t}.span.{{}}]")]
+    begin = [
+        text.replace(f"[{t}_taken.end.0]", "0")
+        for text in each(f"=[{t}_taken.end.{{before}}]", f"=[{t}_taken.begin.{{}}]")
+    ]
+    rest = f"=IF([{t}_taken.begin.{{behind}}]-[begin]>check_zero,RADIANS([{t}_taken.begin.{{behind}}]-[begin]),0)"
+    span = [text.replace(end, "360") for text in each(rest, f"=[{t}_taken.span.{{}}]")]
     positions = of_steps(tables, lambda k, _: motion.ends[k].begin.y, None)
     return [
         cell("k", list(range(1, tables.steps + 1))),
         cell("begin", filled([0.0, *entered], tables.steps, 360.0), formula=begin),
         cell("span", of_steps(tables, lambda _, p: p.duration), formula=span),
-        cell("no", list(tables.pieces.numbers), formula=each("=1", f"=[{t}.no.{{}}]")),
-        cell("h", of_steps(tables, lambda _, p: p.lift), formula=each("=0", f"=[{t}.h.{{}}]")),
+        cell("no", list(tables.pieces.numbers), formula=each("=1", f"=[{t}_taken.no.{{}}]")),
+        cell("h", of_steps(tables, lambda _, p: p.lift), formula=each("=0", f"=[{t}_taken.h.{{}}]")),
         cell("y0", carried_back(positions, motion.position + motion.lifts_sum), start=start),
         reached("low", LOW.format(start), 0),
         reached("high", HIGH.format(start), 1),
@@ -162,7 +166,7 @@ def fastest(tables: AxisTables) -> list[Quantity]:
     """Return the columns of the greatest velocity and acceleration of the steps."""
 
     def most(name: str, order: int, figure: Figure) -> Quantity:
-        formula = row_by_row(tables, "=0*[k]", f"=[{tables.name}.{name}.{{}}]")
+        formula = row_by_row(tables, "=0*[k]", f"=[{tables.taken}.{name}.{{}}]")
         unit, scale = tables.at.unit(order), tables.axis.motion.size(order)
         return CELLS["fastest"](name, of_steps(tables, figure), unit=unit, formula=formula, scale=scale)
 

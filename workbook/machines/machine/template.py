@@ -9,9 +9,10 @@ from engine.motion.profile import CamProfile, profile_of_motion
 from engine.timing import Switch
 from workbook.book.address import Address
 from workbook.book.cell_tables import cell_tables
-from workbook.book.checks import group_verdict_column
+from workbook.book.checks import group_verdict_column, summary
 from workbook.book.declare import FIRST, Book, Quantity, Text
 from workbook.book.public_names import names_in, names_sheet, place_names
+from workbook.book.sentence import Sentence
 from workbook.book.summary import SENTENCE, summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
@@ -155,8 +156,9 @@ def name_figures(book: Book, axes: Sequence[MovingAxis], clearances: Sequence[Cl
 
 SEVERAL, DWELL = "several", 1
 """what stands for laws that differ, and the number of the dwell, which spare rows have too"""
-OTHERS = f"SUMPRODUCT(([axis{{0}}.no]<>{DWELL})*([axis{{0}}.no]<>MAX([axis{{0}}.no])))>0"
-LAW = f'=IF({OTHERS},"{SEVERAL}",IF(MAX([axis{{0}}.no])={DWELL},"{NO_DRIVE}",INDEX(law_code,MAX([axis{{0}}.no]))))'
+LAST = "MAX([axis{0}_taken.no])"
+OTHERS = f"SUMPRODUCT(([axis{{0}}_taken.no]<>{DWELL})*([axis{{0}}_taken.no]<>{LAST}))>0"
+LAW = f'=IF({OTHERS},"{SEVERAL}",IF({LAST}={DWELL},"{NO_DRIVE}",INDEX(law_code,{LAST})))'
 
 
 def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> None:
@@ -178,9 +180,24 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
         group_verdict_column(book, "axes_judged", "its checks", checks),
         cell("law", texts, formula=[LAW.format(axis.number) for axis in axes]),
     )
-    timing = book.blocks["axes"]
-    verdicts = group_verdict_column(book, "axes_checked", "its checks", of_phases)
-    timing.sheet.workings(timing, "axes_checked", "", max(timing.columns.values()) + 1, verdicts)
+    for axis, places in zip(axes, of_phases, strict=True):
+        phases = book.blocks[f"axis{axis.number}"]
+        column = max(phases.columns.values())
+        for q, at in zip(phases_verdict(book, axis, places), (column, FIRST + 2), strict=True):
+            phases.sheet.put(q, phases.row - 1, at)
+
+
+def phases_verdict(book: Book, axis: MovingAxis, places: Sequence[int]) -> tuple[Quantity, Quantity]:
+    """Return the verdict of an axis' checks, at such places among all; and its group, or which fails and why."""
+    name = f"axis{axis.number}_verdict"
+    verdict = group_verdict_column(book, name, "its phases", [list(places)])
+    before = f"[checks.nth.{places[0] - 1}]" if places[0] > 1 else "0"
+    first, facts = f"MATCH({before}+1,[checks.nth],0)", summary(book)
+    rows = [(facts.verdicts[k - 1], book.checks[k - 1][1].label, facts.sentences[k - 1]) for k in places]
+    failing = [Sentence(f"{label}: {says}") for verdict, label, says in rows if verdict != "OK"]
+    says = failing[0] if failing else axis.given.group or ""
+    why = CELLS["phases_verdict"]("{name}_says", says, name=name, verdict=name, first=first, i=axis.number)
+    return verdict._replace(name=name), why
 
 
 def axes(machine: AnyMachine) -> list[CamAxis]:

@@ -205,7 +205,7 @@ def page(sheet: Sheet, swing: Swing) -> None:
         cell("@next", most),
     )
     cell, to_unit = CELLS["moves"].sharing(**parts), TO_UNIT[unit][0]
-    until = UNTIL.format(parts["begin"], f"[{parts['t']}.end.same]")
+    until = UNTIL.format(parts["begin"], f"[{parts['t']}_taken.end.same]")
     both = {part: "]+[@pieces.".join(f"{part}{of}" for of in swing.parts) for part in "cs"}
     cell.place(
         sheet,
@@ -253,7 +253,7 @@ def workings(sheet: Sheet, swing: Swing) -> None:
     tau, end = lasts * (1.0 - (k - 0.5) / STEPS), si(float(swing.stops[worst]) or TURN, DEGREE)
     places = end - tau + math.tau * (end < tau)
     v = axis.motion.at(places).y1
-    cell = CELLS["samples"].sharing(**parts, steps=STEPS, ends=f"INDEX([{parts['t']}.end],@worst)")
+    cell = CELLS["samples"].sharing(**parts, steps=STEPS, ends=f"INDEX([{parts['t']}_taken.end],@worst)")
     cell.place(
         sheet,
         cell("k", k),

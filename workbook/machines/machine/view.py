@@ -147,6 +147,11 @@ class MovingAxis:
         return self.rate(max((m.y2_max * self.speed**2 for m in self.moves.values()), default=0.0))
 
     @property
+    def greatest_lift(self) -> float:
+        """The greatest size of a lift, in its unit."""
+        return max(abs(shown(phase.lift, self.unit)) for phase in self.motion.phases)
+
+    @property
     def missing_lift(self) -> float:
         """The most that a law leaves of its lift."""
         return max(abs(phase.missing_lift) for phase in self.motion.phases)

@@ -222,22 +222,13 @@ def workings(machine: OverlapView) -> tuple[Quantity, ...]:
 
 def timing_diagrams(sheet: Sheet, machine: OverlapView, column: int) -> None:
     """Place both timing diagrams side by side: a lane for the transfer, and above it a lane for each tool."""
-    top = len(machine.stations) + 1
-    for left, title, lane in ((column, "one after the other", "lane_b"), (column + WIDE, "with overlap", "lane_a")):
+    top, x = len(machine.stations) + 1, "master angle θ [°]"
+    for left, way, lane in ((column, "with overlap", "lane_a"), (column + WIDE, "one after the other", "lane_b")):
         moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")
         line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
-        about = f"Timing diagram of transfer and tools over one turn of the master shaft: {title}"
-        chart = Chart(
-            f"Timing diagram: {title}",
-            "master angle θ [°]",
-            "",
-            (moved, *lines_of(machine, lane), line),
-            about,
-            (0, 360, 30),
-            (0, top, 1),
-            lanes=True,
-            in_short=lane == "lane_a",
-        )
+        about = f"Timing diagram of transfer and tools over one turn of the master shaft: {way}"
+        lines = (moved, *lines_of(machine, lane), line)
+        chart = Chart(f"Timing {way}", x, "", lines, about, (0, 360, 60), (0, top, 1), lanes=True)
         sheet.chart(chart, left, 5, WIDE, 18)
 
 

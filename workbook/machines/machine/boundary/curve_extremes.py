@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from engine.laws.extremes import NODES, WEIGHTS
 from engine.motion import Phase
 from engine.motion.handover import PULSES, Handover
 from engine.motion.pieces import MotionPiece
@@ -28,32 +27,28 @@ PLACE = "[d]*xi*([c1]+[d]*xi*([c2]+[d]*xi*[c3]))+[A]*SIN([om]*[d]*xi+[ph])"
 
 
 def points(book: Book, sheet: Sheet) -> None:
-    """Declare the points that pieces and polynomials are looked at, and those of Gauss's rule."""
+    """Declare the points that pieces and polynomials are looked at."""
     cell = CELLS["points"]
     title = "Points of a polynomial or a piece, as shares of its duration"
     sheet.table("piece_points", title, len(POINTS), cell("xi", POINTS.tolist()))
-    shares, weights = (0.5 * (NODES + 1.0)).tolist(), (0.5 * WEIGHTS).tolist()
-    sheet.table("gauss", "Gauss–Legendre rule on 0 … 1", len(NODES), cell("xi", shares), cell("w", weights))
     book.name("piece_points", xi="xi")
-    book.name("gauss", xi_g="xi", w_g="w")
 
 
-def horner(powers: int, order: int, xi: str) -> str:
+def horner(powers: int, order: int) -> str:
     """Return the formula of a derivative (order 0 is y) of Σ e_n ξⁿ, per unit of ξ."""
     text = ""
     for n in range(powers - 1, max(order, 1) - 1, -1):
         share = perm(n, order)
         scaled = f"[e{n}]" if share == 1 else f"{share}*[e{n}]"
         inner = f"({text})" if "*" in text or "+" in text else text
-        text = f"{scaled}+{xi}*{inner}" if text else scaled
-    return text if order else f"{xi}*({text})"
+        text = f"{scaled}+xi*{inner}" if text else scaled
+    return text if order else f"xi*({text})"
 
 
 def polynomial_extremes(handover: AxisHandover) -> list[Quantity]:
     """Return the columns of the extremes of polynomials per unit of ξ, and the greatest velocity of two pulses."""
     column = handover.columns(CELLS["polynomial_extremes"])
-    size, powers = handover.motion.size(0), handover.rows.powers
-    place, velocity, acceleration, jerk = (horner(powers, order, "xi") for order in range(4))
+    place, velocity, acceleration, jerk = (horner(handover.rows.powers, order) for order in range(4))
 
     def curved(step: Handover) -> bool:
         return step.ended and step.mode != PULSES
@@ -69,19 +64,17 @@ def polynomial_extremes(handover: AxisHandover) -> list[Quantity]:
         speed = abs(step.reversing) if step.mode == PULSES else step.phase.y1_max if step.ended else 0.0
         return speed * step.phase.duration
 
-    squares = scaled(lambda phase: phase.y2_rms**2, 4)
     return [
         column("pv", fastest, order=0, velocity=velocity),
         column("pa", scaled(lambda phase: phase.y2_max, 2), order=0, acceleration=acceleration),
         column("pj", scaled(lambda phase: phase.y3_max, 3), order=0, jerk=jerk),
-        column("pr", squares, acceleration=horner(powers, 2, "xi_g"), scale=size**2),
         column("plow", low_high(0), order=0, place=place),
         column("phigh", low_high(1), order=0, place=place),
     ]
 
 
 def step_extremes(handover: AxisHandover) -> list[Quantity]:
-    """Return the columns of the greatest velocity, acceleration and jerk, the RMS acceleration, and both positions."""
+    """Return the columns of the greatest velocity, acceleration and jerk, and both positions."""
     column = handover.columns(CELLS["step_extremes"])
 
     def ended(figure: Callable[[Phase], float]) -> list[Any]:
@@ -97,7 +90,6 @@ def step_extremes(handover: AxisHandover) -> list[Quantity]:
         column("amax", ended(lambda phase: phase.y2_max), order=2),
         column("jumps", jumps(handover)),
         column("jmax", jerks, order=3),
-        column("rms", ended(lambda phase: phase.y2_rms), order=2),
         column("low", reaches(0), order=0),
         column("high", reaches(1), order=0),
     ]
@@ -141,17 +133,12 @@ def pulse_extremes(handover: AxisHandover, room: int) -> list[Quantity]:
         both = ((piece, handover.step_of(piece)) for piece in handover.rows.pieces)
         return filled((figure(piece) if step.mode == PULSES and piece.duration else 0.0 for piece, step in both), room)
 
-    def mean_square(piece: MotionPiece) -> float:
-        return float(WEIGHTS @ piece.curves[2](piece.duration * (NODES + 1.0) / 2.0) ** 2) / 2.0
-
     lows = of(lambda piece: float(at_points(piece, 0).min()) - handover.begin_of(piece))
     highs = of(lambda piece: float(at_points(piece, 0).max()) - handover.begin_of(piece))
-    squares = of(lambda piece: mean_square(piece) * piece.duration)
     return [
         column("before", filled(earlier, room), order=2, joints=joints),
         column("leap", filled(jumping, room), joints=joints),
         column("jerk", of(lambda piece: max(map(abs, at_ends(piece, 3)))), order=3),
-        column("square", squares, scale=max(squares) or 1.0),
         column("low", lows, order=0, place=PLACE),
         column("high", highs, order=0, place=PLACE),
     ]

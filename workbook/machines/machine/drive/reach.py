@@ -37,7 +37,7 @@ def reach_table(sheet: Sheet, view: DriveView, linkage: Linkage) -> None:
     )
 
     def of(name: str) -> str:
-        return f"=IF(INDEX([axis{i}.span],[k])>0,INDEX([axis{i}_steps.{name}],2*[k]),(@low+@high)/2)"
+        return f"=IF(INDEX([axis{i}_taken.span],[k])>0,INDEX([axis{i}_steps.{name}],2*[k]),(@low+@high)/2)"
 
     shows = "*1000" if view.driven.travels else "*180/PI()"
     place, end = (f"IF([under]>=[over],{both})" for both in ("[low],[high]", "@low_end,@high_end"))

@@ -31,7 +31,7 @@ from workbook.selection.pair_selection import PairSelection
 from workbook.template_outputs import Column, Computations, Results, Scaling
 
 SCALES = re.compile(r"(axes\.\d+\.(?:motor|reducer))\.(?!holding$)\w+|((?:master|axes\.\d+)\.rate)")
-GROWTH = {"v": ("y1_max", 1), "a": ("y2_max", 2), "j": ("y3_max", 3), "rms": ("y2_rms", 2)}
+GROWTH = {"v": ("y1_max", 1), "a": ("y2_max", 2), "j": ("y3_max", 3)}
 """by column: a figure of a phase, and the power of the rate with which it grows"""
 
 

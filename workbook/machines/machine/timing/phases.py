@@ -1,6 +1,5 @@
 """The phases of an axis on the Timing sheet: entries, results of each movement, and checks."""
 
-import math
 from collections.abc import Callable
 from typing import Any
 
@@ -11,10 +10,10 @@ from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import AT_REST
-from workbook.fields.units import DEGREE, shown, si
+from workbook.fields.units import shown
 from workbook.law_sheets.page import finite
 from workbook.laws import sampling
-from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, RMS, VELOCITY
+from workbook.laws.sampling import ACCELERATION, JERK, LAW_NUMBER, VELOCITY
 from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.stops import stop_check, stops_of
@@ -23,26 +22,28 @@ from workbook.motion.requirements import rate_columns
 
 CELLS = cell_tables(__file__)
 
-BY_ABSCISSA = "C_v h/{}", "C_a h/{}²", "C_j h/{}³", "C_a,rms h/{}²"
-IN_TIME = "y' ω", "y'' ω²", "y''' ω³", "C_a,rms h/δ² ω²"
-"""the equations of velocity, acceleration, jerk and RMS acceleration: over what is entered, and by the rate"""
 
-
-def phases_table(sheet: Sheet, tables: AxisTables) -> None:
-    """Declare the phases of an axis, below the heads of all."""
+def phases_table(sheet: Sheet, tables: AxisTables, behind: int) -> None:
+    """Declare the phases of an axis, below the heads of all, and their workings from the column ``behind`` on."""
     title = f"Phases of axis {tables.axis.number}"
-    sheet.table(tables.name, title, tables.rows, *phase_columns(tables), rules=[AT_REST], heads=False)
+    block = sheet.table(tables.name, title, tables.rows, *phase_columns(tables), rules=[AT_REST], heads=False)
+    sheet.workings(block, tables.taken, "Workings", behind, *phase_workings(tables))
 
 
 def phase_columns(tables: AxisTables) -> list[Quantity]:
-    """Return the columns of phases: entries and what follows from each, then workings."""
+    """Return the columns of phases: entries, and what each movement comes to."""
+    return [*entered(tables), *extremes(tables)]
+
+
+def phase_workings(tables: AxisTables) -> list[Quantity]:
+    """Return the columns of what the cells compute with for each phase."""
     cell = CELLS["geometric"].sharing(base=tables.axis.base)
     geometric = [
         cell("y1", moving(tables, lambda phase: phase.y1_max), own=own(tables, "vmax", VELOCITY)),
         cell("y2", moving(tables, lambda phase: phase.y2_max), own=own(tables, "amax", ACCELERATION)),
         cell("y3", moving(tables, lambda phase: phase.y3_max), own=own(tables, "jmax", JERK)),
     ]
-    return [*entered(tables), *extremes(tables), *used(tables), *geometric, *faults(tables)]
+    return [*used(tables), *geometric, *faults(tables)]
 
 
 def moving(tables: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
@@ -62,8 +63,8 @@ def own(tables: AxisTables, column: str, formula: str) -> str:
 
 
 def entered(tables: AxisTables) -> list[Quantity]:
-    """Return the columns of kind and entries, of the kinds of both ends if phases hand over, and of the end."""
-    over, axis, steps = tables.machine.over, tables.axis, f"{tables.name}_steps"
+    """Return the columns of kind and entries, of rates at the ends too if phases hand over."""
+    over, axis = tables.machine.over, tables.axis
     key = f"axes.{axis.number - 1}.phases.*"
 
     def entry(name: str) -> list[Any]:
@@ -76,13 +77,6 @@ def entered(tables: AxisTables) -> list[Quantity]:
         if over.measured:
             units, symbols = over.rates(axis.given.unit)[:2], over.symbols[1:3]
         passing = rate_columns(entry("velocity"), entry("acceleration"), key, units, symbols)
-        kinds = zip(*(step.kinds for _, step in tables.ends.phases), strict=True)
-        for end, values in zip(("begin", "end"), kinds, strict=True):
-            passing.append(cell("{end}s", filled(values, tables.rows, ""), end=end, tables=tables))
-    y = f"INDEX([{steps}.y0],2*[k])+INDEX([{steps}.h],2*[k])-[lack]"
-    reached = f"({y})*1000" if axis.given.unit == "mm" else f"DEGREES({y})"
-    ends = [shown(axis.motion.ends[k].end.y, axis.unit) for k in axis.entered]
-    size = shown(axis.motion.size(0), axis.unit)
     return [
         cell("kind", sampling.kinds(axis.phases, tables.rows), formula=doubled(sampling.kind(tables.at.ends))),
         cell("start", entry("start"), format=over.format, upper_limit=over.upper_limit),
@@ -90,7 +84,6 @@ def entered(tables: AxisTables) -> list[Quantity]:
         cell("lift", entry("lift"), unit=axis.given.unit),
         cell("law", entry("law")),
         *passing,
-        cell("y", filled(ends, tables.rows), unit=axis.given.unit, reached=reached, scale=size),
     ]
 
 
@@ -98,29 +91,19 @@ def extremes(tables: AxisTables) -> list[Quantity]:
     """Return the columns of each movement's greatest rates, and its duration where the cycle's length is entered."""
     axis, over = tables.axis, tables.machine.over
     units, lift = tuple(over.rates(axis.given.unit)), over.lift(axis.given.unit).shown
-    by = "t" if over.timed else "δ"
-    sources = [equation.format(by) for equation in BY_ABSCISSA] if over.measured else IN_TIME
 
     def timed(k: int, figure: Callable[[Phase], float]) -> list[float | str]:
         return moving(tables, lambda phase: axis.rate(figure(phase) * axis.speed**k))
 
     durations = [1000.0 * p.duration / axis.speed for p in axis.phases]
-    pauses = [1000.0 * si(gap, DEGREE) / axis.speed for gap in gaps(tables)]
     cell = CELLS["extremes"].sharing(unit=over.unit, length=over.length, symbols=over.extremes, units=units, lift=lift)
-    in_ms = [cell("ms", filled(durations, tables.rows)), cell("pause", pauses, scale=1000.0 * math.tau / axis.speed)]
     lasting = filled([over.shown(p.stop - p.start) for p in axis.given.phases], tables.rows)
-    measured = [
-        cell("lasts", lasting, symbol=over.lasting),
-        cell("rests", [over.shown(gap) for gap in gaps(tables)], shown_formula=over.shown_formula("[gap]")),
-    ]
-    own_rms = own(tables, "rms", f"={RMS}")
+    lasts = cell("lasts", lasting, symbol=over.lasting) if over.measured else cell("ms", filled(durations, tables.rows))
     return [
-        *([] if over.measured else in_ms),
-        cell("v", timed(1, lambda phase: phase.y1_max), source=sources[0]),
-        cell("a", timed(2, lambda phase: phase.y2_max), source=sources[1]),
-        cell("j", timed(3, lambda phase: phase.y3_max), source=sources[2]),
-        cell("rms", timed(2, lambda phase: phase.y2_rms), own=own_rms, source=sources[3]),
-        *(measured if over.measured else []),
+        lasts,
+        cell("v", timed(1, lambda phase: phase.y1_max)),
+        cell("a", timed(2, lambda phase: phase.y2_max)),
+        cell("j", timed(3, lambda phase: phase.y3_max)),
     ]
 
 
@@ -193,7 +176,7 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
 
     def none_in(column: str, name: str, condition: str) -> Quantity:
         called = f'[axes.name.{i}]&" row "'
-        return no_fault(f"{t}_{name}", f"{label}: {condition}", f"[{t}.{column}]", called)
+        return no_fault(f"{t}_{name}", f"{label}: {condition}", f"[{tables.taken}.{column}]", called)
 
     lacks = amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}")
     ends = amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")

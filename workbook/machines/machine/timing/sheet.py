@@ -12,43 +12,32 @@ from workbook.fields.units import PER_MINUTE, shown, si
 from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.cycle import CURVES, LANE_SHARE
-from workbook.machines.machine.timing.phases import axis_checks, phase_columns, phases_table
+from workbook.machines.machine.timing.phases import axis_checks, phase_columns, phase_workings, phases_table
 from workbook.machines.machine.timing.stops import stop_cell, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 
 CELLS = cell_tables(__file__)
 MARKS = {"mm": "mm", "°": "deg"}
 
-# the row and the column that the diagram begins at; rows of the other charts
-TOP, DIAGRAM, CURVE_ROWS = 5, 11, 12
+TOP, DIAGRAM = 5, 11  # the row and the column that the diagram begins at
+LANES, LANE_ROWS = 6, 3  # columns and rows of the lane of a curve
 LABELS = 28.0  # width of the column of labels
-RATES = 11.0  # width of the columns of velocity, acceleration and jerk, whose units are long
-LEAST, COMPARED, PASSING = 13, 15, 16
-"""columns that are printed: of the axes, of axes at two rates, of phases that hand over at speed"""
+NARROW = 6.5  # width of the columns over which charts lie, behind phases that hand over
 
 
 def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> None:
-    """Declare the sheet: what to enter at the top, the diagram beside it, the phases of each axis below."""
-    cell = CELLS["timing_sheet"]
-    sheet = book.sheet("Timing", f"The axes over {machine.over.cycle}: phases, movements, timing diagram.")
+    """Declare the sheet: what to enter, the diagram beside it, the axes, and the phases of each with its curves."""
+    sheet = book.sheet("Timing", f"What the axes do over {machine.over.cycle}; between phases they rest.")
+    behind = FIRST + len(phase_columns(axes[0]))
+    sheet.print_columns, sheet.folded = behind + LANES - 1, behind + LANES
+    narrow = range(behind, behind + LANES) if machine.hands_over else ()
+    sheet.widths = {FIRST: LABELS} | dict.fromkeys(narrow, NARROW)
     sheet.heading("Enter")
-    weight = cell("gravity", machine.given.gravity)
-    driven = any(axis.given.motor for axis in machine.axes)
-    creeping = cell("creep_forces", machine.given.creep_forces)
-    limits = [creeping, *entry_cells(machine.given.limits, "limits")] if driven else []
-    sheet.rows(*pace(machine), *([weight] if machine.given.weighs else []), *limits)
-    columns = COMPARED if compared_rate(machine) else LEAST
-    columns = PASSING if machine.hands_over else columns
-    draw_diagram(sheet, machine, columns)
-    draw_curves(sheet, machine, columns)
-    axes_table(sheet, machine, columns)
-    phases_heads(sheet, axes)
-    for tables in axes:
-        i, unit = tables.axis.number, tables.axis.given.unit
-        sheet.put(cell("axis{i}_name", tables.axis.given.name, i=i), sheet.row, FIRST)
-        sheet.put(constant(f"axis{i}_{MARKS[unit]}", "Moves in", "", "", unit, align="left"), sheet.row, FIRST + 1)
-        sheet.row += 1
-        phases_table(sheet, tables)
+    rarely = rarely_changed(machine)
+    sheet.rows(*pace(machine), *rarely, section="Rarely changed", first=next(iter(rarely), None))
+    draw_diagram(sheet, machine)
+    axes_table(sheet, machine)
+    phases_of_axes(sheet, machine, axes, behind)
     stops = [stop_cell(stop) for tables in axes for stop in stops_of(tables.axis)]
     if stops:
         sheet.heading("Hard stops")
@@ -59,19 +48,42 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
         sheet.checks(verdict)
         axis_checks(sheet, tables)
     sheet.heading("Workings")
-    sheet.rows(
-        cell("eps", machine.near), cell("timing_end", 360.0 - 2.0 * machine.near), cell("timing_lane", LANE_SHARE)
-    )
-    sheet.widths = {FIRST: LABELS} | dict.fromkeys(range(FIRST + columns - 4, FIRST + columns), RATES)
-    sheet.print_columns, sheet.folded = FIRST + columns - 1, FIRST + columns
+    cell = CELLS["timing_sheet"]
+    end = cell("timing_end", 360.0 - 2.0 * machine.near)
+    sheet.rows(cell("eps", machine.near), end, cell("timing_lane", LANE_SHARE))
 
 
-def phases_heads(sheet: Sheet, axes: list[AxisTables]) -> None:
-    """Write the heads over the phases of all axes, with the units of each."""
-    each = [phase_columns(tables) for tables in axes]
+def rarely_changed(machine: MachineView) -> list[Quantity]:
+    """Return gravity, and the limits and reserves of all drives, where there are any."""
+    cell, given = CELLS["timing_sheet"], machine.given
+    driven = any(axis.given.motor for axis in machine.axes)
+    creeping = cell("creep_forces", given.creep_forces)
+    limits = [creeping, *entry_cells(given.limits, "limits")] if driven else []
+    return [*([cell("gravity", given.gravity)] if given.weighs else []), *limits]
+
+
+def phases_of_axes(sheet: Sheet, machine: MachineView, axes: list[AxisTables], behind: int) -> None:
+    """Declare the phases of all axes in a table, and beside each axis its curves in lanes."""
+    sheet.heading("Phases", "Fill one row each, in order; leave spare rows empty. Beside: the rates of each axis.")
+    top, taken = sheet.row, behind + LANES + 1
+    workings = with_all_units([phase_workings(tables) for tables in axes])
+    sheet.heads("Workings", [q._replace(source="") for q in workings], taken)  # whose equations are with the cells
+    sheet.row = top
+    sheet.heads("", with_all_units([phase_columns(tables) for tables in axes]))
+    for tables in axes:
+        top, i, unit = sheet.row, tables.axis.number, tables.axis.given.unit
+        cell = CELLS["timing_sheet"]
+        sheet.put(cell("axis{i}_name", tables.axis.given.name, i=i), sheet.row, FIRST)
+        sheet.put(constant(f"axis{i}_{MARKS[unit]}", "Moves in", "", "", unit, align="left"), sheet.row, FIRST + 1)
+        sheet.row += 1
+        phases_table(sheet, tables, taken)
+        draw_lanes(sheet, machine, tables.axis, top, behind)
+
+
+def with_all_units(each: list[list[Quantity]]) -> list[Quantity]:
+    """Return the columns of the first of like tables, each with the units of all of them."""
     units = [", ".join(dict.fromkeys(q.unit for q in same if q.unit)) for same in zip(*each, strict=True)]
-    sheet.heading("Phases", "Fill one row each, in order; between them an axis rests; leave spare rows empty.")
-    sheet.heads("", [q._replace(unit=unit) for q, unit in zip(each[0], units, strict=True)])
+    return [q._replace(unit=unit) for q, unit in zip(each[0], units, strict=True)]
 
 
 def pace(machine: MachineView) -> list[Quantity]:
@@ -96,7 +108,7 @@ def pace(machine: MachineView) -> list[Quantity]:
     ]
 
 
-def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
+def draw_diagram(sheet: Sheet, machine: MachineView) -> None:
     """Place the timing diagram beside the entries: a lane for each axis over the master angle."""
     count, over = len(machine.given.switches), machine.over
     n = len(machine.axes) + count
@@ -104,9 +116,9 @@ def draw_diagram(sheet: Sheet, machine: MachineView, columns: int) -> None:
     lines += [Series(f"=switch{i}_name", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]") for i in range(1, count + 1)]
     bars = ", bars where a switch is on" if count else ""
     about = f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}"
-    chart = Chart("Timing diagram", over.title, "", tuple(lines), about, over.axis(30), (0, n, 1), lanes=True)
-    height = max(12, 5 + n + n // 2)
-    sheet.chart(chart, DIAGRAM, TOP, FIRST + columns - DIAGRAM, height)
+    chart = Chart("Timing diagram", over.title, "", tuple(lines), about, over.axis(60), (0, n, 1), lanes=True)
+    height = max(sheet.row - TOP, 5 + n + n // 2)
+    sheet.chart(chart, DIAGRAM, TOP, sheet.folded - DIAGRAM, height)
     sheet.row = max(sheet.row, TOP + height)
 
 
@@ -116,22 +128,17 @@ def curve(axis: MovingAxis, x: str, column: str) -> Series:
     return Series(f"=axis{i}_name", f"[cycle{i}.{x}]", f"[cycle{i}.{column}]", color=colour(i))
 
 
-def draw_curves(sheet: Sheet, machine: MachineView, columns: int) -> None:
-    """Place charts of velocity, acceleration and jerk: a row for travelling axes, another for turning."""
-    sheet.row += 1
-    over, moving = machine.over, dict.fromkeys(axis.given.unit for axis in machine.axes)
-    for unit in moving:
-        of = {"mm": ", travelling", "°": ", turning"}[unit] if len(moving) > 1 else ""
-        charts: list[Chart] = []
-        for (column, word), symbol, shown_in in zip(CURVES.items(), over.symbols[1:], over.rates(unit), strict=True):
-            lines = tuple(curve(axis, over.column, column) for axis in machine.axes if axis.given.unit == unit)
-            title = f"{word.capitalize()}{of}"
-            about = f"{title} over the {over.name}, a line for each axis"
-            charts.append(Chart(title, over.title, f"{symbol} [{shown_in}]", lines, about, over.axis(60)))
-        for k, chart in enumerate(charts):
-            first, last = (FIRST + columns * part // len(charts) for part in (k, k + 1))
-            sheet.chart(chart, first, sheet.row, last - first, CURVE_ROWS)
-        sheet.row += CURVE_ROWS
+def draw_lanes(sheet: Sheet, machine: MachineView, axis: MovingAxis, top: int, column: int) -> None:
+    """Place velocity, acceleration and jerk of an axis below each other, from a row on, each in its own scale."""
+    over, i = machine.over, axis.number
+    rates = zip(CURVES.items(), over.symbols[1:], over.rates(axis.given.unit), strict=True)
+    height = max(LANE_ROWS, (sheet.row - top) // len(CURVES))
+    for k, ((name, word), symbol, unit) in enumerate(rates):
+        about = f"{word.capitalize()} of axis {i} over the {over.name}"
+        line, title = curve(axis, over.column, name), f"{symbol} [{unit}]"
+        lane = Chart(title, "", "", (line,), about, over.axis(60), legend=False, is_lane=True)
+        sheet.chart(lane, column, top + k * height, LANES, height)
+    sheet.row = max(sheet.row, top + height * len(CURVES))
 
 
 def units(machine: MachineView, order: int = 0) -> str:
@@ -140,8 +147,8 @@ def units(machine: MachineView, order: int = 0) -> str:
     return ", ".join((unit, *machine.over.rates(unit))[order] for unit in each)
 
 
-def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
-    """Declare the names of the axes, what each must do and what it comes to; shifts as taken behind so many columns."""
+def axes_table(sheet: Sheet, machine: MachineView) -> None:
+    """Declare the names of the axes, what each must do and what it comes to; behind what is printed shifts as taken."""
     axes, over, unit = machine.axes, machine.over, units(machine)
     entry = table_of(Axis).columns([axis.typed for axis in axes], "axes", len(axes))
     size = max(shown(axis.motion.size(0), axis.unit) for axis in axes)
@@ -160,14 +167,14 @@ def axes_table(sheet: Sheet, machine: MachineView, columns: int) -> None:
         entry("smooth"),
         entry("shift", place=over.unit, format=over.format),
         entry("position", unit=unit),
-        cell("travel", travels, scale=max(greatest_lifts(axes)) or 1.0, **parts),
+        cell("travel", travels, scale=max(axis.greatest_lift for axis in axes) or 1.0, **parts),
         cell("low", lows, scale=size, **parts),
         cell("high", highs, scale=size, **parts),
         cell("v", [axis.max_velocity for axis in axes], symbol=over.symbols[1], unit=speed),
         cell("a", [axis.max_acceleration for axis in axes], symbol=over.symbols[2], unit=acceleration),
         *extremes_compared(machine),
     )
-    sheet.workings(table, "axes_taken", "Workings", FIRST + columns + 1, *taken(machine))
+    sheet.workings(table, "axes_taken", "Workings", sheet.folded + 1, *taken(machine))
 
 
 def in_units(axes: list[MovingAxis]) -> dict[str, list[Any]]:
@@ -180,15 +187,10 @@ def in_units(axes: list[MovingAxis]) -> dict[str, list[Any]]:
     }
 
 
-def greatest_lifts(axes: list[MovingAxis]) -> list[float]:
-    """Return the greatest size of a lift of each axis, in its unit."""
-    return [max(abs(shown(phase.lift, axis.unit)) for phase in axis.motion.phases) for axis in axes]
-
-
 def taken(machine: MachineView) -> list[Quantity]:
     """Return the columns of what the cells compute with: shift, begin, greatest lift, jumps of the position."""
     cell, axes, over, unit = CELLS["axes_taken"], machine.axes, machine.over, units(machine)
-    lifts, parts = greatest_lifts(axes), in_units(axes)
+    lifts, parts = [axis.greatest_lift for axis in axes], in_units(axes)
     begins = [si(axis.given.position, axis.unit) for axis in axes]
     base = ", ".join(dict.fromkeys(axis.base for axis in axes))
     to_base = ["[position]/1000" if axis.given.unit == "mm" else "RADIANS([position])" for axis in axes]

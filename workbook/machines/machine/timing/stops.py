@@ -46,20 +46,15 @@ class HardStop(NamedTuple):
         return self.outwards * math.inf if self.entered is None else self.entered
 
     @property
-    def lift(self) -> float:
-        """The greatest lift of a phase."""
-        return shown(max(abs(phase.lift) for phase in self.axis.motion.phases), self.axis.unit)
-
-    @property
     def tolerance(self) -> float:
         """By how much rounding may carry the axis beyond it."""
-        return ZERO * (self.lift + abs(self.entered or 0.0))
+        return ZERO * (self.axis.greatest_lift + abs(self.entered or 0.0))
 
     @property
     def feeds_on(self) -> bool:
         """Whether the axis goes on towards it, cycle by cycle."""
         travel = shown(self.axis.motion.lifts_sum, self.axis.unit)
-        return self.axis.given.closes == "feed" and self.outwards * travel > ZERO * self.lift
+        return self.axis.given.closes == "feed" and self.outwards * travel > ZERO * self.axis.greatest_lift
 
     @property
     def reached(self) -> float:
