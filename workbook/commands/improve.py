@@ -31,7 +31,6 @@ from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import refuse_existing, refuse_itself, refuse_suffix, write_text
 
-FITS = "still fits"
 DESCRIPTION = "a machine description, a .toml file"
 
 
@@ -89,7 +88,7 @@ def freeze(path: Path, output: Path | None, force: bool) -> int:
     with ERR.status("Shaping laws for their drives …"):
         laws = [*reshaped_laws(first_design(read_description(path), is_roomy(path), AIMS["acceleration"]))]
     for _, words, gain in laws:
-        say(OUT, f"{words}, {gain or FITS}")
+        say(OUT, f"{words}, {gain or 'still fits'}")
     if not laws:
         expected = 'laws.OPT.shaped = "torque", or "rate"; or a shaper'
         raise InputError([f"{path}: no law is shaped for its drive or its load; expected {expected}"])
@@ -129,7 +128,7 @@ def show_fit(design: Design, lines: list[str]) -> None:
     """Print whether laws that are shaped still fit their drives, or what shaping them anew gains."""
     try:
         for _, words, gain in reshaped_laws(design):
-            show(lines, f"{words}, {gain or FITS}")
+            show(lines, f"{words}, {gain or 'still fits'}")
     except InputError as error:  # of a law that several phases have, or none
         show(lines, str(error), "yellow")
 

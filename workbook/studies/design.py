@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import ModuleType
-from typing import Any
+from typing import Any, cast
 
 from engine.drive.highest_rate import RateLimit, highest_rate
 from engine.drive.limits import LimitChecks
@@ -72,12 +72,13 @@ class Design:
 
     @cached_property
     def rate_to_write(self) -> float | None:
-        """The highest rate (cycles/min) that sheets and the exact engine hold, cut off; None of another aim."""
+        """The highest rate (cycles/min) that sheets and the exact engine hold, to two decimals; None of another aim."""
         if get(self.machine, RATE) is None or not self.aim.is_rate:
             return None
-        exact = cut_off(self.shown(max(self.cost, self.exact_cost)))
-        there = changed_machine(self.base, dict(self.data), {**self.changes, RATE: exact})
-        return exact if isinstance(there, str) else min(exact, cut_off(self.improving.sheet_rate(there)))
+        rate = self.shown(max(self.cost, self.exact_cost))
+        there = changed_machine(self.base, dict(self.data), {**self.changes, RATE: rate})
+        rate = rate if isinstance(there, str) else min(rate, self.improving.sheet_rate(there))
+        return rate if math.isinf(rate) else math.floor(rate * 100.0) / 100.0
 
     def is_no_worse(self, than: "Design", broken: Set[str]) -> bool:
         """Return whether it breaks nothing else, and is no worse than another: exactly, and by the rate of its book.
@@ -86,7 +87,7 @@ class Design:
         """
         if not self.breaks() <= broken or self.exact_cost > than.exact_cost:
             return False
-        return (self.rate_to_write or math.inf) >= (than.rate_to_write or 0.0)
+        return self.rate_to_write is None or self.rate_to_write >= (than.rate_to_write or 0.0)
 
     def shown(self, cost: float) -> float:
         """Return a cost as it is shown: as a rate (cycles/min), or in the unit of the aim."""
@@ -94,8 +95,8 @@ class Design:
 
     def limits(self, axis: str) -> LimitChecks:
         """Return the limits of the drive of an axis."""
-        limits: LimitChecks = self.improving.limit_checks(self.machine)[axis]()
-        return limits
+        driven = self.improving.shaping.drives(self.machine)[axis]()
+        return cast("LimitChecks", driven.limit_checks)
 
     def changed(self, change: Change) -> "Design | str":
         """Return the design with a change, or why there is none such: axes that it leaves alone keep their costs."""
@@ -148,7 +149,7 @@ def first_design(machine: Machine, is_roomy: bool, aim: Aim = AIMS["rate"], axis
     improving = design.improving
     for sentence in (name for name in design.breaks() if name.startswith("timing.")):
         raise InputError([sentence])
-    rates = {name: at_points(make()).range.high for name, make in improving.limit_checks(machine).items()}
+    rates = {name: at_points(design.limits(name)).range.high for name in improving.shaping.drives(machine)}
     if not aim.is_rate:
         return aimed(design, axis, rates)
     if axis:
@@ -179,8 +180,3 @@ def aimed(design: Design, axis: str, rates: Mapping[str, float]) -> Design:
     held = {name: min(rate, design.rate) for name, rate in rates.items()}
     aim = design.aim._replace(unit=figures[most].unit)
     return replace(design, costs={most: figures[most].value}, held=held, aim=aim)
-
-
-def cut_off(rate: float) -> float:
-    """Return a rate rounded down to two decimals."""
-    return rate if math.isinf(rate) else math.floor(rate * 100.0) / 100.0

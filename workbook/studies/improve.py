@@ -163,6 +163,5 @@ def given_out_anew(design: Design, name: str) -> tuple[Design, str, str]:
     then, now = (laws(each.machine.laws)[name].s(SAMPLES) for each in (design, other))
     if abs(now - then).max() < SAME:
         return design, change.words, ""
-    left = [each.improving.figure_of(each.machine, axis, design.aim) for each in (design, other)]
-    unit = design.aim._replace(unit=left[0].unit)
-    return other, change.words, gain_in_words(replace(other, aim=unit), left[0].value, left[1].value)
+    before, after = (each.improving.figure_of(each.machine, axis, design.aim) for each in (design, other))
+    return other, change.words, f"leaves {before.value:.4g} → {after.value:.4g} {after.unit} in RMS"

@@ -90,6 +90,14 @@ def test_a_sum_that_has_itself_is_a_circle(tmp_path):
     assert ("circular", ("Sheet", "C9")) in named(audited(book, tmp_path / "book.xlsx"))
 
 
+def test_another_file_is_named_once_whatever_its_sheets(tmp_path):
+    book = openpyxl.Workbook()
+    for formula in ("=[3]Prices!B7*2", "=[3]Rates!B7*2", "=[4]Rates!B7*2"):
+        book.active.append([formula])
+    found = named(audited(book, tmp_path / "book.xlsx"))
+    assert {cell for rule, (_, cell) in found if rule == "link"} == {"A1", "A3"}
+
+
 @pytest.mark.parametrize(("total", "cells"), [("=SUM(C1:C4)", {"B5"}), ("=SUM(Other!C1:C4)", set())])
 def test_a_number_among_totals_is_named_where_these_are_of_its_own_sheet(total, cells, tmp_path):
     book = openpyxl.Workbook()

@@ -3,6 +3,7 @@
 import copy
 
 import pytest
+from openpyxl import Workbook
 from openpyxl.chart import ScatterChart
 from openpyxl.drawing.spreadsheet_drawing import AnchorMarker, TwoCellAnchor
 from openpyxl.formatting.rule import CellIsRule, DataBarRule, FormulaRule, IconSetRule, Rule
@@ -17,6 +18,7 @@ from tests.workbook.judging.hands import STYLES, WORKBOOK, sub
 from tests.workbook.judging.synthetic import Small, spots
 from workbook.errors import ReadError
 from workbook.judging.display.flat import format_sections
+from workbook.judging.display.sheets import SheetView
 
 DRIVE, CHART, PICTURE = "xl/worksheets/sheet1.xml", "xl/charts/chart1.xml", "xl/drawings/drawing1.xml"
 RELS = "xl/worksheets/_rels/sheet1.xml.rels"
@@ -285,6 +287,13 @@ def test_a_failing_check_and_the_overall_verdict_out_of_sight_are_found(hide, bo
         report = one.edited(lambda workbook, title=title, at=at: hide(workbook[title], *at))
         assert {found.sheet for found in report.findings} == {title}
         assert all(found.computed.startswith("hidden by") for found in report.findings)
+
+
+def test_the_first_row_and_column_that_can_be_scrolled_to_are_in_sight():
+    sheet = Workbook().active
+    sheet.freeze_panes, sheet.sheet_view.topLeftCell = "B2", "D6"
+    places = ((6, 4), (5, 4), (6, 3))
+    assert [SheetView(sheet).hidden_by(*at)[:12] for at in places] == ["", "a hidden or ", "a hidden or "]
 
 
 @pytest.mark.parametrize("state", ["hidden", "veryHidden"])

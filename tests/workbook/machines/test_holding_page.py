@@ -58,12 +58,3 @@ def test_the_page_prints_what_the_cells_compute(figures):
     assert set(printed()) == set(figures)
     for what, (value, decimals) in printed().items():
         assert figures[what] == pytest.approx(value, abs=0.51 * 10.0**-decimals), what
-
-
-def test_the_labels_of_the_sheet_use_the_words_of_the_page():
-    book = TEMPLATE.declare(
-        validated(TEMPLATE, tomllib.loads(re.search(r"```toml\n(.*?)```", PAGE, re.DOTALL)[1]), str)
-    )
-    labels = " ".join(q.label.lower() for block in book.blocks.values() for q in block.quantities)
-    for words in ("holding torque", "standstill", "no-load torque"):
-        assert words in labels

@@ -8,6 +8,7 @@ from tests.tiers import nights
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.simulated import Simulated, bus_of
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
+from tests.workbook.machines.test_machine_drives import small as with_laws
 from workbook.fields.units import KW
 from workbook.machines.machine.drive_entries import PowerEntry
 from workbook.machines.machine.exact import drives_of
@@ -109,6 +110,16 @@ def test_many_drives_whose_cuts_all_differ_are_bounded_with_few_samples(number):
     saved = value("bus_apart") - exact.mean / KW
     widest = 1.7 if least == 4.0 else 1.3  # a move of 4° takes and returns between the samples of 30°
     assert 0.97 * saved <= value("bus_saved_most") < widest * saved
+
+
+def test_a_drive_that_only_gives_back_takes_nothing_from_the_mains():
+    """A line all around the cycle, down which its load pulls it."""
+    made = with_laws(driven((0.0, 360.0, 200.0, "LIN"), closes="feed", load={"mass": 5.0, "force": -1000.0}))
+    made = made.model_copy(update={"power": POWER})
+    assert disagreeing(TEMPLATE, made)[0] == []
+    value = computed(TEMPLATE, made)
+    assert [value(f"bus_mains_{end}") for end in ("peak", "most")] == [0.0, 0.0]
+    assert value("bus_resistor_peak") > 0.0
 
 
 def test_what_the_bus_saves_in_a_year_has_a_price():

@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from workbook.reading.rows import Refusal, Totals
+from workbook.reading.rows import MOST_OUTSIDE, Refusal, Totals
 from workbook.reading.scan import Scan
 
 SMALL = (
@@ -94,3 +94,13 @@ def test_bytes_changed_at_random_are_read_or_refused() -> None:
         except Refusal:
             refused += 1
     assert 1_000 < refused < 3_000
+
+
+def test_a_pivot_cache_counts_once_more_for_each_sheet() -> None:
+    """For each it is parsed anew."""
+    totals = Totals()
+    for _ in range(10):
+        totals.element("sheet", 0, False)
+    totals.element("r", MOST_OUTSIDE // 12, True)
+    with pytest.raises(Refusal, match="XML elements"):
+        totals.element("r", MOST_OUTSIDE // 12, True)

@@ -22,9 +22,10 @@ from workbook.errors import AGREES, FAILS, InputError, WriteError
 from workbook.fields.paths import table
 from workbook.fields.units import PER_MINUTE, si
 from workbook.judging.verify import verify
+from workbook.laws.entries import references
 from workbook.machines.machine.exact import axes_of, drives_of, limits_of
 from workbook.machines.machine.gap import ClearanceView
-from workbook.machines.machine.studies import changes, timing
+from workbook.machines.machine.studies import changes, shaping, timing
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
 from workbook.studies import improve_sheet
@@ -69,6 +70,23 @@ def test_each_gain_is_that_of_the_exact_engine_with_the_machine_changed(cutting)
         assert 1.0 / gain.after == pytest.approx(rate_range(view.driven.limit_checks).high / math.tau, rel=1e-5)
 
 
+@pytest.mark.parametrize(
+    ("slope", "friction", "count"), [(90.0, 0.2, 2), (-30.0, 0.0, 2), (30.0, 0.2, 1), (0.0, 0.2, 0)]
+)
+def test_a_weight_is_held_by_a_spring_and_by_a_counterweight_that_moves_too(slope, friction, count, tmp_path) -> None:
+    load = {"mass": 40.0, "slope": slope, "friction": friction, "force": 10.0}
+    machine = read_machine(base(tmp_path, load=load))
+    held = [*changes.balanced(machine, 0)]
+    assert len(held) == count
+    weight, share = 40.0 * machine.gravity * math.sin(math.radians(slope)), 1.0 + abs(math.sin(math.radians(slope)))
+    for change, moved in zip(held, (1.0, share), strict=False):
+        other = changed_machine(machine, table(machine), change.entries)
+        then, now = (shaping.drives(each)["MC01"]().train for each in (machine, other))
+        assert now.force(0.0, ()).level == pytest.approx(10.0)
+        assert then.force(0.0, ()).level == pytest.approx(10.0 + weight)
+        assert other.axes[0].load.mass == pytest.approx(40.0 * moved)
+
+
 def test_an_edge_keeps_the_order_of_all_edges_and_stays_within_10_degrees() -> None:
     machine = read_machine(TEMPLATES["machine"].description)
     before = [place for axis in machine.axes for place in timing.places_of(axis)]
@@ -108,18 +126,23 @@ def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number
             assert at_speed(view.driven.limit_checks, speed).worst.use <= 1.0 + 1e-9
 
 
+SMALL = {"cycle": 4, "law": 4, "export": 1, "points": 8, "rotors": 2}
+
+
 def apart(machine):
-    """A machine whose first two axes, if there are, keep nine tenths of the least gap that their motions leave."""
-    if len(machine.axes) < 2:
-        return machine
-    names = [axis.name for axis in machine.axes]
-    data = table(machine) | {"clearances": [{"name": "Gap", "first": names[0], "second": names[1], "least": -1e4}]}
-    machine = TEMPLATES["machine"].model.model_validate(data)
-    gap = ClearanceView(machine.clearances[0], 1, axes_of(machine))
-    (kept,) = data["clearances"]
-    return TEMPLATES["machine"].model.model_validate(
-        data | {"clearances": [kept | {"least": gap.exact - 0.1 * abs(gap.exact)}]}
-    )
+    """A small machine whose first two axes, if there are, keep nine tenths of the least gap of their motions."""
+    named = {reference.name for reference in references(machine)}
+    data = table(machine) | {"laws": {name: law for name, law in machine.laws.root.items() if name in named}}
+    data["sizes"] = SMALL | {
+        "phases": max(2, *(len(axis.phases) for axis in machine.axes)),
+        "positions": machine.sizes.positions,
+    }
+    if len(machine.axes) > 1:
+        pair = {"name": "Gap", "first": machine.axes[0].name, "second": machine.axes[1].name}
+        wide = TEMPLATES["machine"].model.model_validate(data | {"clearances": [pair | {"least": -1e4}]})
+        gap = ClearanceView(wide.clearances[0], 1, axes_of(wide)).exact
+        data["clearances"] = [pair | {"least": gap - 0.1 * abs(gap)}]
+    return TEMPLATES["machine"].model.model_validate(data)
 
 
 def failing(machine):
@@ -129,21 +152,22 @@ def failing(machine):
     return {q.name for _, q in book.checks if exact.judge(q.name, q.value, "")[0] != OK}
 
 
-@pytest.mark.parametrize("number", nights(50))
+@pytest.mark.parametrize("number", nights(200))
 def test_a_drawn_machine_improved_is_never_worse_and_its_book_verifies(number: int, tmp_path) -> None:
-    """Four nights are 200 machines: laws and edges, clearances kept, each book built at its rate and verified."""
+    """Laws and edges, clearances kept; the book is built at the rate that would be written, and verified."""
     try:
-        design = first_design(apart(drawn_machine(number, seed("improved"))), True)
+        design = first_design(apart(drawn_machine(number, seed("improved"))), False)
     except InputError:
         return  # no drive limits it
     best = design
     for other in islice(better(design, ("law", "edge"), THIS_PROCESS, silent), 3):
         assert other.rate >= best.rate
+        assert other.exact_cost <= best.exact_cost
         best = other
     before, rate = design.rate_to_write, best.rate_to_write
     if not before or not rate:
         return
-    assert rate >= before * (1.0 - 0.01)  # to what sheets state of rates
+    assert rate >= before
     machine = at_rate(best, rate)
     assert failing(machine) <= failing(at_rate(design, before))
     write_book(machine, tmp_path / "faster.xlsx")

@@ -12,7 +12,7 @@ from tests.workbook.studies.studied import base
 from workbook.book_layout import layout_text
 from workbook.errors import InputError
 from workbook.fields.paths import table
-from workbook.improving import AIMS
+from workbook.improving import AIMS, Room
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
 from workbook.studies.design import first_design
@@ -174,3 +174,8 @@ def test_an_axis_that_is_not_there_is_told(press) -> None:
         first_design(press, False, AIMS["acceleration"], "X")
     with pytest.raises(InputError, match="no axis has a drive"):
         first_design(press, False, AIMS["torque"])
+
+
+def test_edges_move_by_whole_steps_within_their_room() -> None:
+    room = Room("", {}, {}, low=-2.3, high=1.2, step=0.5, after="")
+    assert [room.rounded(by) for by in (-9.0, -0.8, 0.74, 9.0)] == [-2.0, -1.0, 0.5, 1.0]

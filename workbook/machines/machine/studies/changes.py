@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -30,11 +29,6 @@ from workbook.template_outputs import LIMITS
 LIGHTER = 0.9  # of the inertias of load and parts
 RESERVES = {"rms_reserve": "RMS torque", "peak_reserve": "peak torque", "speed_reserve": "speed"}
 NEAR = 1e-9  # of a torque or a ratio: those that differ by less are the same
-
-
-def limit_checks(machine: AnyMachine) -> dict[str, Any]:
-    """Return functions that give the limits of the drives of a machine, by the names of their axes."""
-    return {name: partial(lambda make: make().limit_checks, make) for name, make in shaping.drives(machine).items()}
 
 
 def where(machine: AnyMachine, name: str, moment: Moment) -> str:
@@ -75,6 +69,7 @@ def changes(machine: AnyMachine, name: str, rate: float, aim: Aim) -> Iterator[C
     if machine.axes[i].motor:
         yield from product_changes(machine, i)
         yield from lighter(machine.axes[i], i)
+        yield from balanced(machine, i)
     if aim.is_rate:
         yield from reserve_changes(machine, i)
 
@@ -126,6 +121,24 @@ def lighter(axis: Axis, i: int) -> Iterator[Change]:
             entries["axes", str(i), "parts", str(k), name] = LIGHTER * getattr(part, name)
     if entries:
         yield Change(f"{axis.name}: load and parts with 10 % less inertia", entries, "other")
+
+
+def balanced(machine: AnyMachine, i: int) -> Iterator[Change]:
+    """Yield the weight of a load on a slope held by a spring of constant force, and by a counterweight as heavy.
+
+    That of a load that rubs on a slope would rub too as an entry of its mass, so only a spring holds it.
+    """
+    axis, path = machine.axes[i], ("axes", str(i), "load")
+    load, slope = axis.load, si(axis.load.slope, DEGREE)
+    weight = load.mass * machine.gravity * math.sin(slope)
+    if abs(weight) < NEAR:
+        return
+    begin = f"{axis.name}: weight of {figure(load.mass)} kg held by"
+    yield Change(f"{begin} a spring of {abs(weight):.4g} N", {(*path, "force"): load.force - weight}, "other")
+    if not load.friction or math.cos(slope) < NEAR:
+        share = 1.0 + abs(math.sin(slope))
+        moved: dict[Place, Any] = {(*path, "mass"): share * load.mass, (*path, "force"): load.force - share * weight}
+        yield Change(f"{begin} a counterweight", moved, "other")
 
 
 def reserve_changes(machine: AnyMachine, i: int) -> Iterator[Change]:
