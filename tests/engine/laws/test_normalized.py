@@ -58,8 +58,9 @@ def test_a_sine_that_gains_nothing_keeps_its_place():
         [Piece(0.5, (-4.0, 0, 0, 0)), Piece(0.5, (4.0, 0, 0, 0))],
         [Piece(1.0, (0.0, -60.0, 180.0, -120.0))],
         [Piece(0.5, (1e-8, 0, 0, 0)), Piece(0.5, (-4.0, 0, 0, 0))],
+        [Piece(0.5, amplitude=1.0, omega=4.0 * math.pi), Piece(0.5, (-2.0, 0, 0, 0))],
     ],
-    ids=["only speeds up", "stands", "falls", "falls in one piece", "gains next to nothing"],
+    ids=["only speeds up", "stands", "falls", "falls in one piece", "gains next to nothing", "slows down from rest"],
 )
 def test_a_law_that_no_scale_mends(pieces):
     with pytest.raises(ValueError, match="expected it to speed up, then slow down"):

@@ -238,3 +238,5 @@ def test_a_spline_takes_the_velocity_of_a_line_unless_its_slope_is_entered():
     assert shortfalls(found((None, None)).motion, "velocity") == ()
     (jump,) = shortfalls(found((None, 1.0)).motion, "velocity")
     assert jump.size == pytest.approx(6.0 - 5.0)
+    (jump,) = shortfalls(found((1.0, None)).motion, "velocity")  # at its begin alone
+    assert jump.size == pytest.approx(5.0)

@@ -9,6 +9,8 @@ from tests.workbook.composed import composed as one_axis
 from workbook.book.quantity import SAYS
 from workbook.build import build
 from workbook.judging.verify import verify
+from workbook.laws.entries import Laws
+from workbook.motion.requirements import dwells_for_room, piece_counts
 
 
 def composed(phases, **axis):
@@ -68,3 +70,11 @@ def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
 def test_the_room_is_a_few_rows_more_than_are_used():
     machine = composed([("MTP", 5.0, 15.0) for _ in range(24)])
     assert machine.sizes.motion_pieces == 24 * 7 + 8
+
+
+@pytest.mark.parametrize("room", range(4, 24))
+def test_phases_of_a_variation_rest_until_the_pieces_of_all_find_room(room):
+    counts = piece_counts(Laws.model_validate({}))
+    phases = dwells_for_room([{"law": law} for law in ("CUB", "MTP", "CIC", "MTP")], {}, room)
+    assert sum(counts[phase["law"]] for phase in phases) <= room
+    assert room < sum(counts[law] for law in ("CUB", "MTP", "CIC", "MTP")) or "DWL" not in str(phases)
