@@ -456,3 +456,9 @@ def test_dates_are_numbers_and_saved_values_are_not_used() -> None:
 def test_shared_shapes_keep_texts_and_kinds_apart() -> None:
     cells = {"A1": '="x"&1', "A2": '="y"&1', "A3": "=TRUE&1", "A4": "=1&1", "A5": "=1.0&1", "A6": '="1"&1'}
     assert list(evaluate(book(cells)).values()) == ["x1", "y1", "TRUE1", "11", "11", "11"]
+
+
+def test_what_a_formula_reads_are_the_cells_of_its_ranges_too() -> None:
+    graph = PycelModel(book({"A1": 1, "A2": "=A1+1", "B1": "=SUM(A1:A2)*C1", "C1": 2})).graph()
+    (number,) = (number for number, cell in graph.cells.items() if cell == at("B1"))
+    assert {graph.cells[source] for source in graph.sources(number)} == {at("A1"), at("A2"), at("C1")}
