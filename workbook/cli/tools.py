@@ -217,7 +217,7 @@ def watch(
     The verdict on the values comes first; what is shown, and formulas at other entries, are compared after it. It is
     told here and on a page that updates itself, with the entries and results that the save changed.
     """
-    from workbook.serve.watch import watch as watching
+    from workbook.watch.watch import watch as watching
 
     try:
         raise typer.Exit(asyncio.run(watching(books, once, as_json, until_eof, port, browse)))

@@ -24,9 +24,9 @@ from workbook.reports.page import line
 from workbook.reports.terminal import OUT, say, say_data
 from workbook.serve import pages
 from workbook.serve.handler import Action, Folder, Page
-from workbook.serve.saves import Saves, Verdict
 from workbook.serve.server import STATIC, serving, static
 from workbook.serve.work import Work
+from workbook.watch.saves import Saves, Verdict
 
 MOST = 12  # findings, entries and results that are listed
 LONGEST = 600.0  # seconds of a verdict
@@ -98,7 +98,7 @@ class Watch:
         verdicts = sorted(self.saves.verdicts.items(), key=lambda item: item[1].when, reverse=True)
         waiting = [path.name for path in self.paths if not path.is_dir() and path not in self.saves.verdicts]
         return rendered(
-            "serve/verdicts.html",
+            "watch/verdicts.html",
             verdicts=verdicts,
             waiting=waiting,
             state="" if not verdicts else "OK" if is_ok else "FAIL",

@@ -13,8 +13,8 @@ from tests.workbook import press
 from tests.workbook.judging.test_warm import cell_named
 from workbook.build import build
 from workbook.judging.warm import WarmBook
-from workbook.serve import saves
-from workbook.serve.saves import Saves
+from workbook.watch import saves
+from workbook.watch.saves import Saves
 
 
 class Here:
