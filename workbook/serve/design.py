@@ -1,7 +1,9 @@
 """A design that is edited: its faults by entry, its figures axis by axis, the verdict on the whole of it."""
 
 import json
+import time
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -29,6 +31,7 @@ REMEMBERED = 100  # axes whose figures are remembered
 W_PER_KW = 1000.0
 ENDS = ("first", "second")  # of a clearance: entries that name axes
 PICTURES = 4
+PART = 0.1  # s of work after which other work may come between
 
 
 class Judged(NamedTuple):
@@ -202,6 +205,18 @@ def figures(text: str, chosen: int, machine: bool = True) -> dict[str, Any]:
             axes[str(k)] = {key: value for key, value in design.figures(k).items() if key not in dropped}
     whole = {"machine": design.machine(), "data": design.data} if machine else {}
     return {"axes": axes, "gaps": design.gaps(None if machine else chosen)} | whole
+
+
+def worked_out(text: str, first: int) -> int | None:
+    """Work figures of axes out for a while, which are remembered; return the next axis, None behind the last."""
+    begin = time.perf_counter()
+    with suppress(MotionbookError):
+        design = edited_design(text)
+        for k in range(first, len(design.axes)):
+            design.figures(k)
+            if time.perf_counter() - begin > PART:
+                return k + 1
+    return None
 
 
 def products(text: str, k: int, kind: str) -> dict[str, Any]:

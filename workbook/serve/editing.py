@@ -80,8 +80,12 @@ def made(text: str, changes: list[dict[str, Any]], chosen: int) -> dict[str, Any
 
 
 async def figures(page: Page) -> dict[str, Any]:
-    """Return the figures of all axes of a text, and of the machine."""
-    return await page.work.in_worker(design.figures, page.text(), page.number("axis"))
+    """Return the figures of all axes of a text and of the machine, in parts of work, so that a change comes between."""
+    text, chosen = page.text(), page.number("axis")
+    done: int | None = 0
+    while done is not None:
+        done = await page.work.in_worker(design.worked_out, text, done)
+    return await page.work.in_worker(design.figures, text, chosen)
 
 
 async def products(page: Page) -> dict[str, Any]:

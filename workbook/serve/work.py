@@ -80,11 +80,13 @@ class Work:
 
         What is ``slow``, such as a book's verdict, has a process of its own, so that no edit waits for it.
         """
+        worker = self.worker(slow)
         try:
-            future = asyncio.get_running_loop().run_in_executor(self.worker(slow), function, *arguments)
+            future = asyncio.get_running_loop().run_in_executor(worker, function, *arguments)
             return await asyncio.wait_for(future, self._patience)
         except (TimeoutError, BrokenProcessPool):
-            self._end_worker(slow)
+            if self._workers.get(slow) is worker:  # else another request has ended it
+                self._end_worker(slow)
             raise WorkError(f"Not worked out within {self._patience:.0f} s") from None
 
     def worker(self, slow: bool = False) -> ProcessPoolExecutor:

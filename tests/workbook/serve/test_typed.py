@@ -8,7 +8,8 @@ import tomlkit
 
 from workbook.errors import InputError, ReadError
 from workbook.fields.paths import get, put, split
-from workbook.serve.design import Edited, edited_design, figures, verdict
+from workbook.serve import design as designs
+from workbook.serve.design import Edited, edited_design, figures, verdict, worked_out
 from workbook.serve.parts import changed
 from workbook.serve.tables import schema
 from workbook.serve.typed import number
@@ -101,6 +102,18 @@ def test_a_missing_entry_is_told_at_its_field_and_the_other_axes_go_on():
     drive, _ = changed(TEXT, [{"path": ["axes", 1, "motor", "peak_torque"], "value": ""}])
     one = figures(drive, 1)["axes"]["1"]
     assert (one["stale"], [chart["key"] for chart in one["charts"]]) == (True, ["v", "a", "j"])
+
+
+def test_figures_of_all_axes_are_worked_out_in_parts_so_that_a_change_comes_between(monkeypatch):
+    monkeypatch.setattr(designs, "PART", 0.0)
+    assert [worked_out(TEXT, 0), worked_out(TEXT, 3), worked_out(TEXT, 4), worked_out("no = TOML =", 0)] == [
+        1,
+        4,
+        None,
+        None,
+    ]
+    monkeypatch.undo()
+    assert worked_out(TEXT, 0) is None
 
 
 def test_the_page_has_the_figures_of_the_book():

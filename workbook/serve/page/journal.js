@@ -129,7 +129,11 @@ function merge(given, of, took) {
   const names = JSON.stringify((s.data.value?.axes ?? []).map((axis) => axis.name));
   const known = before.names === names || Object.keys(before.axes).length === (s.data.value?.axes?.length ?? 0);
   const axes = known ? { ...before.axes } : {};
-  for (const [k, own] of Object.entries(given.axes ?? {})) axes[k] = { ...axes[k], ...own };
+  for (const [k, own] of Object.entries(given.axes ?? {})) {
+    const keys = own.charts?.map(({ key }) => key) ?? [];
+    const last = own.stale ? (axes[k]?.charts ?? []).filter(({ key }) => !keys.includes(key)) : []; // of a faulty drive
+    axes[k] = { ...axes[k], ...own, ...(own.charts && { charts: [...own.charts, ...last] }) };
+  }
   const isThere = ([k, { name }]) => s.data.value?.clearances?.[k]?.name === name;
   const stays = Object.entries(before.gaps).filter(isThere).map(([k, gap]) => [k, given.machine ? { ...gap, stale: true } : gap]);
   const gaps = { ...Object.fromEntries(stays), ...given.gaps };

@@ -19,6 +19,7 @@ export async function save() {
   try {
     const given = await post("/save", { text, as: target, state: disk });
     document.body.dataset.name = given.name;
+    if (given.name !== name) s.book.value = null;
     s.file.value = { name: given.name, target: given.name, disk: given.state, saved: text };
     s.saved.value = { axes: {}, machine: s.figures.value.machine, data: s.data.value };
     compare();
