@@ -1,4 +1,4 @@
-"""Set motionbook up and run it, with nothing but Python, 3.11 to 3.15; no arguments: what it can do."""
+"""Set motionbook up and run it, with nothing but Python, 3.11 to 3.15; no arguments: the pages in the browser."""
 
 import hashlib
 import importlib.util
@@ -15,6 +15,7 @@ if sysconfig.get_platform() == "win-arm64":
     PYTHONS = PYTHONS[1:]
 ROOT = Path(__file__).resolve().parent
 VENV = ROOT / ".venv"
+MACHINES = ROOT / "machines"  # which the pages show where nothing is asked for
 STAMP, LOG = VENV / "set-up.txt", VENV / "set-up.log"
 LOCKS = {"run": ROOT / "requirements.lock", "dev": ROOT / "requirements-dev.lock"}  # dev includes run
 CHECKS = (
@@ -27,7 +28,8 @@ CHECKS = (
 )
 OVER_CORES = ("-n", "auto", "--dist", "worksteal")  # neighbours stay together: they share their books
 OFFLINE = re.compile("(NewConnection|NameResolution|ConnectTimeout|ReadTimeout|Proxy)Error")
-USAGE = """{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook into the current folder
+USAGE = """{0} start.py                           design in the browser, machines of the folder machines beside start.py
+{0} start.py build [MACHINE.toml] [-o BOOK.xlsx]   write the workbook into the current folder
 {0} start.py COMMAND ...               any other motionbook command; COMMAND --help explains it
 {0} start.py test --quick              tests in a minute: engine, printed figures, one book built and verified
 {0} start.py test [PYTEST ARGUMENTS]   the tests of every day, as CI runs them
@@ -134,7 +136,7 @@ def chosen(arguments: "list[str]") -> "list[str]":
 
 def main(arguments: "list[str]") -> int:
     """Carry the arguments out; exit code 2 if the set-up fails, motionbook's code for what cannot be read."""
-    command = arguments[0] if arguments else "--help"
+    command = arguments[0] if arguments else "serve"
     if command in ("-h", "--help"):
         print(USAGE.format("py" if os.name == "nt" else "python3"))
         return 0
@@ -149,7 +151,9 @@ def main(arguments: "list[str]") -> int:
             failed = [job for job in CHECKS if subprocess.call([program(job.split()[0]), *job.split()[1:]], cwd=ROOT)]
             print("Failed: " + ", ".join(failed) if failed else "Every check passed.")
             return int(bool(failed))
-        return subprocess.call([program("motionbook"), *arguments])
+        if not arguments:
+            MACHINES.mkdir(exist_ok=True)
+        return subprocess.call([program("motionbook"), *(arguments or ["serve", str(MACHINES)])])
     except (OSError, RuntimeError, subprocess.SubprocessError) as error:
         print(f"Set-up failed: {error}", file=sys.stderr)
         return 2

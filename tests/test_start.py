@@ -10,6 +10,7 @@ import venv
 from pathlib import Path
 from types import ModuleType
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 
@@ -133,7 +134,17 @@ def test_start_takes_the_pythons_that_the_project_is_for(start: ModuleType) -> N
     assert project["requires-python"] == f">={start.words(start.PYTHONS[0])}"
 
 
-@pytest.mark.parametrize("arguments", [[], ["--help"]])
+def test_without_arguments_the_pages_of_a_folder_beside_it_open(
+    start: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    call = Mock(return_value=0)
+    monkeypatch.setattr(start.subprocess, "call", call)
+    assert start.main([]) == 0
+    call.assert_called_once_with([start.program("motionbook"), "serve", str(start.ROOT / "machines")])
+    assert (start.ROOT / "machines").is_dir()
+
+
+@pytest.mark.parametrize("arguments", [["-h"], ["--help"]])
 def test_usage_needs_no_set_up(start: ModuleType, arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert start.main(arguments) == 0
     assert {"build", "test", "check", "--quick", "--all", "--share"} <= set(capsys.readouterr().out.split())

@@ -7,7 +7,7 @@ from workbook.errors import InputError, ReadError, WriteError
 from workbook.reports.html import rendered
 from workbook.serve import design, parts, shown, study, tables
 from workbook.serve.handler import Page, state
-from workbook.serve.server import modules
+from workbook.serve.server import SCRIPTS, VERSION
 from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
@@ -21,8 +21,8 @@ async def edit(page: Page, name: str) -> str:
     """Show the design page of a description, or, unsaved, of a design among the best of a study of it."""
     page.folder.file(name)
     asked, number = page.get_query_argument("study", ""), page.get_query_argument("pick", "")
-    version, scripts = modules()
-    return rendered("serve/page/design.html", name=name, study=asked, pick=number, version=version, scripts=scripts)
+    given = {"name": name, "study": asked, "pick": number, "version": VERSION, "scripts": SCRIPTS}
+    return rendered("serve/page/design.html", **given)
 
 
 async def open_design(page: Page) -> dict[str, Any]:

@@ -16,12 +16,7 @@ from workbook.serve.typed import value_of
 
 Changes = list[tuple[Place, Any]]
 TURN, LIFT, LAW = 360.0, 50.0, "MTP"
-ROOMS = {
-    "phases": "phases",
-    "parts": "rotors",
-    "motors": "motors",
-    "reducers": "reducers",
-}  # the size with room for rows
+ROOMS = {"phases": "phases", "parts": "rotors", "motors": "motors", "reducers": "reducers"}  # the size of their sheet
 SIZES = {"phases": 8, "rotors": 6, "motors": 22, "reducers": 18}  # of a description that tells none
 NAMING = ("first", "second")  # entries of clearances that name an axis
 MECHANISMS: dict[str, dict[str, Any]] = {
@@ -154,12 +149,8 @@ class Change:
         if pair is None:
             raise InputError(["a clearance is a gap of two axes in the same unit; add another axis first"])
         (first, _), (second, _) = pair
-        return {
-            "name": self._free(self.data.get("clearances"), "Clearance 1"),
-            "first": first,
-            "second": second,
-            "offset": 100.0,
-        }
+        name = self._free(self.data.get("clearances"), "Clearance 1")
+        return {"name": name, "first": first, "second": second, "offset": 100.0}
 
     def _phase(self, number: int) -> dict[str, Any]:
         """Return a phase behind the last, else in the largest gap: it brings the axis back, or lifts it."""
@@ -170,12 +161,8 @@ class Change:
         back = axis.get("closes", "position") == "position" and abs(lifts) > LEAST
         law = next((row["law"] for row in reversed(rows) if row.get("law", "DWL") != "DWL"), LAW)
         last = rows[-1]["stop"] - rows[-1]["start"] if rows else end - begin
-        return {
-            "start": begin,
-            "stop": min(end, begin + max(last, LEAST)),
-            "lift": -lifts if back else 10.0,
-            "law": law,
-        }
+        stop = min(end, begin + max(last, LEAST))
+        return {"start": begin, "stop": stop, "lift": -lifts if back else 10.0, "law": law}
 
     def _gap(self, rows: list[dict[str, Any]]) -> tuple[float, float]:
         """Return where a phase has room."""

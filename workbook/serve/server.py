@@ -1,6 +1,5 @@
 """A server for this computer alone: addresses with what is done at each, and the files that its pages load."""
 
-import hashlib
 import secrets
 import webbrowser
 from collections.abc import AsyncIterator, Mapping
@@ -19,28 +18,21 @@ STATIC = r"/(pages\.js|OK\.svg|FAIL\.svg|favicon\.ico)"
 SVG = "image/svg+xml"
 SLOWEST = 60.0  # seconds of a body
 ELSEWHERE = {"favicon.ico": "icon.svg", "page/colors.css": "../reports/colors.css"}
+HERE = Path(__file__).parent
+SCRIPTS = sorted(path.relative_to(HERE).as_posix() for path in HERE.glob("page/**/*.js"))
+VERSION = secrets.token_hex(6)  # of scripts and styles, which a browser keeps while this server runs
 TYPES = {".svg": SVG, ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}
 
 
 async def static(page: Page, name: str) -> bytes:
     """Send a script or style of a page, or an icon."""
-    file = Path(__file__).parent / ELSEWHERE.get(name, name)
+    file = HERE / ELSEWHERE.get(name, name)
     if not file.is_file():
         raise HTTPError(404)
     page.set_header("Content-Type", TYPES[file.suffix])
     if name.startswith("page/"):  # its address tells its version
         page.set_header("Cache-Control", "private, max-age=31536000, immutable")
     return file.read_bytes()
-
-
-def modules() -> tuple[str, list[str]]:
-    """Return the version of the design page's scripts and styles, and the addresses of its scripts in that version."""
-    here = Path(__file__).parent
-    files = [*sorted(here.glob("page/**/*.*s")), here / ELSEWHERE["page/colors.css"]]
-    states = [(file.name, file.stat().st_mtime_ns, file.stat().st_size) for file in files]
-    version = hashlib.sha256(repr(states).encode()).hexdigest()[:12]
-    scripts = [file.relative_to(here).as_posix() for file in files if file.suffix == ".js"]
-    return version, [f"/{version}/{script}" for script in scripts if script != "pages.js"]
 
 
 @asynccontextmanager

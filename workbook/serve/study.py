@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 from urllib.parse import urlencode
 
 import tomlkit
@@ -52,27 +52,15 @@ ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
 SHARE, STEPS = 0.1, 5  # of a number, to either side, and in so many values: what is proposed
 GOALS = ("minimise", "maximise", "results")
 BOUNDS = {"at least": "min", "at most": "max"}
-Tables: TypeAlias = dict[str, list[dict[str, Any]]]
-"""fields of entries that can vary, by the tables of their entries"""
 value_of = partial(number, unit="", expected="a number")
 
 
 async def vary(page: Page, name: str) -> str:
     """Show the form of a study of a description."""
     path = page.folder.file(name)
-    picked = page.get_query_arguments("vary")
-    tables, results, others = await page.work.in_worker(choices, path, picked)
-    given: dict[str, Any] = {
-        "name": name,
-        "tables": tables,
-        "results": results,
-        "rows": ROWS,
-        "asked": ASKED,
-        "ways": WAYS,
-        "picked": picked,
-        "others": others,
-    }
-    return pages.page(f"{name}: study", "vary", do=[pages.link(pages.address("edit", name), f"Design {name}")], **given)
+    picked, design = page.get_query_arguments("vary"), pages.link(pages.address("edit", name), f"Design {name}")
+    given = await page.work.in_worker(choices, path, picked) | {"rows": ROWS, "asked": ASKED, "ways": WAYS}
+    return pages.page(f"{name}: study", "vary", do=[design], name=name, picked=picked, **given)
 
 
 async def new(page: Page) -> None:
@@ -146,20 +134,20 @@ def forecast(path: Path) -> str:
     return " ".join(announced(plan, seconds, max(1, cores() - 1))) or f"{plan.space.size:,} designs, soon done."
 
 
-def choices(base: Path, picked: list[str]) -> tuple[Tables, list[tuple[str, Label]], list[str]]:
-    """Return the entries that can vary, results by their names, and those of ``picked`` that cannot vary."""
+def choices(base: Path, picked: list[str]) -> dict[str, Any]:
+    """Return the entries that can vary by their tables, results by their names, and those picked that cannot vary."""
     machine = read_description(base)
     tables = fields_of(machine)
     known = {row["at"] for rows in tables.values() for row in rows}
-    data = machine.model_dump()
-    return tables, proposed(machine), [spoken(split(key), data) for key in picked if key not in known]
+    others = [spoken(split(key), machine.model_dump()) for key in picked if key not in known]
+    return {"tables": tables, "results": proposed(machine), "others": others}
 
 
-def fields_of(machine: Any) -> Tables:
+def fields_of(machine: Any) -> dict[str, list[dict[str, Any]]]:
     """Return the entries that can vary by their tables."""
     data = machine.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws", "template", "title"})
     words = {reference.key: [*dict.fromkeys([*machine.laws.names, *ENTRIES])] for reference in references(machine)}
-    tables: Tables = {}
+    tables: dict[str, list[dict[str, Any]]] = {}
     for part in PRODUCTS:  # a product without a name of the catalogue can be given a name
         for _, row in spread(data, ("axes", "*", part)):
             if isinstance(row, dict):
