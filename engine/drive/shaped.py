@@ -88,12 +88,8 @@ def shape(
     """
     family = Splines(degree, rest, pieces, jerk)
     tables = family.tables(family.inner, (lift, lift / time, lift / time**2))
-
-    def rms(chosen: Array) -> float:
-        return family.torque_over(torque, tables, chosen)
-
     chosen = family.least_torque(torque, tables)
-    return family.law(chosen, rms(chosen))
+    return family.law(chosen, family.torque_over(torque, tables, chosen))
 
 
 class Splines:

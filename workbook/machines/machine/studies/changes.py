@@ -63,7 +63,7 @@ def crossings(machine: AnyMachine) -> Iterator[str]:
 
 def changes(machine: AnyMachine, name: str, rate: float, aim: Aim) -> Iterator[Change]:
     """Yield the single changes of an axis: laws shaped for a rate (1/s) among them."""
-    i = timing.number_of(machine, name)
+    i = timing.axis_of(machine, name, "edges")
     yield from shaping.law_changes(machine, i, rate, aim)
     yield from edge_changes(machine, i)
     if machine.axes[i].motor:
@@ -166,7 +166,7 @@ def breaks(machine: AnyMachine) -> set[str]:
 
 def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
     """Return the figure of an axis that is to be less, at the rate of the machine."""
-    axis = MachineView(machine, laws(machine.laws)).axes[timing.number_of(machine, name)].sized
+    axis = MachineView(machine, laws(machine.laws)).axes[timing.axis_of(machine, name, "edges")].sized
     if aim.name == "acceleration":
         return Figure(axis.max_acceleration, axis.over.rates(axis.given.unit)[1])
     if aim.name == "vibration":

@@ -31,18 +31,13 @@ GAPS = 181  # places of the cycle at which gaps are looked at
 Bounds = dict[float, tuple[float, float]]
 
 
-def number_of(machine: AnyMachine, name: str) -> int:
-    """Return the number of the axis of a name, from 0."""
-    return [axis.name for axis in machine.axes].index(name)
-
-
 def rooms(base: AnyMachine, machine: AnyMachine, name: str) -> list[Room]:
     """Return the edges that may move, from where a base has them; the axis of that name is the one that limits.
 
     Edges of an axis at the same place move together, and both edges of a phase that keeps its time.
     """
     if not base.timing.edges:
-        i = number_of(base, name)
+        i = axis_of(base, name, "edges")
         return list(rooms_of(base, i, free(base, machine, i)))
     by_axis: dict[int, Bounds] = {}
     for k, edge in enumerate(base.timing.edges):
