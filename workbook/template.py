@@ -19,7 +19,7 @@ from workbook.unfinished_book import enter_unfinished
 M = TypeVar("M", bound=Machine)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Template(Generic[M]):
     """A kind of machine: its description's model, the book declared from a description, variations to verify at.
 

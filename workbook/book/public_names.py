@@ -75,7 +75,7 @@ def quantity_at(book: Book, reference: str) -> Quantity | None:
 
 def free_name(book: Book, wanted: str, patterns: Sequence[str]) -> str:
     """Return the wanted name of a part, with a number where names after the patterns have it, capitals or not."""
-    taken = {name.casefold() for name, _ in book.names()}
+    taken = {name.casefold() for name in (*book.blocks, *book.column_names, *book.public)}
 
     def is_taken(name: str) -> bool:
         return name.casefold() in LATER or any(p.format(name=name).casefold() in taken for p in patterns)

@@ -123,18 +123,8 @@ def check(
     with what it gives where the design breaks no rule of the entries.
     """
     text, more = says if isinstance(says, CheckSentence) else (says, "")
-    return Quantity(
-        name,
-        label,
-        "",
-        "",
-        "check",
-        f'=IF({condition},"OK","FAIL")',
-        "OK" if ok else "FAIL",
-        source=source,
-        says=text,
-        sentence=more,
-    )
+    formula, value = f'=IF({condition},"{OK}","{FAIL}")', OK if ok else FAIL
+    return Quantity(name, label, "", "", "check", formula, value, source, says=text, sentence=more)
 
 
 def sentence(q: Quantity) -> Quantity:

@@ -1,6 +1,5 @@
 """Commands on controllers' cam tables; for studies, the browser, other workbooks and the functions of spreadsheets."""
 
-import asyncio
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -195,6 +194,8 @@ def serve(
     browse: bool = Option(True, help="Open the browser."),
 ) -> None:
     """Work in the browser: new machines, build, verify, compare. Nobody but this computer can reach it."""
+    import asyncio
+
     from workbook.serve import app as server
 
     try:
@@ -217,6 +218,8 @@ def watch(
     The verdict on the values comes first; what is shown, and formulas at other entries, are compared after it. It is
     told here and on a page that updates itself, with the entries and results that the save changed.
     """
+    import asyncio
+
     from workbook.watch.watch import watch as watching
 
     try:

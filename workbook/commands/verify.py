@@ -67,14 +67,15 @@ def verify(
     page.write(junit, lambda: junit_xml(outcomes, when), force)
     page.write(sarif, lambda: as_sarif(outcomes), force)
     for outcome in outcomes if stamp else ():
-        write_stamped(outcome, in_place, force)
+        if outcome.report is not None:  # else it is told why there is none
+            write_stamped(outcome, in_place, force)
     return batch.exit_code(outcomes)
 
 
 def write_stamped(outcome: batch.Outcome, in_place: bool, force: bool) -> None:
     """Write a book that agrees with the stamp of its entries, ``-verified`` behind its name unless ``in_place``."""
-    path, agrees = outcome.path, outcome.report is not None and outcome.report.agrees
-    if not agrees:
+    path = outcome.path
+    if outcome.verdict == "disagrees":
         say(ERR, f"{path}: not stamped: its cells do not agree", "yellow")
         return
     match, *_ = making.read_entered(path)

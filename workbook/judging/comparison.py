@@ -14,7 +14,7 @@ from workbook.book.sentence import Sentence
 from workbook.entries.machine import Machine
 from workbook.errors import WitnessError
 from workbook.judging.matching import Match, Pair
-from workbook.judging.report import CAUSES, Finding, Report, WitnessRun
+from workbook.judging.report import CAUSES, Report, WitnessRun
 from workbook.reading.contents import Cells
 from workbook.reading.files import BookFile
 from workbook.templates import AnyTemplate
@@ -160,14 +160,13 @@ class Comparison:
                 wrong.append((pair, deviation))
         return wrong
 
-    def elsewhere(self, template: AnyTemplate, machine: Machine, suspects: set[Address]) -> list[Finding]:
-        """Return the findings at variations of the inputs: cells in turn, the ``suspects`` at each."""
-        report = Report(self.report.path, self.report.template)
+    def compare_elsewhere(self, template: AnyTemplate, machine: Machine, suspects: set[Address]) -> None:
+        """Enter what is wrong at variations of the inputs: cells in turn, the ``suspects`` at each."""
         try:
             machines = template.variants(machine)
         except ValidationError:  # numbers so large that no neighbour of theirs is a number
             self.report.notes.append("the values entered leave no room for other ones: compared at these alone")
-            return []
+            return
         known = {(f.sheet, f.cell) for f in self.report.findings}
         pairs = {a: pair for a, pair in self.pairs.items() if a in self.match.file.contents.formulas}
         for k, (turn, varied) in enumerate(zip(by_variation(pairs, suspects, len(machines)), machines, strict=True), 1):
@@ -178,8 +177,7 @@ class Comparison:
                 if differs(right, a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))
                     deviation = difference(value, right.get(a), right.peak(a))
-                    report.add(self.pairs[a], "value", value, right.get(a), deviation, by)
-        return report.findings
+                    self.report.add(self.pairs[a], "value", value, right.get(a), deviation, by)
 
 
 def differs(right: ExpectedValues, address: Address, value: Any) -> bool:

@@ -100,7 +100,7 @@ def judge(
         for ran in report.witnesses:  # that failed though it was named, or as all did
             if ran.why and (not comparison.values or ran.name in named):
                 report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
-        report.findings += comparison.elsewhere(template, machine, suspects)
+        comparison.compare_elsewhere(template, machine, suspects)
         report.checks = check_results(match, comparison.values)
         check_display(match, type(machine), comparison.values, report)
     mark_consequences(match, report, suspects)

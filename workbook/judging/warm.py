@@ -63,7 +63,8 @@ class WarmBook:
         # a save that raises an error leaves nothing to the next
         file, self._file = self._file, None
         inspected = guard(path, self._scans)
-        cells = changed_cells(file, inspected) if file else None
+        was = file.inspected if file else None
+        cells = changed_cells(was, inspected) if was else None
         if file is None or cells is None:
             file, entered, self._model = book_of(path, inspected), Cells(), None
         else:
@@ -99,16 +100,17 @@ class WarmBook:
         count_cells(match, report)
 
 
-def changed_cells(file: BookFile, inspected: Inspected) -> dict[Address, RawCell] | None:
+def changed_cells(was: Inspected, inspected: Inspected) -> dict[Address, RawCell] | None:
     """Return the cells without formulas that may hold something else in another save; None where more is new."""
-    was = file.inspected
-    if was is None or naming(was) != naming(inspected) or was.sheets.keys() != inspected.sheets.keys():
+    if naming(was) != naming(inspected) or was.sheets.keys() != inspected.sheets.keys():
         return None
     has_other_texts = was.strings is not inspected.strings
     changed = {}
     for title, rows in inspected.sheets.items():
         old = was.sheets[title]
-        if [shape(cell) for cell in old.written] != [shape(cell) for cell in rows.written]:
+        if rows is old and not has_other_texts:
+            continue
+        if list(map(shape, old.written)) != list(map(shape, rows.written)):
             return None
         for cell, now in zip(old.written, rows.written, strict=True):
             if now.how is None and (cell != now or (has_other_texts and now.kind == "s")):

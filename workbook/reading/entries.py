@@ -1,13 +1,15 @@
 """The input cells of a workbook as a machine description, checked by the same models as a file of TOML."""
 
+import json
 from collections.abc import Callable, Collection, Iterator, Sequence
+from functools import lru_cache
 from typing import Any
 
 from workbook.book.address import Address, Place
 from workbook.book.declare import Block, Book, Quantity
 from workbook.book.rows import is_number
 from workbook.book.stamp import NAME as STAMP
-from workbook.book_layout import INPUTS, NAME, input_keys, read_layout
+from workbook.book_layout import INPUTS, NAME, as_json, input_keys, read_layout
 from workbook.entries import rules
 from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError, quoted
@@ -107,11 +109,10 @@ class Entries:
     def _declare_empty(self, inputs: Any) -> Book:
         """Declare the book of the file's layout, of so many ``inputs``, with nothing entered."""
         try:
-            machine = empty_machine(self.template, self.data)
+            book = declare_empty(self.template, as_json(self.data))
         except InputError as refused:
             cell, (first, *_) = self.file.places[NAME].cell(0, 0), refused.lines
             raise ReadError(f"{self.file.path}: {cell}: {first}; {UNDO}") from None
-        book = self.template.finished(machine)
         if (known := len(input_keys(book))) != inputs:
             problem = f"has cells for {quoted(inputs)} entries, where its template has {known}"
             raise ReadError(f"{self.file.path}: {problem}; expected a book of this version: build it anew")
@@ -200,6 +201,12 @@ class Entries:
         if best is None and "." in key:
             return self._where(key.rpartition(".")[0])
         return f"{self.file.path.name}: {best or key}"
+
+
+@lru_cache(maxsize=2)
+def declare_empty(template: AnyTemplate, layout: str) -> Book:
+    """Declare the book of a layout (JSON) with nothing entered; the latest serve all saves of a book."""
+    return template.finished(empty_machine(template, json.loads(layout)))
 
 
 def is_empty(row: Sequence[Any]) -> bool:

@@ -156,17 +156,9 @@ def convert(source: Path, kind: str, folder: Path) -> Path:
         user = Path(profile) / "user"
         user.mkdir()
         (user / "registrymodifications.xcu").write_text(PROFILE, encoding="utf-8")
-        command = [
-            soffice,
-            "--headless",
-            "--norestore",
-            f"-env:UserInstallation={Path(profile).as_uri()}",
-            "--convert-to",
-            kind,
-            "--outdir",
-            str(folder),
-            str(source),
-        ]
+        private = f"-env:UserInstallation={Path(profile).as_uri()}"
+        asked = ["--convert-to", kind, "--outdir", str(folder), str(source)]
+        command = [soffice, "--headless", "--norestore", private, *asked]
         try:
             run = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False)
         except (OSError, subprocess.TimeoutExpired) as error:

@@ -9,7 +9,7 @@ from openpyxl.formula.translate import Translator
 from pydantic import BaseModel
 
 from workbook.book.address import Address
-from workbook.book.declare import Block, Book, Quantity
+from workbook.book.declare import Block, Quantity
 from workbook.book.quantity import OK
 from workbook.judging.display.charts import compare_charts
 from workbook.judging.display.differences import VERDICTS, Differences, Subject
@@ -36,7 +36,7 @@ from workbook.writing.write import make_workbook
 WHITE, BLACK = "#FFFFFF", "#000000"
 OVERALL = ("overall", "status")  # verdicts of the book and of each sheet, always to be in sight
 NOTHING: Mapping[str, Any] = MappingProxyType({})
-NO_RULE, IN_SIGHT = "no such rule", "in sight"
+NO_RULE = "no such rule"
 # as .ods has it in each rule
 LIKE_CELLS = {"font name val": "Calibri", "font sz val": "11", "font color": BLACK}
 # defaults, which LibreOffice writes
@@ -127,7 +127,9 @@ def check_display(match: Match, model: type[BaseModel], computed: Cells, report:
 
     ``model`` is that of the entries; ``computed`` are the formula cells' values, where there are none the engine's.
     """
-    differences, fresh = Differences(match), build_looks(match.declared, model)
+    styles = {sheet.title: CellStyles() for sheet in match.declared.sheets}
+    fresh = BookLooks(make_workbook(match.declared, model, dict(styles)), styles=styles)
+    differences = Differences(match)
     held = BookLooks(match.file.workbook, match.file.inspected.drawings if match.file.inspected else {})
     labels = compare_texts(match, report, differences)
     compare_cells(match, fresh, held, find_spots(match, labels), computed, differences)
@@ -135,12 +137,6 @@ def check_display(match: Match, model: type[BaseModel], computed: Cells, report:
     compare_sheets(match, fresh.workbook, differences)
     compare_charts(match, fresh.workbook, held.views, differences)
     differences.enter(report)
-
-
-def build_looks(declared: Book, model: type[BaseModel]) -> BookLooks:
-    """Return a declared book as openpyxl would save it, in memory: styles, pages and charts, without contents."""
-    styles = {sheet.title: CellStyles() for sheet in declared.sheets}
-    return BookLooks(make_workbook(declared, model, dict(styles)), styles=styles)
 
 
 class Spot(NamedTuple):
@@ -186,7 +182,7 @@ def compare_cells(
         style = fresh.style(spot.fresh)
         theirs: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
         how = isinstance(spot.value, str), spot.quantity.unit if spot.quantity else ""
-        key = (tuple(style), tuple(theirs), *how)
+        key = (id(style), id(theirs), *how)  # which cells of a book share
         if key not in known:
             known[key] = differences.differing(fresh.look(style, *how), held.look(theirs, *how))
             if "number format" in known[key]:
@@ -195,18 +191,20 @@ def compare_cells(
         subject = subject._replace(kind="failing") if is_wrong else subject
         for name, pair in known[key].items():
             differences.add(at, subject, name, *pair)
-        ours = {"sight": IN_SIGHT}
-        looks = {"sight": sight(fresh, held, spot, is_wrong), "fonts of its parts": fonts.get(at, "")}
+        if cause := hidden_by(fresh, held, spot, is_wrong):
+            differences.add(at, subject, "sight", "in sight", f"hidden by {cause}")
+        if at in fonts:
+            differences.compare(at, subject, {}, {"fonts of its parts": fonts[at]})
         if spot.quantity and spot.quantity.role == "input":
-            ours["validation"], looks["validation"] = fresh.validation(spot.fresh), held.validation(at)
-        differences.compare(at, subject, ours, looks)
+            ours, theirs = fresh.validation(spot.fresh), held.validation(at)
+            differences.compare(at, subject, {"validation": ours}, {"validation": theirs})
 
 
-def sight(fresh: BookLooks, held: BookLooks, spot: Spot, is_wrong: bool) -> str:
+def hidden_by(fresh: BookLooks, held: BookLooks, spot: Spot, is_wrong: bool) -> str:
     """Return what hides a cell, but in a fresh build; a hidden sheet hides verdicts that are ``is_wrong``."""
     view, page = held.views[spot.at.sheet], fresh.views[spot.fresh.sheet]
     cause = view.hidden_by(spot.at.row, spot.at.column) or ("a hidden sheet" if is_wrong and view.is_hidden else "")
-    return f"hidden by {cause}" if cause and not page.hidden_by(spot.fresh.row, spot.fresh.column) else IN_SIGHT
+    return cause if cause and not page.hidden_by(spot.fresh.row, spot.fresh.column) else ""
 
 
 def compare_rules(match: Match, fresh: BookLooks, held: BookLooks, differences: Differences) -> None:

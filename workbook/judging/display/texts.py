@@ -1,5 +1,6 @@
 """Texts that say what cells are (titles, labels, units): where they stand now, and whether they say the same."""
 
+from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from collections.abc import Iterator
 from typing import Literal, NamedTuple
@@ -16,6 +17,7 @@ ABOVE = (*HEADINGS, "header", "units", "equation", "figure name", "figure unit")
 LABELS = ("label", "aside")
 BESIDE, BEHIND = (*LABELS, "symbol", "unit", "note"), ("unit", "note")
 QUIET = ("equation", "note")  # remarks: reworded, they mislead nobody
+MOST_HEADS = 4  # rows of a table's headings, above it
 MOST_ASIDE = 6  # columns that someone may have put between a cell and the texts of its row
 
 
@@ -60,8 +62,10 @@ def compare_texts(match: Match, report: Report, differences: Differences) -> lis
 def describe_texts(sheet: Sheet) -> Iterator[tuple[Text, Block]]:
     """Yield the texts of a sheet that say what its cells are, each with the block that it describes."""
     ordered = sorted(sheet.blocks, key=lambda block: (block.row, block.column))
+    rows = [block.row for block in ordered]
     for text in (text for text in sheet.texts if text.text):
-        if about := [block for block in ordered if is_about(text, block)]:
+        end = len(rows) if text.style in HEADINGS else bisect_right(rows, text.row + MOST_HEADS)
+        if about := [block for block in ordered[bisect_left(rows, text.row) : end] if is_about(text, block)]:
             yield text, about[-1 if text.style in BEHIND else 0]
 
 
@@ -71,7 +75,7 @@ def is_about(text: Text, block: Block) -> bool:
         return block.row > text.row and block.column >= text.column
     has_heads = block.is_table or block.is_large
     if text.style in ABOVE:
-        return has_heads and 0 < block.row - text.row <= 4 and text.column in block.columns.values()
+        return has_heads and 0 < block.row - text.row <= MOST_HEADS and text.column in block.columns.values()
     if text.style not in BESIDE or text.link or has_heads or block.row != text.row:
         return False
     return block.column < text.column if text.style in BEHIND else block.column > text.column
@@ -89,7 +93,7 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
             offset = text.row - block.row if is_above else text.column - block.column
             lines[(block.name, 0, offset) if is_above else ("", text.column, offset)].append((text, block))
     for (above, _, offset), line in lines.items():
-        furthest = MOST_BETWEEN + 4 if above else MOST_ASIDE
+        furthest = MOST_BETWEEN + MOST_HEADS if above else MOST_ASIDE
         offsets = range(offset, offset + furthest) if offset > 0 else range(offset, offset - furthest, -1)
         tried = ([text_address(match, *entry, each) for entry in line] for each in offsets)
         declared = [text_address(match, *entry, offset) for entry in line]
