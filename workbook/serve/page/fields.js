@@ -21,7 +21,7 @@ function stepped(words, unit, way, event) {
 }
 
 /** The unit of an entry where it is that of its axis or of the cycle. */
-export function unitOf(entry, path) {
+function unitOf(entry, path) {
   const axis = path[0] === "axes" ? (s.data.value.axes?.[path[1]]?.unit ?? "mm") : "";
   if (axis && ["lift", "position", "low", "high"].includes(entry.name)) return axis;
   if (entry.unit.includes("cycle's unit")) return s.period.value.unit;
@@ -92,13 +92,13 @@ export function Input({ entry, path, label, wide }) {
 }
 
 /** A choice among words that are known. */
-export function Choice({ entry, path, label, empty }) {
+export function Choice({ entry, path, label }) {
   const value = s.get(s.data.value, path);
   const onChange = (event) => commit([{ path, value: event.target.value }]);
   const words = [...new Set([...(value === undefined ? [] : [value]), ...entry.options])];
   return html`<select class="in" data-path=${s.keyOf(path)} data-picked=${s.isPicked(s.keyOf(path))} aria-label=${label ?? entry.label} title=${entry.note || entry.expected}
       onChange=${onChange} value=${value ?? ""}>
-    ${(empty !== undefined || !entry.required) && html`<option value="">${empty ?? entry.default}</option>`}
+    ${!entry.required && html`<option value="">${entry.default}</option>`}
     ${words.map((word) => html`<option value=${word} selected=${word === value}>${word}</option>`)}
   </select>`;
 }

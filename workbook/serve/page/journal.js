@@ -93,7 +93,7 @@ async function answer(entry) {
   batch(() => {
     note(changes, given.refused);
     show(given, queue.length > 1);
-    merge(given, entry.number, performance.now() - begun);
+    merge(given, performance.now() - begun);
   });
 }
 
@@ -123,8 +123,8 @@ function show(given, overtaken = false) {
   if (s.selected.value.axis >= axes) s.selected.value = { ...s.selected.value, axis: Math.max(0, axes - 1), phase: null };
 }
 
-/** Take figures of a number: of axes that have none now, the last ones stay. */
-function merge(given, of, took) {
+/** Take figures: of axes that have none now, the last ones stay. */
+function merge(given, took) {
   const before = s.figures.value;
   const names = JSON.stringify((s.data.value?.axes ?? []).map((axis) => axis.name));
   const known = before.names === names || Object.keys(before.axes).length === (s.data.value?.axes?.length ?? 0);
@@ -132,12 +132,13 @@ function merge(given, of, took) {
   for (const [k, own] of Object.entries(given.axes ?? {})) {
     const keys = own.charts?.map(({ key }) => key) ?? [];
     const last = own.stale ? (axes[k]?.charts ?? []).filter(({ key }) => !keys.includes(key)) : []; // of a faulty drive
-    axes[k] = { ...axes[k], ...own, ...(own.charts && { charts: [...own.charts, ...last] }) };
+    const use = own.stale && !own.use?.length ? axes[k]?.use : own.use;
+    axes[k] = { ...axes[k], ...own, use, ...(own.charts && { charts: [...own.charts, ...last] }) };
   }
   const isThere = ([k, { name }]) => s.data.value?.clearances?.[k]?.name === name;
   const stays = Object.entries(before.gaps).filter(isThere).map(([k, gap]) => [k, given.machine ? { ...gap, stale: true } : gap]);
   const gaps = { ...Object.fromEntries(stays), ...given.gaps };
-  s.figures.value = { number: of, names, axes, gaps, machine: given.machine ?? before.machine, took, at: Date.now() };
+  s.figures.value = { names, axes, gaps, machine: given.machine ?? before.machine, took };
 }
 
 /** Ask for all figures, and after a while for the verdict; what is overtaken by a change is dropped. */
@@ -147,7 +148,7 @@ export async function refigure() {
   try {
     const given = await figuresOf(s.text.value, s.selected.value.axis);
     if (of !== number || preview) return;
-    batch(() => merge(given, of, performance.now() - begun));
+    batch(() => merge(given, performance.now() - begun));
   } catch (error) {
     return tell(error);
   }
@@ -184,7 +185,7 @@ async function follow() {
     try {
       const fields = { text: s.text.value, changes: JSON.stringify(shown), axis: s.selected.value.axis, preview: 1 };
       const given = await post("/change", fields);
-      if (preview) batch(() => merge({ axes: given.axes, gaps: given.gaps }, number, 0));
+      if (preview) batch(() => merge({ axes: given.axes, gaps: given.gaps }, 0));
     } catch (error) {
       tell(error);
     }

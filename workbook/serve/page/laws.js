@@ -3,7 +3,6 @@ import { html, useEffect, useRef, useState } from "./html.js";
 import { short } from "./colors.js";
 import { commit } from "./journal.js";
 import { useAway } from "./popup.js";
-import { laws } from "./catalogue.js";
 import * as s from "./state.js";
 
 const USES = {
@@ -24,8 +23,8 @@ export function LawChoice({ path, label }) {
   const [isOpen, open] = useState(false);
   const place = useRef(/** @type {any} */ (null));
   const value = s.get(s.data.value, path);
-  const own = Object.entries(s.data.value.laws ?? {}).filter(([name]) => !laws.value.some((law) => law.code === name));
-  const all = [...laws.value, ...own.map(([name, entry]) => ({ code: name, title: `own, ${entry.family ?? ""}` }))];
+  const own = Object.entries(s.data.value.laws ?? {}).filter(([name]) => !s.laws.value.some((law) => law.code === name));
+  const all = [...s.laws.value, ...own.map(([name, entry]) => ({ code: name, title: `own, ${entry.family ?? ""}` }))];
   const known = all.find((law) => law.code === value);
   useEffect(() => {
     if (isOpen) (place.current.querySelector(".chosen") ?? place.current.querySelector(".law-choice"))?.focus();

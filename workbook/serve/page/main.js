@@ -2,7 +2,6 @@
 import { html, render } from "./html.js";
 import { BookLinks } from "./book.js";
 import { Cards, choosePart, goTo } from "./cards.js";
-import { laws, products } from "./catalogue.js";
 import { AxisCharts } from "./charts.js";
 import { Entries } from "./entries.js";
 import { takeActive } from "./fields.js";
@@ -63,8 +62,8 @@ addEventListener("keydown", (event) => {
 
 /** Show the page of what was opened. @param {any} opened @param {HTMLElement} page */
 function start(opened, page) {
-  laws.value = opened.laws;
-  products.value = opened.products;
+  s.laws.value = opened.laws;
+  s.products.value = opened.products;
   for (const entry of opened.schema.flatMap((each) => each.keys)) if (entry.options.length && entry.expected.startsWith("a text")) options(entry.name, entry.options);
   page.replaceChildren();
   render(html`<${Page} />`, page);

@@ -1,7 +1,6 @@
 // A motor or reducer: as entered, or from the catalogue as a table with figures, a filter, and what each would come to.
 import { html, useEffect, useRef, useState } from "./html.js";
 import { commit } from "./journal.js";
-import { products } from "./catalogue.js";
 import { Field, Input, Wrong } from "./fields.js";
 import { post } from "./server.js";
 import * as s from "./state.js";
@@ -23,7 +22,7 @@ const sort = (value) => (value > 1 ? "bad" : value > 0.9 ? "warn" : "");
 /** The products that may be chosen: those of the description, or those that come with motionbook. */
 function rowsOf(kind) {
   const own = s.data.value.selection?.[`${kind}s`];
-  return Array.isArray(own) ? own : products.value[kind];
+  return Array.isArray(own) ? own : s.products.value[kind];
 }
 
 /** An entry that does not count, as the catalogue's product in use has it. */
@@ -84,7 +83,7 @@ export function Catalogue({ entry, path }) {
   const own = Array.isArray(entered) ? entered : null;
   const filled = (row) => Object.fromEntries(Object.entries(row).filter(([, value]) => value !== null));
   const does = (k, words, sign) => html`<button class="quiet" aria-label=${`${words} ${kind} ${k + 1}`} onClick=${() => commit([{ path: [...path, k], do: words }])}>${sign}</button>`;
-  return html`<div class="sel"><span>${own ? `${own.length} of its own` : `${products.value[kind].length} that come with motionbook`}</span>
+  return html`<div class="sel"><span>${own ? `${own.length} of its own` : `${s.products.value[kind].length} that come with motionbook`}</span>
       <button class="quiet" onClick=${() => open(true)}>own catalogue ▾</button></div><${Wrong} path=${path} />
     ${isOpen && html`<${Window} heading=${`${entry.name[0].toUpperCase()}${entry.name.slice(1)} to choose among`} close=${() => open(false)}>
       ${own && html`<div class="scroll"><table class="own"><thead><tr>${entry.rows.map((row) => html`<th scope="col" title=${row.label}>${row.name.replaceAll("_", " ")}${row.unit && html`<br />${row.unit}`}</th>`)}<td></td></tr></thead>
@@ -92,7 +91,7 @@ export function Catalogue({ entry, path }) {
           <${Wrong} path=${[...path, k, row.name]} /></td>`)}<td>${does(k, "copy", "❐")}${own.length > 1 && does(k, "remove", "×")}</td></tr>`)}</tbody></table></div>`}
       <button class="add" onClick=${() => commit([{ path, do: "add" }])}>+ ${kind}</button>
       ${own ? html`<button class="add" onClick=${() => commit([{ path, do: "remove" }])}>back to those that come with motionbook</button>`
-        : html`<button class="add" onClick=${() => commit([{ path, value: products.value[kind].map(filled) }])}>begin with those that come with motionbook</button>`}<//>`}`;
+        : html`<button class="add" onClick=${() => commit([{ path, value: s.products.value[kind].map(filled) }])}>begin with those that come with motionbook</button>`}<//>`}`;
 }
 
 export function Products({ path, kind }) {
