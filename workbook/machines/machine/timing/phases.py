@@ -43,7 +43,7 @@ def phase_workings(tables: AxisTables) -> list[Quantity]:
         cell("y2", moving(tables, lambda phase: phase.y2_max), own=own(tables, "amax", ACCELERATION)),
         cell("y3", moving(tables, lambda phase: phase.y3_max), own=own(tables, "jmax", JERK)),
     ]
-    return [*used(tables), *geometric, *faults(tables)]
+    return [*faults(tables), *used(tables), *geometric]  # texts first: a number would show as ### at the print's edge
 
 
 def moving(tables: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
@@ -132,10 +132,10 @@ def faults(tables: AxisTables) -> list[Quantity]:
     lack = own(tables, "", "=[h]*(1-INDEX(law_s1,[no]))")
     cell = CELLS["faults"].sharing(after=over.after)
     return [
-        cell("gap", gaps(tables), scale=360.0),
         cell("backwards", ""),
         cell("early", "", too_soon=over.shown_formula("0-[gap]")),
         *([beyond(over)] if over.measured else []),
+        cell("gap", gaps(tables), scale=360.0),
         cell("lack", lacks, unit=axis.base, lack=lack, scale=axis.motion.size(0)),
     ]
 

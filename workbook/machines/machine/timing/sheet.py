@@ -22,7 +22,7 @@ MARKS = {"mm": "mm", "°": "deg"}
 TOP, DIAGRAM = 5, 11  # the row and the column that the diagram begins at
 LANES, LANE_ROWS = 6, 3  # columns and rows of the lane of a curve
 LABELS = 28.0  # width of the column of labels
-NARROW = 6.5  # width of the columns over which charts lie, behind phases that hand over
+NARROW = 6.0  # width of the columns over which charts lie, behind phases that hand over
 
 
 def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> None:
