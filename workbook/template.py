@@ -8,7 +8,8 @@ from typing import Any, Generic, TypeVar
 
 from workbook.book.checks import checks_sheet
 from workbook.book.declare import Book
-from workbook.book.summary import close_summary, title_blocks
+from workbook.book.sentence import NOTHING, CheckSentence
+from workbook.book.summary import close_summary, more_results, title_blocks
 from workbook.book_layout import NAME as LAYOUT
 from workbook.book_layout import layout_text
 from workbook.entries.machine import Machine
@@ -69,9 +70,13 @@ class Template(Generic[M]):
         return self.folder / f"{self.name}.xlsx"
 
 
-def finish(book: Book, sources: tuple[str, ...]) -> Book:
-    """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles, sources."""
+def finish(book: Book, sources: tuple[str, ...], says: CheckSentence = NOTHING) -> Book:
+    """Add what comes when all sheets are there: checks, the verdict on each sheet, contents, titles, sources.
+
+    ``says`` stands on the first sheet behind the verdict.
+    """
+    more_results(book)
     checks_sheet(book)
-    close_summary(book, sources)
+    close_summary(book, sources, says)
     title_blocks(book)
     return book

@@ -5,10 +5,10 @@ from itertools import accumulate
 from typing import NamedTuple
 
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import Book, Quantity, Sheet, Text
+from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text
 from workbook.book.quantity import SAYS
 from workbook.book.rows import filled
-from workbook.book.sentence import Sentence
+from workbook.book.sentence import Sentence, spelled
 
 CELLS = cell_tables(__file__)
 
@@ -17,7 +17,7 @@ FAILING = {"mend": 6, "failing": 8}
 FAILING_NOW, OWN = "(checks_all-checks_ok)", "by_sheet.verdict"
 
 ZERO = 1e-9
-NONE = "none"  # what stands in place of the first check that fails, where none does
+NONE = "Nothing: {} checks OK."
 FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
 """1 where a check does not hold, be it for an error value; a range, for IronCalc counts in no single cell"""
 
@@ -26,20 +26,20 @@ def checks_sheet(book: Book) -> Sheet:
     """Declare the sheet; to be called when every check of the book is declared. All of them stand below the print."""
     sheet = book.sheet("Checks", "What fails, and how many checks each sheet has; one FAIL fails the book.")
     sheet.one_page, sheet.print_columns, sheet.widths = True, 12, {2: 22, 6: 58}
-    checks, summed = book.checks, summary(book)
-    sheet.heading("Results")
-    sheet.rows(
-        CELLS["checks_sheet"]("checks_ok", summed.holding),
-        CELLS["checks_sheet"]("checks_all", len(checks)),
-        CELLS["checks_sheet"]("check_zero", ZERO),
-        CELLS["checks_sheet"]("overall", summed.overall == "OK"),
-    )
-    sheet.row += 1
-    failing_table(sheet, "failing")
+    checks, summed, top = book.checks, summary(book), sheet.row
+    sheet.row += FAILING["failing"] + 4
     by_sheet(sheet)
     sheet.not_printed_below()
+    sheet.heading("Results")
+    cell = CELLS["checks_sheet"]
+    sheet.rows(
+        cell("checks_ok", summed.verdicts.count("OK")),
+        cell("checks_all", len(checks)),
+        cell("check_zero", ZERO),
+        cell("overall", summed.overall == "OK"),
+    )
     sheet.heading("Every check")
-    sheet.table(
+    every = sheet.table(
         "checks",
         "Checks",
         len(checks),
@@ -50,6 +50,9 @@ def checks_sheet(book: Book) -> Sheet:
         CELLS["checks"]("what", [q.label for _, q in checks]),
         CELLS["checks"]("says", summed.sentences, formula=[f"={q.name}{SAYS}" for _, q in checks]),
     )
+    links = ((row, book.blocks[q.name]) for row, (_, q) in enumerate(checks, every.row))
+    sheet.texts += [Text(row, FIRST, "", "link", own.sheet.title, own.at) for row, own in links]
+    failing_table(sheet, "failing", "What fails", top, FIRST)
     return sheet
 
 
@@ -72,8 +75,6 @@ class Summary(NamedTuple):
 
     verdicts: list[str]
     sentences: list[str]
-    holding: int
-    failing: int
     so_far: list[int]  # of each check how many up to it do not hold
     overall: str
 
@@ -82,8 +83,8 @@ def summary(book: Book) -> Summary:
     """Return the counts of the checks and their joint verdict."""
     judged = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
     verdicts, sentences = [verdict for verdict, _ in judged], [sentence for _, sentence in judged]
-    so_far, holding = list(accumulate(int(verdict != "OK") for verdict in verdicts)), verdicts.count("OK")
-    return Summary(verdicts, sentences, holding, len(verdicts) - holding, so_far, joint_verdict(verdicts))
+    so_far = list(accumulate(int(verdict != "OK") for verdict in verdicts))
+    return Summary(verdicts, sentences, so_far, joint_verdict(verdicts))
 
 
 def joint_verdict(verdicts: Sequence[str]) -> str:
@@ -110,16 +111,15 @@ def group_verdicts(book: Book, rows: Iterable[list[int]]) -> list[str]:
     return [joint_verdict([verdicts[k - 1] for k in places]) for places in rows]
 
 
-def failing_checks(book: Book, most: int) -> tuple[list[str], list[str]]:
-    """Return of the first ``most`` checks that fail on which sheet each stands, and where it fails and by how much."""
+def failing_checks(book: Book, most: int) -> list[str]:
+    """Return of the first ``most`` checks that fail where each fails and by how much; else that none does."""
     facts = summary(book)
-    failing = [
-        (sheet.title, Sentence(f"{q.label}: {message}"))
-        for (sheet, q), verdict, message in zip(book.checks, facts.verdicts, facts.sentences, strict=True)
+    failing: list[str] = [
+        Sentence(f"{q.label}: {message}")
+        for (_, q), verdict, message in zip(book.checks, facts.verdicts, facts.sentences, strict=True)
         if verdict != "OK"
-    ][:most]
-    where, says = zip(*filled(failing or [(NONE, "")], most, ("", "")), strict=True)
-    return list(where), list(says)
+    ]
+    return filled(failing[:most] or [NONE.format(len(book.checks))], most, "")
 
 
 def own_checks(book: Book) -> dict[int, list[int]]:
@@ -148,26 +148,26 @@ def repeat_verdicts(book: Book) -> None:
         sheet.put(whole, 2, right)
 
 
-IN_ONE = '=IF(mend_count=0,"All "&checks_all&" checks hold.","Checks that fail: "&mend_count&" of "&checks_all&".")'
+IN_ONE = (
+    f'=IF({FAILING_NOW}=0,"All "&checks_all&" checks hold.","Checks that fail: "&{FAILING_NOW}&" of "&checks_all&".")'
+)
 
 
 def in_one(book: Book) -> str:
     """Return whether all checks hold, as a sentence."""
-    failing, count = summary(book).failing, len(book.checks)
+    failing, count = summary(book).so_far[-1], len(book.checks)
     return f"Checks that fail: {failing} of {count}." if failing else f"All {count} checks hold."
 
 
-def failing_table(sheet: Sheet, name: str) -> None:
-    """Declare the first checks that fail: what, on which sheet, where and by how much."""
+def failing_table(sheet: Sheet, name: str, title: str, row: int, column: int) -> None:
+    """Declare at a cell the first checks that fail, each in a sentence that links to all of them, or that none does."""
     most = FAILING[name]
-    on, sentences = failing_checks(sheet.book, most)
-    where, what, says = (f"INDEX([checks.{column}],MATCH([k],[checks.nth],0))" for column in ("where", "what", "says"))
-    sheet.table(
-        name,
-        "The checks that fail",
-        most,
-        CELLS["failing"]("where", on, none=NONE, where=where, failing=FAILING_NOW),
-        CELLS["failing"]("k", list(range(1, most + 1))),
-        CELLS["failing"]("says", sentences, failing=FAILING_NOW, what=what, message=says),
-        blank=f"[k]>MAX(1,{FAILING_NOW})",
-    )
+    what, says = (f"INDEX([checks.{column}],MATCH([{name}_k.k.same],[checks.nth],0))" for column in ("what", "says"))
+    cell = CELLS["failing"].sharing(k=f"[{name}_k.k.same]", failing=FAILING_NOW, none=spelled(NONE, "checks_all"))
+    failing = cell("says", failing_checks(sheet.book, most), what=what, message=says)
+    block = sheet.table_at(name, title, row, column, failing)
+    sheet.workings(block, f"{name}_k", "", sheet.print_columns + 2, cell("k", list(range(1, most + 1))))
+    every = sheet.book.blocks["checks"]
+    sheet.texts += [
+        Text(row, block.column, "", "link", every.sheet.title, every.at) for row in range(block.row, block.row + most)
+    ]

@@ -101,7 +101,7 @@ class Formula(NamedTuple):
     @property
     def functions(self) -> frozenset[str]:
         """The names of the functions called, in capitals."""
-        return functions_of(self.shape)
+        return frozenset(FUNCTION.findall(self.shape))
 
     @property
     def anchors(self) -> tuple[str, ...]:
@@ -225,11 +225,6 @@ def anchored(written: str) -> str:
 
 
 @lru_cache(maxsize=20_000)
-def functions_of(shape: str) -> frozenset[str]:
-    """Return the names of the functions that a shape calls."""
-    return frozenset(FUNCTION.findall(shape))
-
-
 @lru_cache(maxsize=20_000)
 def functions_in(text: str) -> frozenset[str]:
     """Return the functions that a formula calls, in capitals and without prefix."""

@@ -64,6 +64,7 @@ class Quantity(NamedTuple):
     good: str = ""  # a word that is shown as the verdict OK is
     # the condition, without =, under which the cell does not count, and is shown in grey
     grey: str = ""
+    inks: tuple[str, ...] = ()  # of each row, where they differ from that of its kind
     row_label: str = ""  # the label that stands in its row, where that is another than its own
     says: str = ""  # of a check: the formula of where it fails, and by how much
     sentence: str = ""  # what that formula gives, by the engine, where the check fails
@@ -190,7 +191,7 @@ class Block:
     size: int
     title: str = ""
     is_table: bool = True
-    is_large: bool = False  # a figure below its name and unit
+    is_large: bool = False  # a figure between its name and its unit
     shared_heads: int = 0  # of a table without heads of its own: the row of the names of its columns, above a like one
     blank: str = ""  # of a table: the condition under which a row is not used, and shows nothing but its inputs
     # of a table: the condition under which its results are errors, and are not shown
@@ -215,6 +216,11 @@ class Block:
         """The sheet column of each quantity that a formula may name for its own row."""
         beside = (self.lead, self.workings)
         return {**{name: column for block in beside if block for name, column in block.columns.items()}, **self.columns}
+
+    @property
+    def at(self) -> str:
+        """The block's first cell, such as ``B7``."""
+        return f"{get_column_letter(self.column)}{self.row}"
 
     @property
     def span(self) -> str:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from itertools import accumulate
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -23,8 +24,10 @@ LONG = 40  # rows of a table that is not printed below others, and of which a pa
 TITLES = 3  # rows of a sheet's title, purpose and overall verdict
 DEEPEST = 14  # a table that begins farther down than this is not alone on its sheet
 MOST_COLUMNS = 40  # of a sheet
-LEAST_COLUMNS, ON_SCREEN = 9, 13  # of a printed page; those that a screen of 1366 pixels shows
+LEAST_COLUMNS = 9  # of a printed page
 FIRST = 2  # the column in which labels and tables begin; column 1 is a margin
+WIDTHS, COLUMN_WIDTH = {1: 2, FIRST: 39.5}, 9.5  # of columns that have none of their own, in digits
+ON_SCREEN = 186.0  # digits that a screen of 1366 pixels shows side by side
 
 
 @dataclass
@@ -73,9 +76,11 @@ class Sheet:
 
     @property
     def last_column(self) -> int:
-        """The last column that is printed; of a sheet that is not, the last that a screen shows."""
+        """The last column that is printed and that a screen shows."""
         used = max((column for block in self.blocks for column in block.columns.values()), default=FIRST)
-        return min(self.print_columns or max(used, LEAST_COLUMNS), ON_SCREEN)
+        wide, last = WIDTHS | self.widths, self.print_columns or max(used, LEAST_COLUMNS)
+        ends = accumulate(wide.get(column, COLUMN_WIDTH) for column in range(1, last + 1))
+        return sum(end <= ON_SCREEN for end in ends)
 
     @contextmanager
     def scoped(self, scope: str) -> Iterator[None]:
@@ -133,19 +138,10 @@ class Sheet:
             self.put(message, self.row, FIRST + 4)
         self.row += 1
 
-    def put(self, quantity: Quantity, row: int, column: int) -> None:
+    def put(self, quantity: Quantity, row: int, column: int, is_large: bool = False) -> None:
         """Place a quantity in a cell of its own."""
         own = self._own((quantity,))
-        self._place(Block(own[0].name, self, row, column, own, 1, is_table=False))
-
-    def figure(self, quantity: Quantity, row: int, column: int) -> str:
-        """Place a figure that one came for: large, below its name, unit and note; return these two."""
-        (own,) = self._own((quantity,))
-        unit = ", ".join(filter(None, (own.unit, own.source)))
-        self.texts += [Text(row, column, own.label, "figure name"), Text(row + 1, column, unit, "figure unit")]
-        large = own._replace(align="left")
-        self._place(Block(own.name, self, row + 2, column, (large,), 1, is_table=False, is_large=True))
-        return unit
+        self._place(Block(own[0].name, self, row, column, own, 1, is_table=False, is_large=is_large))
 
     def checks(self, *quantities: Quantity) -> None:
         """Place checks and what each says, without the sheet's name, and enter them in the book's list."""
@@ -194,6 +190,12 @@ class Sheet:
         if watched := self.limited(quantities):
             self._guard(block, watched, rules, inputs)
         return block
+
+    def table_at(self, name: str, title: str, row: int, column: int, *quantities: Quantity) -> Block:
+        """Place a table with its heads at a cell, beside others."""
+        self._heads(title, row, column, False, quantities)
+        size = len(quantities[0].value)
+        return self._place(Block(name, self, row + 3, column, self._own(quantities), size, title))
 
     def _guard(
         self, block: Block, watched: Sequence[tuple[Quantity, Limit]], rules: Sequence[RowRule], inputs: list[Quantity]

@@ -8,7 +8,7 @@ from math import copysign, fsum, log
 from typing import NamedTuple
 
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import FIRST, Book, Sheet, Text
+from workbook.book.declare import Book, Sheet
 from workbook.book.quantity import Block, Quantity
 from workbook.book.rows import as_rows, filled, is_number
 
@@ -73,15 +73,13 @@ def fingerprint(book: Book) -> float | None:
     return fsum(weight(row) * size for row, size in enumerate(sizes) if size)
 
 
-def stamp_line(book: Book, sheet: Sheet, row: int, column: int) -> None:
-    """Declare the fingerprint of the last verify, and at the begin of its row whether today's entries are those."""
-    cell, today = CELLS["stamp_line"], fingerprint(book)
-    sheet.texts.append(Text(row, column - 1, "Verified at", "aside"))
-    sheet.put(cell(NAME, book.stamp), row, column)
+def stamped(book: Book) -> tuple[Quantity, Quantity]:
+    """Return the fingerprint of the last verify, and whether today's entries are those, in words."""
+    cell, today = CELLS["stamped"], fingerprint(book)
     says: str | None = NEVER
     if book.stamp is not None:
         says = today and (SAME if abs(book.stamp - today) <= EQUAL * abs(today) else OTHER)  # type: ignore[assignment]
-    sheet.put(cell(SENTENCE, says, never=NEVER, same=SAME, other=OTHER), row, FIRST)
+    return cell(NAME, book.stamp), cell(SENTENCE, says, never=NEVER, same=SAME, other=OTHER)
 
 
 def stamp_table(book: Book, sheet: Sheet) -> None:

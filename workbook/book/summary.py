@@ -4,14 +4,17 @@ On the first, links to every sheet, how to use the book, and its sources follow 
 """
 
 from collections.abc import Sequence
-from itertools import count
+from dataclasses import replace
+from itertools import count, pairwise
 from typing import Any
 
 import workbook
 from workbook.book.cell_tables import cell_tables
-from workbook.book.checks import FAILING, IN_ONE, failing_table, in_one, repeat_verdicts, summary
+from workbook.book.checks import FAILING, IN_ONE, failing_table, in_one, repeat_verdicts
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text
-from workbook.book.stamp import stamp_line, stamp_table
+from workbook.book.sentence import NOTHING, CheckSentence, Sentence
+from workbook.book.sheet import COLUMN_WIDTH
+from workbook.book.stamp import stamp_table, stamped
 
 CELLS = cell_tables(__file__)
 
@@ -20,17 +23,13 @@ def title_blocks(book: Book) -> None:
     """Head every sheet: its title and purpose, its own verdict and the book's, machine and revision."""
     repeat_verdicts(book)
     identified = str(book.blocks["book_block"].quantities[0].value)
-    for i, sheet in enumerate(book.sheets, 1):
+    for i, sheet in enumerate(book.sheets[1:], 2):
         block = Quantity(f"block{i}", "Title block", role="sentence", formula="=book_block", value=identified)
         sheet.put(block._replace(align="left"), 3, FIRST)
-        sheet.texts.append(Text(2, FIRST, sheet.purpose, "note"))
-        if sheet is book.sheets[0]:
-            head(sheet)
-        else:
-            sheet.texts.append(Text(1, FIRST, sheet.title, "title"))
-            links = {TITLE: "A1"} | sheet.links
-            for column, (title, cell) in zip(count(sheet.last_column, -1), links.items(), strict=False):
-                sheet.texts.append(Text(3, column, title, "link", title, cell))
+        sheet.texts += [Text(1, FIRST, sheet.title, "title"), Text(2, FIRST, sheet.purpose, "note")]
+        links = {TITLE: "A1"} | sheet.links
+        for column, (title, cell) in zip(count(sheet.last_column, -1), links.items(), strict=False):
+            sheet.texts.append(Text(3, column, title, "link", title, cell))
 
 
 TITLE = "Summary"
@@ -50,80 +49,98 @@ USE = (
     "Yours are the cells with a fill, the columns beside the tables, and notes.",
     "Workings are not printed, nor are Names, Catalogue, Laws, the laws' sheets, unless print_also asks for them.",
 )
-COLUMNS = 17
-WIDTHS: dict[int, float] = {
-    FIRST: 14.5,
-    FIRST + 1: 17,
-    FIRST + 2: 20.5,
-    9: 8,
-    10: 8,
-    11: 8,
-    12: 8.5,
-    13: 8,
-    15: 13,
-    16: 16,
-}
-SENTENCE, FIGURES = 4, 6  # rows of the verdict in words, and of figures
-# width of a letter at most, and of a column that has none of its own, in digits
-LETTER, COLUMN = 0.95, 9.5
-ENTERED = 16  # the column of entries
-PICTURE_ROW, PICTURE_ROWS = 11, 14
+WIDTHS: dict[int, float] = dict(enumerate((13, 13, 18, 15, 7.5, 8.5, 8.5, 7.5, 7.5, 7.5, 7.5, 7.5, 8, 8, 17, 7), FIRST))
+LAST = max(WIDTHS)
+SENTENCE, STAMP, FIGURES = 2, 3, 5  # rows of the verdict in words, of the stamp, of figures
+ENTERED = LAST - 1  # the column of entries that identify the machine
+LETTER = 0.87  # width of a letter in digits
+PICTURE_ROW, PICTURE_ROWS = 9, 18
+LARGE = 22.0  # points of the row of figures
+MEND_COLUMN = FIRST + 4
+MENDING = 4 + FAILING["mend"]  # rows of the table of what is to mend
 
 
-IDENTIFIED = {"number": "Machine number", "revision": "Revision", "author": "Author", "date": "Date"}
+IDENTIFIED = {"number": "Number", "revision": "Revision", "author": "Author", "date": "Date"}
 """entries that tell a machine, and a state of its design, from others"""
 
 
 def summary_sheet(
-    book: Book, machine: Any, purpose: str, figures: Sequence[Quantity], more: Sequence[Quantity] = ()
+    book: Book,
+    machine: Any,
+    purpose: str,
+    figures: Sequence[Quantity],
+    more: Sequence[Quantity] = (),
 ) -> Sheet:
     """Declare the head of the first sheet, with its figures, large; ``more`` results stand below what is printed.
 
-    A table of axes may follow; :func:`close_summary` adds the rest.
+    A sentence behind a figure stands below it in place of its unit. A table of axes may follow; :func:`close_summary`
+    adds the rest.
     """
     cell = CELLS["summary_sheet"]
     sheet = book.sheet(TITLE, purpose)
     book.stamp = machine.stamp
-    sheet.one_page, sheet.print_columns = True, COLUMNS
-    sheet.widths = dict(WIDTHS)
-    sheet.more = more
-    entered = (
-        cell("book_title", machine.title),
-        *(cell("book_{key}", getattr(machine, key), key=key, label=label) for key, label in IDENTIFIED.items()),
-    )
-    for row, quantity in enumerate(entered, FIGURES):
-        sheet.texts.append(Text(row, ENTERED - 1, quantity.label, "aside"))
-        sheet.put(quantity, row, ENTERED)
+    sheet.one_page, sheet.print_columns, sheet.widths = True, LAST, dict(WIDTHS)
+    title = cell("book_title", machine.title)
+    sheet.more = (title, *more)
+    heading = Quantity("book_heading", "Title", role="title", formula='=book_title&""', value=machine.title)
+    sheet.put(heading._replace(align="left"), 1, FIRST)
+    for row, (key, label) in enumerate(IDENTIFIED.items(), STAMP):
+        sheet.texts.append(Text(row, ENTERED - 1, label, "aside"))
+        sheet.put(cell("book_{key}", getattr(machine, key), key=key, label=label), row, ENTERED)
+    sheet.heights[FIGURES + 1] = LARGE
     column = FIRST
-    for quantity in figures:
-        unit = sheet.figure(quantity, FIGURES, column)
-        room = LETTER * max(len(quantity.label), len(unit)) + 1
+    for q, after in pairwise((*figures, title)):
+        if q.role == "sentence":
+            continue
+        sheet.put(q._replace(align="left"), FIGURES + 1, column, is_large=True)
+        below = ", ".join(filter(None, (q.unit, q.source)))
+        sheet.texts.append(Text(FIGURES, column, q.label, "figure name"))
+        if after.role == "sentence":
+            sheet.put(after, FIGURES + 2, column)
+            below = after.value
+        else:
+            sheet.texts.append(Text(FIGURES + 2, column, below, "figure unit"))
+        room = LETTER * max(len(q.label), len(below)) + 1
         while room > 0:
-            room, column = room - WIDTHS.get(column, COLUMN), column + 1
+            room, column = room - WIDTHS.get(column, COLUMN_WIDTH), column + 1
     sheet.row = PICTURE_ROW + PICTURE_ROWS
     return sheet
 
 
-def close_summary(book: Book, sources: tuple[str, ...]) -> None:
-    """Declare what needs all other sheets: the picture, what is to mend; then what is not printed."""
+def more_results(book: Book) -> None:
+    """Leave room for what is to mend, and declare below what is printed the results and checks of the first sheet."""
+    sheet = book.sheets[0]
+    sheet.row += MENDING
+    sheet.not_printed_below()
+    sheet.heading("More results")
+    checks = [q for q in sheet.more if q.role == "check"]
+    sheet.rows(*(q for q in sheet.more if q not in checks))
+    sheet.checks(*checks)
+
+
+def close_summary(book: Book, sources: tuple[str, ...], says: CheckSentence = NOTHING) -> None:
+    """Declare what needs all other sheets: the picture, what is to mend; then what is not printed.
+
+    ``says`` stands behind the verdict.
+    """
     cell = CELLS["close_summary"]
     for each in book.sheets:
         each.place_messages()
     sheet = book.sheets[0]
-    sheet.put(cell("about_verdict", in_one(book), formula=IN_ONE), SENTENCE, FIRST)
+    verdict = Sentence(f"{in_one(book)}{says.text}")
+    sheet.put(cell("about_verdict", verdict, formula="&".join(filter(None, [IN_ONE, says.says]))), SENTENCE, FIRST)
     drawn = [chart for other in book.sheets[1:] for chart, *_ in other.charts]
     for picture in drawn[:1]:
-        sheet.charts.append((picture, PICTURE_ROW, FIRST, COLUMNS - FIRST + 1, PICTURE_ROWS))
-    stamp_line(book, sheet, SENTENCE + 1, ENTERED)
-    sheet.heading("To mend")
-    failing_table(sheet, "mend")
-    sheet.not_printed_below()
-    sheet.heading("More results")
-    sheet.rows(CELLS["to_mend"]("mend_count", summary(book).failing, to_mend=FAILING["mend"]), *sheet.more)
+        sheet.charts.append((replace(picture, title=""), PICTURE_ROW, FIRST, LAST - FIRST + 1, PICTURE_ROWS))
+    stamp, today = stamped(book)
+    sheet.put(today, STAMP, FIRST)
+    row = sheet.print_rows - MENDING
+    is_beside = any(row <= block.row < sheet.print_rows for block in sheet.blocks)
+    failing_table(sheet, "mend", "To mend", row, MEND_COLUMN if is_beside else FIRST)
     sheet.heading("Contents")
     for other in book.sheets[1:]:
         entry(sheet, Text(sheet.row, FIRST, other.title, "link", other.title), other.purpose)
-    sheet.heading("How to use this book")
+    sheet.heading("How to use this book", sheet.purpose)
     mark, block = title_block(book)
     for line in USE:
         sheet.note(line)
@@ -131,6 +148,7 @@ def close_summary(book: Book, sources: tuple[str, ...]) -> None:
     sheet.rows(
         cell("book_mark", mark, formula=MARK),
         cell("book_block", block, formula=BLOCK),
+        stamp,
         cell("book_template", book.template),
         cell("book_version", workbook.__version__),
         cell("book_layout", ""),
@@ -152,13 +170,6 @@ def title_block(book: Book) -> tuple[str, str]:
     )
     mark = f"{title}{number and f', no. {number}'}{revision and f', revision {revision}'}"
     return mark, f"{mark}{author and f', {author}'}{date and f', {date}'}"
-
-
-def head(sheet: Sheet) -> None:
-    """Declare the title of the first sheet: the machine's, as it is entered."""
-    entered = sheet.book.blocks["book_title"].quantities[0].value
-    title = Quantity("book_heading", "Title", "", "", "title", '=book_title&""', entered, align="left")
-    sheet.put(title, 1, FIRST)
 
 
 def entry(sheet: Sheet, first: Text, note: str) -> None:

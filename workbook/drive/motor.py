@@ -25,15 +25,15 @@ def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> l
     ]
 
 
-def inertia_check(of: str, cell: str, limit: str, ratio: float, most: float) -> Quantity:
-    """Return the check of the inertia ratio."""
+def inertia_check(of: str, cell: str, limit: str, ratio: float, most: float, then: CheckSentence = NOTHING) -> Quantity:
+    """Return the check of the inertia ratio; ``then`` is what it says besides."""
     return CELLS["inertia_check"](
         "@ok_inertia",
         ratio <= most,
         of=of,
         cell=cell,
         allowed=limit,
-        says=amount(cell, ratio, "the load has ", " times the motor's inertia"),
+        says=amount(cell, ratio, "the load has ", " times the motor's inertia").then(then),
     )
 
 

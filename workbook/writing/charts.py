@@ -46,7 +46,8 @@ NUMBERS = re.compile(rb"<numRef><f>([^<]*)</f></numRef>")
 def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     """Return the openpyxl chart for ``chart``, ``width`` by ``height`` cm large."""
     drawn = ScatterChart()
-    drawn.title = heading(chart.title, TITLE if chart.legend else AXIS_TITLE, book, beside=chart.is_lane)
+    if chart.title:
+        drawn.title = heading(chart.title, TITLE if chart.legend else AXIS_TITLE, book, beside=chart.is_lane)
     drawn.style, drawn.scatterStyle = 2, "lineMarker"
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
     for i, series in enumerate(chart.series):
@@ -141,9 +142,10 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
         return
     if chart.lanes:
         drawn.y_axis.number_format, drawn.y_axis.majorTickMark = ";;;", "none"
-    room = 0.88 - BELOW / drawn.height
+    top = 0.12 if chart.title else 0.03
+    room = 1.0 - top - BELOW / drawn.height
     left = max(0.13, (NAMES if chart.lanes else FIGURES) / drawn.width)
-    drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=0.12, w=0.95 - left, h=room))
+    drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=top, w=0.95 - left, h=room))
 
 
 def name_at(point: int, side: Literal["l", "r", "t"], ink: str) -> DataLabelList:

@@ -16,10 +16,9 @@ from typing import NamedTuple
 from workbook.book.declare import FIRST, REFERENCE, Block, Book, Quantity, Sheet
 from workbook.book.quantity import FAIL, OK, sample
 from workbook.book.rows import as_rows
+from workbook.book.sheet import COLUMN_WIDTH, WIDTHS
 from workbook.writing import style
 
-WIDTHS = {1: 2, FIRST: 39.5}
-COLUMN_WIDTH = 9.5
 RUN = 12  # columns over which a text may run
 TOWARDS = {"left": 1, "right": -1}  # where texts run over: in the middle of a table, nowhere
 GAP = 0.75  # digits beside a text, so that it does not touch what stands next to it
@@ -103,7 +102,7 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
     for text in sheet.texts:
         is_folded = 0 < sheet.folded_rows <= text.row  # heads of such workings make no page wider
         if text.style in ("header", "units") and not is_folded:
-            words = text.text.split() if text.style == "header" else [text.text]
+            words = text.text.split() if text.style == "header" or sheet.one_page else [text.text]
             needed = GAP + max((text_width(word, HEAD, text.style == "header") for word in words), default=0.0)
             if 0 < sheet.print_columns < text.column:  # of workings, which make no printed row high
                 needed = max(needed, GAP + TWO_LINES * text_width(text.text, HEAD, bold=True))

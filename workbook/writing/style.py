@@ -54,7 +54,7 @@ ROLES = {
     "input": Look("Entry", font(color=FIGURE), None, PatternFill("solid", fgColor=ENTRY), line(DOTS, "dotted")),
     "calculation": Look("Working", font()),
     "result": Look("Result", font(bold=True)),
-    "figure": Look("Figure", font(14, bold=True)),
+    "figure": Look("Figure", font(16, bold=True)),
     "check": Look("Verdict", font(bold=True)),
     "constant": Look("Constant", font(color=GREY)),
     "sentence": Look("Finding", font(10, GREY)),
@@ -68,7 +68,7 @@ TEXTS = {
     "symbol": Look("Symbol", font(color=GREY, italic=True), Alignment(horizontal="center")),
     "unit": Look("Unit", font(color=GREY), Alignment(horizontal="left", indent=1)),
     "note": Look("Note", font(10, GREY)),
-    "figure name": Look("Figure name", font(10, GREY, bold=True)),
+    "figure name": Look("Figure name", font(10, GREY)),
     "figure unit": Look("Figure unit", font(10, GREY)),
     "aside": Look("Aside", font(10, GREY), Alignment(horizontal="right")),
     "link": Look("Link", font(underline="single")),
@@ -77,7 +77,8 @@ TEXTS = {
     "group word": Look("Group word", font(color=GREY), None, None, line(INK)),
     "header": Look("Table head", font(10, GREY, bold=True),
                    Alignment(wrap_text=True, horizontal="center", vertical="bottom")),
-    "units": Look("Table units", font(10, GREY, italic=True), Alignment(horizontal="center"), None, line(RULE)),
+    "units": Look("Table units", font(10, GREY, italic=True), Alignment(wrap_text=True, horizontal="center"), None,
+                  line(RULE)),
     "folded units": Look("Folded units", font(10, GREY, italic=True), Alignment(horizontal="left"), None, line(RULE)),
     "equation": Look("Table equation", font(10, GREY),
                      Alignment(wrap_text=True, horizontal="center", vertical="center")),
@@ -105,10 +106,12 @@ class Styles:
         """Remove the scratch sheet."""
         self._workbook.remove(self._scratch)
 
-    def _quantity(self, role: str, number_format: str, aligned: Aligned) -> int:
+    def _quantity(self, role: str, number_format: str, aligned: Aligned, ink: str = "") -> int:
         """Return the style of a quantity's cells."""
         cell = self._scratch.cell(1, 1)
         cell.style = ROLES[role].name  # first: it resets number format and protection
+        if ink:
+            cell.font = font(color=ink, bold=True)
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
         vertical = "top" if aligned.wrap else None

@@ -27,17 +27,17 @@ from workbook.book.address import Address
 from workbook.book.declare import FIRST, Block, Book, Sheet
 from workbook.book.formula import LAST_COLUMN
 from workbook.book.quantity import number_format, sample
-from workbook.book.sheet import LEAST_COLUMNS
+from workbook.book.sheet import COLUMN_WIDTH, LEAST_COLUMNS
 from workbook.entries import rules
 from workbook.writing import archive, charts, layout, style
 from workbook.writing.archive import Cells, Strings
-from workbook.writing.layout import COLUMN_WIDTH, FULL, PossibleTexts, lines_of, widths
+from workbook.writing.layout import FULL, PossibleTexts, lines_of, widths
 from workbook.writing.output_files import refuse_existing, replace
 from workbook.writing.screen import add_validations, set_up_screen
 
 HIDDEN = 16_250
 """a column: of a print area without a cell in sight no page is printed. Others may be put in before it"""
-LINE_HEIGHTS, BESIDE = {"header": 14, "equation": 13}, {"header": 2, "equation": 5}
+LINE_HEIGHTS, BESIDE = {"header": 14, "units": 13, "equation": 13}, {"header": 2, "units": 2, "equation": 5}
 """in points, of the texts that wrap, and what keeps them off the line beside them: dots and exponents stand high"""
 ROW_HEIGHT = 15  # of a line in a cell that wraps
 AS_TYPED = "@"  # the format of a cell that keeps 4711, or 3-4, as a text
@@ -98,7 +98,7 @@ def parts(
     files |= charts.fill_caches(
         {name: part for name, part in files.items() if name.startswith("xl/charts/chart")}, book
     )
-    abouts = [(chart.title, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
+    abouts = [(chart.title or chart.about, chart.about) for sheet in book.sheets for chart, *_ in sheet.charts]
     return archive.complete_parts(files, strings.part(), abouts)
 
 
@@ -186,7 +186,7 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
         if text.link:
             target = f"{quote_sheetname(text.link)}!{text.linked_cell}"
             page.cell(text.row, text.column).hyperlink = Hyperlink("", location=target, tooltip=f"Go to {text.link}")
-        if text.style in LINE_HEIGHTS and text.text:
+        if text.style in LINE_HEIGHTS and text.text and (text.style != "units" or sheet.one_page):
             room = wide.get(text.column, COLUMN_WIDTH)
             lines = lines_of(text.text, style.TEXTS[text.style].font.sz or FULL, room)
             cells.heights[text.row] = max(
@@ -202,10 +202,12 @@ def write_block(
         value = sample(q)
         aligned = style.aligned(q, value, block.is_table, column == FIRST)
         shown = AS_TYPED if rules.is_free_text(model, q) else number_format(q, value)
-        look = styles.quantity(style.style_role(q.role, block), shown, aligned)
+        role = style.style_role(q.role, block)
+        looks = [styles.quantity(role, shown, aligned, ink) for ink in q.inks or ("",)]
         if q.role == "input":
             add_validations(block, q, page, model)
         for row, (content, value) in enumerate(block.contents(q), block.row):
+            look = looks[(row - block.row) % len(looks)]
             if q.formula is None:
                 cells.put(row, column, look, content)
             else:

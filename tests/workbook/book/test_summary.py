@@ -11,6 +11,7 @@ from openpyxl.utils import get_column_letter
 
 from tests import cutting
 from workbook.book.checks import FAILING
+from workbook.book.sheet import COLUMN_WIDTH, ON_SCREEN, WIDTHS
 from workbook.build import read_inputs
 from workbook.reading.descriptions import parse_toml, read_machine, validated
 from workbook.template import FOLDER
@@ -36,27 +37,47 @@ def described(name, change, **more):
 
 
 def mended(book):
-    """Return the rows that the first sheet has of checks that fail: on which sheet, and what these say."""
-    columns = [[c.expected for c in column] for column in book.blocks["mend"].by_column()]
-    return list(zip(columns[0], columns[2], strict=True))
+    """Return what the first sheet says of checks that fail."""
+    (says,) = book.blocks["mend"].by_column()
+    return [cell.expected for cell in says]
 
 
 def test_a_book_whose_checks_hold_has_nothing_to_mend():
     book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
     assert book.sheets[0].title == "Summary"
-    assert mended(book) == [("none", ""), *[("", "")] * (FAILING["mend"] - 1)]
+    assert mended(book) == [f"Nothing: {len(book.checks)} checks OK.", *[""] * (FAILING["mend"] - 1)]
 
 
 @pytest.mark.parametrize("rate", [300.0, 1000.0])
 def test_the_first_checks_that_fail_stand_on_the_first_sheet(rate):
     machine = described("machine", {"rate = 200.0": f"rate = {rate}"})
     book = TEMPLATES["machine"].declare(machine)
-    failing = [(sheet.title, q.label) for sheet, q in book.checks if q.value != "OK"]
+    failing = [q.label for _, q in book.checks if q.value != "OK"]
     rows = mended(book)
     assert failing
-    assert [where for where, _ in rows] == ([where for where, _ in failing] + [""] * FAILING["mend"])[: FAILING["mend"]]
-    assert all(says.startswith(f"{what}: ") for (_, says), (_, what) in zip(rows, failing, strict=False))
-    assert all("too much" in says for _, says in rows if "within the motor's" in says)
+    assert all(says.startswith(f"{what}: ") for says, what in zip(rows, failing, strict=False))
+    assert rows[len(failing) :] == [""] * (FAILING["mend"] - len(failing))
+    assert all("too much" in says for says in rows if "within the motor's" in says)
+    listed = book.blocks["checks"]
+    links = {
+        text.row: (text.link, text.linked_cell) for text in listed.sheet.texts if text.link and text.row >= listed.row
+    }
+    assert set(links) == set(range(listed.row, listed.row + listed.size))
+    blocks = [book.blocks[q.name] for _, q in book.checks]
+    assert [*links.values()] == [(b.sheet.title, f"{get_column_letter(b.column)}{b.row}") for b in blocks]
+
+
+def test_the_verdict_says_what_the_drives_hold_and_the_figures_why():
+    book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
+    says = {name: book.blocks[name].quantities[0].value for name in ("about_verdict", "about_reached", "about_gap_of")}
+    assert says == {
+        "about_verdict": "All 101 checks hold. "
+        "The drives hold from 0 to 205 cycles/min; reached first: MC01: RMS torque.",
+        "about_reached": "cycles/min, MC01: RMS torque",
+        "about_gap_of": "mm, Punch over cutter",
+    }
+    inks = next(q.inks for q in book.blocks["axes_short"].quantities if q.name == "axis")
+    assert inks == ("0072B2", "D55E00", "009E73", "CC79A7")
 
 
 def between(rule, value):
@@ -80,7 +101,7 @@ def test_a_share_of_a_limit_is_red_above_all_of_it_and_a_dash_never(rate, red, t
         ]
         for c in shares
     }  # fmt: skip
-    assert sum(1 for _ in shares) == 16
+    assert sum(1 for _ in shares) == 20
     assert beyond["–"] == []
     assert {value: colours == [BEYOND] for value, colours in beyond.items() if value != "–"} == {
         value: value > 100 for value in beyond if value != "–"
@@ -149,6 +170,14 @@ def test_the_first_page_tells_the_rate_that_the_drives_figures_hold_at():
     assert book.blocks["about_rate"].quantities[0].value == 100.0
     sized = next(q for q in book.blocks["axes_short"].quantities if q.name == "sized")
     assert sized.value == [80.0, "–", "–"]
+
+
+@pytest.mark.parametrize("template", TEMPLATES)
+def test_the_verdict_of_each_sheet_is_at_the_right_edge_of_what_a_screen_shows(template):
+    book = TEMPLATES[template].declare(read_machine(FOLDER / f"{template}.toml"))
+    for sheet in book.sheets:
+        width = sum((WIDTHS | sheet.widths).get(column, COLUMN_WIDTH) for column in range(1, sheet.last_column + 1))
+        assert width <= ON_SCREEN
 
 
 @pytest.mark.parametrize("template", TEMPLATES)

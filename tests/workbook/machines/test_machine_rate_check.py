@@ -14,7 +14,7 @@ from workbook.machines.machine.rates_summary import RATE_CHECK, hold_at, rate_ch
 from workbook.reading.descriptions import write_machine
 from workbook.serve.shown import design
 
-WITHIN = "The rate is within the range of all drives"
+WITHIN = "The drives hold the rate"
 
 
 def sized_at(own, rate, reducer=None, **motor):

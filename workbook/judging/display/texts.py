@@ -73,6 +73,8 @@ def is_about(text: Text, block: Block) -> bool:
     """Whether a text may describe a block: of several the first, or the last before a unit or note."""
     if text.style in HEADINGS:
         return block.row > text.row and block.column >= text.column
+    if text.style == "figure unit":
+        return block.is_large and (block.row, block.column) == (text.row - 1, text.column)
     has_heads = block.is_table or block.is_large
     if text.style in ABOVE:
         return has_heads and 0 < block.row - text.row <= MOST_HEADS and text.column in block.columns.values()

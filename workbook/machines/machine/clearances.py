@@ -49,7 +49,10 @@ def clearances_sheet(book: Book, gaps: list[ClearanceView]) -> None:
         sheet.chart_row(*map(gap_chart, gaps[k : k + 2]), width=PRINTED // 2)
     sheet.not_printed_below()
     for gap in gaps:
-        gap_workings(sheet, gap)
+        sheet.heading(f"Workings: clearance {gap.number}", ABOUT)
+        least(sheet, gap)
+        points(sheet, gap)
+        cuts(sheet, gap)
     sheet.widths = {PRINTED - 2: 24}  # of the least gaps, whose note is long
     sheet.print_columns, sheet.folded = PRINTED, PRINTED + 1
 
@@ -170,14 +173,6 @@ PARTS_OF = {
 }
 MARKS, OF = "ab", ("first axis: ", "second axis: ")
 """what the names of both axes' columns end with, and their labels begin with"""
-
-
-def gap_workings(sheet: Sheet, gap: ClearanceView) -> None:
-    """Declare the workings of a clearance."""
-    sheet.heading(f"Workings: clearance {gap.number}", ABOUT)
-    least(sheet, gap)
-    points(sheet, gap)
-    cuts(sheet, gap)
 
 
 def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:

@@ -87,7 +87,9 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
     for axis in axes:
         sheet.heading(f"Axis {axis.axis.number}", ABOUT)
         sheet.rows(pieces_in_all(axis.pieces), *axis.joints.order())
-        steps_table(sheet, axis)
+        title = STEPS.format(axis.axis.number)
+        steps = [*step_columns(axis), *phase_columns(axis.pieces), *(fastest(axis) if axis.ends else [])]
+        sheet.table(f"{axis.name}_steps", title, axis.steps, *steps)
         room, ends = axis.machine.room, axis.ends
         columns, halves = (pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
         title, size = f"Pieces of axis {axis.axis.number}", axis.axis.motion.size
@@ -99,17 +101,12 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
                 bends_table(sheet, ends)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
     if any(axis_tables.axis.given.motor for axis_tables in axes):
-        middles_table(book, sheet)
+        title = "Middles of 200 parts of a piece, as shares of it"
+        sheet.table("middles", title, len(MIDDLES), CELLS["middles"]("mid", MIDDLES.tolist()))
+        book.name("middles", **{MIDDLE: "mid"})
     if handing := [axis_tables.ends for axis_tables in axes if axis_tables.ends]:
         place_boundaries(sheet, handing)
     sheet.print_columns = 20
-
-
-def steps_table(sheet: Sheet, tables: AxisTables) -> None:
-    """Declare the steps: a rest before each phase and behind the last, of no length where there is none."""
-    title = STEPS.format(tables.axis.number)
-    columns = [*step_columns(tables), *phase_columns(tables.pieces), *(fastest(tables) if tables.ends else [])]
-    sheet.table(f"{tables.name}_steps", title, tables.steps, *columns)
 
 
 def of_steps(tables: AxisTables, figure: Figure, spare: Any = 0.0) -> list[Any]:
@@ -275,10 +272,3 @@ def velocity(rows: PieceRows) -> str:
         c = f"{n}*[{t}.c{n}.same]" if n > 1 else f"[{t}.c{n}.same]"
         text = f"{c}+{u}*({text})" if "+" in text else f"{c}+{u}*{text}" if text else c
     return f"{text}+[{t}.dA.same]*COS([{t}.om.same]*{u}+[{t}.ph.same])"
-
-
-def middles_table(book: Book, sheet: Sheet) -> None:
-    """Declare the middles of the parts of a piece."""
-    title = "Middles of 200 parts of a piece, as shares of it"
-    sheet.table("middles", title, len(MIDDLES), CELLS["middles"]("mid", MIDDLES.tolist()))
-    book.name("middles", **{MIDDLE: "mid"})

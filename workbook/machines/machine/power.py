@@ -92,7 +92,13 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.not_printed_below()
     sheet.one_page, sheet.print_columns = True, COLUMNS
     sheet.heading("Workings: the common DC bus")
-    sheet.rows(*on_the_bus(bus))
+    cell, without, taken = CELLS["on the bus"], bus.without, bus.cuts.bounds[0]
+    sheet.rows(
+        cell("bus_mains_peak", kw(bus.peak)),
+        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=OF_ALL.format("peak"), between_cuts=taken),
+        cell("bus_apart", kw(without.mains), of_all=OF_ALL.format("mains")),
+        cell("bus_net", kw(without.net), of_all=OF_ALL.format("resistor")),
+    )
     bus_table(sheet, bus)
     if bus.cuts.meet:
         cuts_table(sheet, bus.cuts)
@@ -137,17 +143,6 @@ def results(bus: Mains) -> list[Quantity]:
         cell("power_year", shown(alone.energy_a_year(entered.hours), KWH)),
         cell("bus_saved_year", year),
         cell("bus_saved_price", year * entered.price, scale=max(1.0, kw(bus.size) * entered.price)),
-    ]
-
-
-def on_the_bus(bus: Mains) -> list[Quantity]:
-    """Return the powers of the drives on the common bus, from which its results are summed."""
-    cell, without, taken = CELLS["on the bus"], bus.without, bus.cuts.bounds[0]
-    return [
-        cell("bus_mains_peak", kw(bus.peak)),
-        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=OF_ALL.format("peak"), between_cuts=taken),
-        cell("bus_apart", kw(without.mains), of_all=OF_ALL.format("mains")),
-        cell("bus_net", kw(without.net), of_all=OF_ALL.format("resistor")),
     ]
 
 

@@ -69,7 +69,7 @@ def rate_check(found: Rates, rate: float) -> Quantity:
     both = 'IF(about_first_low>0,about_binds_low&", ","")&about_binds'
     return check(
         RATE_CHECK,
-        "The rate is within the range of all drives",
+        "The drives hold the rate",
         WITHIN,
         hold_at(rate, found),
         says=amount("about_rate", rate, "runs at ", "; the drives ").then(
@@ -78,12 +78,11 @@ def rate_check(found: Rates, rate: float) -> Quantity:
     )
 
 
-def rates_in_words(found: WholeRange) -> Quantity:
+def rates_in_words(found: WholeRange) -> CheckSentence:
     """Return the sentence of the rates that all drives hold, and of the limit that is reached first."""
     words = range_in_words(found.rates, "about_", "hold").text
-    return CELLS["rates_in_words"](
-        "about_limits", Sentence(f"The drives {words}; reached first: {found.rates.high_limit}.")
-    )
+    says = '" The drives "&about_range&"; reached first: "&about_binds&"."'
+    return CheckSentence(says, f" The drives {words}; reached first: {found.rates.high_limit}.")
 
 
 def first(
@@ -119,6 +118,7 @@ def range_of_rates(found: WholeRange, axes: int, over: Abscissa) -> list[Quantit
     return [
         cell("about_range", Sentence(words.text), words=words),
         cell("about_highest", high, apart=apart),
+        cell("about_reached", f"cycles/min, {found.rates.high_limit}"),
         *([cell("about_shortest", shortest, no_drive=NO_DRIVE)] if over.measured else []),
         cell(
             "about_first",

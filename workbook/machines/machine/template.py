@@ -12,15 +12,15 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.checks import group_verdict_column, summary
 from workbook.book.declare import FIRST, Book, Quantity, Text
 from workbook.book.public_names import names_in, names_sheet, place_names
-from workbook.book.sentence import Sentence
-from workbook.book.summary import SENTENCE, summary_sheet
+from workbook.book.sentence import NOTHING, Sentence
+from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import laws
 from workbook.machines.machine import live
-from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary, gaps_summary
+from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary, gaps_summary, least_gap
 from workbook.machines.machine.backlash import backlash_sheet, sides_of
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
@@ -63,19 +63,19 @@ def declare(given: AnyMachine) -> Book:
     drives = {row.axis.number: view for row in rows if (view := drive_of(row))}
     bus = Mains(list(drives.values()), given.power) if drives else None
     over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
-    results = pace(machine)
+    results, says = pace(machine), NOTHING
     if bus:
         rates = whole_range(drives.values())
         results += [*range_of_rates(rates, len(rows), machine.over), *supply(bus)]
-    figures = [q for q in results if q.name in FIGURES]
-    more = [q for q in results if q not in figures]
-    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", figures, more)
-    if bus:
-        sheet.put(rates_in_words(rates), SENTENCE, FIRST + 2)
-    if bus:
-        sheet.checks(rate_check(rates.rates, given.per_minute))
-    axes_summary(sheet, machine, drives)
+        says = rates_in_words(rates)
+        results.append(rate_check(rates.rates, given.per_minute))
     gaps = [ClearanceView(clearance, k, rows) for k, clearance in enumerate(given.clearances, 1)]
+    results += least_gap(gaps)
+    names = {f"about_{name}" for name in FIGURES.split()}
+    figures = [q for q in results if q.name in names]
+    more = [q for q in results if q.name not in names]
+    sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", figures, more)
+    axes_summary(sheet, machine, drives)
     gaps_summary(sheet, gaps)
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
@@ -103,7 +103,7 @@ def declare(given: AnyMachine) -> Book:
     link_drives(book, drives)
     judge_axes(book, machine.axes, given.laws.names)
     name_figures(book, machine.axes, given.clearances)
-    return finish(book, ("S1", "S3", "S4"))
+    return finish(book, ("S1", "S3", "S4"), says)
 
 
 def pace(machine: MachineView) -> list[Quantity]:
@@ -114,8 +114,8 @@ def pace(machine: MachineView) -> list[Quantity]:
     return [CELLS["pace"]("about_rate", rate), CELLS["pace 2"]("about_cycle", machine.time)]
 
 
-FIGURES = ("about_rate", "about_cycle", "about_highest", "about_peak", "about_bus_year")
-"""results that one comes for, large on the first sheet"""
+FIGURES = "rate highest reached cycle peak bus_year gap gap_of"
+"""results that one comes for, large on the first sheet, some with a sentence on why"""
 POINTS = {"at": "theta", "T": "T", "n": "n", "P": "P"}
 
 

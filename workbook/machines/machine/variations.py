@@ -67,24 +67,21 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             axis["closes"] = ("feed", "open", "position", "open", "feed", "position")[(i + k) % SIX]
             for n, phase in enumerate(axis["phases"]):
                 phase |= passing(k, n, laws, 0.01)
-        vary_beside(axis, i + k)
+        loose = axis["backlash"] or {}
+        vary(loose, drive_entries.Backlash, i + k)
+        loose["works"] = len(axis["load"]["windows"]) or None
+        vary(axis["stops"] or {}, HardStops, i + k)
+        vary(axis["vibration"] or {}, Vibration, i + k)
     vary_drives_together(data, k)
     for i, clearance in enumerate(data["clearances"]):
-        vary_clearance(clearance, i, k)
+        vary(clearance, ClearanceEntry, i + k)
+        for n, pair in enumerate(clearance["pairs"]):
+            pair |= {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
     for i, switch in enumerate(data["switches"]):
         switch["on"] = times(i, k)
     if pace == "cycle":
         to_units(data, master["unit"], master[pace])
     return data
-
-
-def vary_beside(axis: dict[str, Any], turn: int) -> None:
-    """Give an axis other hard stops, another load that swings behind it, another backlash, where it has some."""
-    loose = axis["backlash"] or {}
-    vary(loose, drive_entries.Backlash, turn)
-    loose["works"] = len(axis["load"]["windows"]) or None
-    vary(axis["stops"] or {}, HardStops, turn)
-    vary(axis["vibration"] or {}, Vibration, turn)
 
 
 def vary_drives_together(data: dict[str, Any], k: int) -> None:
@@ -94,13 +91,6 @@ def vary_drives_together(data: dict[str, Any], k: int) -> None:
         vary(data["power"], drive_entries.PowerEntry, k)
         data["creep_forces"] = ("off", "on")[k % 2]
     data |= {"gravity": 9.81 - 0.7 * k} if any(axis["unit"] == "mm" for axis in driven) else {}
-
-
-def vary_clearance(clearance: dict[str, Any], i: int, k: int) -> None:
-    """Give a clearance other factors, another offset, and other pairs where it has some."""
-    vary(clearance, ClearanceEntry, i + k)
-    for n, pair in enumerate(clearance["pairs"]):
-        pair |= {"at": 1.1 * pair["at"] - k, "free": pair["free"] + 3.0 * (n % (k + 2))}
 
 
 def choose(data: dict[str, Any], k: int) -> None:
@@ -165,7 +155,9 @@ def drive(axis: dict[str, Any], i: int, k: int, sizes: dict[str, Any], products:
     vary(axis["reducer"], drive_entries.Reducer, i + k)
     axis["reducer"]["name"] = reducers[(7 * i + k) % len(reducers)]["name"] if (i + k) % 3 == 2 else ""
     for n, stage in enumerate(axis["stages"], k + i):
-        vary_stage(stage, n)
+        vary(stage, drive_entries.StageEntry, n)
+        teeth = {"teeth_driver": 18.0 + n, "teeth_driven": 31.0 + 3 * n}
+        stage |= {"ratio": 0.6 + 0.7 * n} | dict.fromkeys(teeth) if n % 2 else {"ratio": None} | teeth
     vary(axis["limits"], OwnLimits, i + k)
     vary(axis["motor"], drive_entries.AxisMotor, i + k)
     axis["motor"]["name"] = motors[(5 * i + k) % len(motors)]["name"] if (i + k) % 3 == 1 else ""
@@ -179,13 +171,6 @@ def parts(k: int, room: int) -> list[dict[str, Any]]:
         geared = {"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}
         rows.append(part | (cylinder if (j + k) % 3 == 1 else {"inertia": 20.0 * (j + k)}) | geared)
     return rows
-
-
-def vary_stage(stage: dict[str, Any], n: int) -> None:
-    """Give a stage other entries, by its ratio or by teeth."""
-    vary(stage, drive_entries.StageEntry, n)
-    teeth = {"teeth_driver": 18.0 + n, "teeth_driven": 31.0 + 3 * n}
-    stage |= {"ratio": 0.6 + 0.7 * n} | dict.fromkeys(teeth) if n % 2 else {"ratio": None} | teeth
 
 
 def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:

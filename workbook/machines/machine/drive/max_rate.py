@@ -89,14 +89,10 @@ def held_by_points(letter: str) -> dict[str, str]:
     return {letter: largest(f"{letter}0")} | {f"{letter}_{name}": way for name, way in zip(names, ways, strict=True)}
 
 
-def mean_parts() -> dict[str, str]:
-    """Return the formulas of the limits of mean torques: the share of each, and the x from which it is held."""
-    rms, rms_from = by_square("@half", "@grow", "@left", "@square", "@root")
-    mean, mean_from = by_square("@half_s", "@grow_s", "@left_s", "@square_s", "@root_s")
-    return {"rms": rms, "rms_from": rms_from, "mean": mean, "mean_from": mean_from}
-
-
-LIMITS = formulas_by_row(__file__, "limits", **mean_parts(), **held_by_points("T"), **held_by_points("S"))
+RMS = by_square("@half", "@grow", "@left", "@square", "@root")
+MEAN = by_square("@half_s", "@grow_s", "@left_s", "@square_s", "@root_s")
+MEANS = dict(zip(("rms", "rms_from", "mean", "mean_from"), (*RMS, *MEAN), strict=True))
+LIMITS = formulas_by_row(__file__, "limits", **MEANS, **held_by_points("T"), **held_by_points("S"))
 
 
 def means(view: DriveView) -> list[Quantity]:
@@ -254,11 +250,6 @@ def creeping_table(sheet: Sheet, view: DriveView) -> None:
 def creep_uses(view: DriveView) -> list[float]:
     """Return the use of each limit."""
     return [round(check.use, DECIMALS) for check in view.creep_checks]
-
-
-def largest_creep_use(view: DriveView) -> Quantity:
-    """Return the share that is used of the limit that is used most."""
-    return CELLS["results"]("@creep_use", max(creep_uses(view)), scale=1.0, limit=1.0)
 
 
 def creeping_check(view: DriveView) -> Quantity:

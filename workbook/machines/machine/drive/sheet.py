@@ -8,7 +8,7 @@ import numpy as np
 from engine.drive.bounds import stated_bounds
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
-from workbook.book.sentence import CheckSentence, Sentence, rounded
+from workbook.book.sentence import CheckSentence, Sentence, amount, rounded
 from workbook.drive import motor
 from workbook.entries.facts import table_of
 from workbook.fields.texts import sheet_title
@@ -190,7 +190,7 @@ def uses(view: DriveView) -> list[Quantity]:
     return [
         *(cell(f"@use_{name}", use, limit=1.0) for name, use in shares.items()),
         *(cell(f"@res_{name}", check.reserve * reserve) for name, check, reserve in reserves),
-        max_rate.largest_creep_use(view),
+        max_rate.CELLS["results"]("@creep_use", max(max_rate.creep_uses(view)), scale=1.0, limit=1.0),
     ]
 
 
@@ -241,6 +241,8 @@ def checks(view: DriveView) -> list[Quantity]:
     called, reducer, built = driven.called, driven.reducer, driven.motor_used
     mass = built.known_mass + reducer.known_mass
     mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').text}")
+    most = driven.limits.inertia_ratio
+    heavier = amount("@use_inertia", view.inertia_ratio / most, "; try a motor of ", " times it")
     within = motor.within_reducer(called, "@smax", "@reducer_held")
     is_level, level_says = not driven.catalogued_falling.fall, CheckSentence(f'"{LEVEL}"', LEVEL)
     level = cell("@ok_curve", is_level, says=level_says)
@@ -250,7 +252,7 @@ def checks(view: DriveView) -> list[Quantity]:
         within.limit("@ok_reducer_mean", mean.value, reducer.mean_torque, mends),
         within.limit("@ok_reducer_speed", shown(speed.value, RPM), reducer.max_speed, mends),
         max_rate.creeping_check(view),
-        motor.inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, driven.limits.inertia_ratio),
+        motor.inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, most, heavier),
         *motor.pair_checks(called, built.shaft, reducer.hub, mass, driven.limits.largest_mass),
         turns_check(view),
         *([brake.holds(view)] if view.brakes else []),
