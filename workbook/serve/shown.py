@@ -34,7 +34,7 @@ class ShownDesign(Design):
         """The charts of its book that have lines, each once: first the timing diagram."""
         every = dict[tuple[Series, ...], Chart]()
         for chart in (chart for sheet in self.book.sheets for chart, *_ in sheet.charts):
-            every.setdefault(chart.series, chart)
+            every[chart.series] = chart  # in short on the first sheet, whole on its own
         drawn = [(chart, [curve for series in chart.series if (curve := line(self.book, chart, series)).x.size])
                  for chart in every.values()]  # fmt: skip
         return sorted(((chart, lines) for chart, lines in drawn if lines), key=lambda drawn: not drawn[0].lanes)
