@@ -107,8 +107,8 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
             if 0 < sheet.print_columns < text.column:  # of workings, which make no printed row high
                 needed = max(needed, GAP + TWO_LINES * text_width(text.text, HEAD, bold=True))
             known_widths[text.column] = max(needed, known_widths.get(text.column, COLUMN_WIDTH))
-        elif text.style == "unit":  # before a note
-            needed = 3 * GAP + text_width(text.text, HEAD)
+        elif text.style == "unit" and not is_folded:  # before a note
+            needed = 2 * GAP + text_width(text.text, HEAD)
             known_widths[text.column] = max(needed, known_widths.get(text.column, COLUMN_WIDTH))
     taken = taken_rows(sheet)
     for block in sheet.blocks:

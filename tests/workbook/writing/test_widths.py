@@ -53,7 +53,8 @@ def cut(sheet, room_of):
             while (text.row, column + 1) not in taken and column < text.column + FARTHEST:
                 column += 1
                 has += room(room_of.get(column, COLUMN_WIDTH)) - room(0)
-        if wide(text.text, text.style) > has:
+        wraps = sheet.one_page and text.style == "units"
+        if wide(text.text, "header" if wraps else text.style) > has:
             yield sheet.title, text.text, round(wide(text.text, text.style)), round(has)
 
 

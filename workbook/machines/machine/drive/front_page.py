@@ -38,7 +38,7 @@ MESSAGES = {
     5: (19, "@stage2_entries", "stage 2"),
 }
 """by the column of entries, that of what is expected of them, the name of the check of these, and its words"""
-WIDTHS = dict(enumerate((30, 9, 10.5, 10, 11.2, 11, 28.5, 9, 10, 10, 10, 9, 9, 28, 9.5, 50, 50, 50), LEFT))
+WIDTHS = dict(enumerate((28, 8.5, 10.5, 10, 11.2, 11, 28.5, 9, 10, 10, 10, 9, 9, 28, 9.5, 50, 50, 50), LEFT))
 CHARTS, CHART_ROWS = {8: 4, 12: 4}, 17  # the columns that they begin at, and how many they cover
 FIXED = "Limits"  # the group above the charts
 REST = "*"
