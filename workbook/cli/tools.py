@@ -160,6 +160,7 @@ def improve(
     freeze: bool = flag("--freeze", "Only shape the laws anew that the description has shaped for their drives."),
     sheet: Path | None = option("BOOK.xlsx", "Build its book, with these lines on a sheet Improve.", "--sheet"),
     jobs: int | None = option("N", "Processes at once; else this process alone.", "--jobs", min=1),
+    scheduler: Scheduler = None,
     force: Force = False,
 ) -> None:
     """Say what limits the highest rate of a machine, and what each single change would gain.
@@ -184,7 +185,7 @@ def improve(
     if aim != "vibration" and frequency > 0.0:
         raise typer.BadParameter("expected --frequency with --for vibration alone")
     asked = aim, frequency, damping
-    raise typer.Exit(improving.improve(machine, output, change, asked, axis, jobs, force, sheet))
+    raise typer.Exit(improving.improve(machine, output, change, asked, axis, (jobs, scheduler), force, sheet))
 
 
 @app.command()

@@ -40,14 +40,14 @@ def improve(
     stage: str,
     asked: tuple[AimName, float, float],
     axis: str,
-    jobs: int | None,
+    workers: tuple[int | None, str | None],
     force: bool,
     sheet: Path | None = None,
 ) -> int:
     """Print what limits a machine and what changes gain; write the best design of a stage; return the exit code.
 
     Into the book ``sheet`` goes what is printed, on a sheet of it. ``asked`` are the name of the aim, and natural
-    frequency (Hz) and damping of a load that vibrates.
+    frequency (Hz) and damping of a load that vibrates; ``workers`` how many processes, or the scheduler of a cluster.
     """
     name, frequency, damping = asked
     aim = AIMS[name]._replace(frequency=frequency, damping=damping)
@@ -68,8 +68,9 @@ def improve(
         show_fit(design, lines)
         for line in design.improving.crossings(machine):
             show(lines, line)
-        with pool(jobs or 1, None) as workers:
-            best = show_gains(design, stage, workers, done, lines)
+        jobs, scheduler = workers
+        with pool(jobs or 1, scheduler) as tasks:
+            best = show_gains(design, stage, tasks, done, lines)
         if sheet is not None:
             write_sheet(machine, sheet, lines, force)
     return AGREES if output is None else write_best(path, best, output, force)

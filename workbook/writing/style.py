@@ -71,7 +71,7 @@ TEXTS = {
     "figure name": Look("Figure name", font(10, GREY)),
     "figure unit": Look("Figure unit", font(10, GREY)),
     "aside": Look("Aside", font(10, GREY), Alignment(horizontal="right")),
-    "link": Look("Link", font(underline="single")),
+    "link": Look("Link", font(underline="single"), Alignment(horizontal="right")),  # into what is empty before it
     "group": Look("Group", font(bold=True), None, None, line(INK)),
     "group head": Look("Group head", font(color=GREY), Alignment(horizontal="right"), None, line(INK)),
     "group word": Look("Group word", font(color=GREY), None, None, line(INK)),

@@ -21,6 +21,7 @@ from workbook.errors import WriteError
 from workbook.pool import THIS_PROCESS
 from workbook.studies.folder import Parts, progress
 from workbook.studies.run import run
+from workbook.template import FOLDER
 
 GOALS = {"minimise": ["drive1_rms"]}
 VARIED = (laws("MTP", "CUB", "CIC"), stops(80, 120, 12))
@@ -339,6 +340,18 @@ def test_a_worker_of_another_version_is_told_in_a_line(tmp_path):
     (line,) = done.stderr.splitlines()
     assert "has motionbook 0.0.1; expected" in line
     assert not (tmp_path / "study.csv").exists()
+
+
+@POSIX
+@pytest.mark.nightly
+def test_a_cluster_finds_the_gains_that_this_process_finds(tmp_path):
+    improve = [sys.executable, "-m", "workbook", "improve", str(FOLDER / "cutting-machine.toml")]
+    alone = subprocess.run(improve, capture_output=True, text=True, check=True)
+    with cluster(tmp_path) as (address, _):
+        until_ready(address)
+        shared = subprocess.run([*improve, "--scheduler", address], capture_output=True, text=True, check=True)
+    assert "Best laws" in alone.stdout
+    assert shared.stdout == alone.stdout
 
 
 def deep(number):
