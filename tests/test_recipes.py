@@ -69,8 +69,8 @@ def tried(folder):
 
 def do_column(copy, tmp_path):
     (value,), (row,), _ = recipe("column")
-    copy(f"{MACHINE}timing/phases.md", r"\| result \| `rms`", row)
-    copy(f"{MACHINE}timing/phases.py", r"\*\(\[\] if over.measured else in_ms\)", listed(value))
+    copy(f"{MACHINE}timing/phases.md", r"\| result \| `j`", row)
+    copy(f"{MACHINE}timing/phases.py", r"cell\(\"j\"", listed(value))
 
 
 def do_entry(copy, tmp_path):
