@@ -122,6 +122,7 @@ def test_what_is_wrong_is_told_below_the_field_and_never_in_the_file(page, serve
 
 def test_an_unfinished_axis_leaves_the_others(page, server, wrapping):
     opened(page, server)
+    expect(page.locator(".pill")).to_contain_text("checks OK")  # lines are drawn anew with the pieces of their laws
     line = page.locator(".lane.selected .line").get_attribute("d")
     enter(page, "axes.1.phases.0.stop", "")
     assert page.locator(".lane.selected.stale .line").get_attribute("d") == line

@@ -194,7 +194,7 @@ def test_a_phase_that_varies_takes_its_room_from_another_one(server):
     stop, other = "axes[3].phases[1].stop", "axes[3].phases[2]"
     assert f'aria-label="{stop}: takes its room from"' in form
     assert f'<option value="{read_machine(server.root / "live.toml").selection.motors[0].name}">' in form
-    asked = {"result": "axis3.y1.1", "what": "results", "value": "", "way": "full", "designs": "9", "key": [stop],
+    asked = {"result": "axis3.v.1", "what": "results", "value": "", "way": "full", "designs": "9", "key": [stop],
              "values": ["200, 210"], "takes": [other], "vary": [stop]}  # fmt: skip
     assert server.ask("/study", server.form(name="cutting.toml", **asked)).code == 302
     assert read_study(server.root / "cutting-study.toml").space.dimensions[0].takes == ("axes", "2", "phases", "1")

@@ -1,9 +1,9 @@
 // A list below the button that opens it: a choice in it, Esc and a click elsewhere close it.
-import { html, useEffect, useRef, useState } from "./html.js";
+import { html, useLayoutEffect, useRef, useState } from "./html.js";
 
 /** Close what is open by Esc or a click outside of it. @param {{current: any}} place @param {boolean} isOpen @param {() => void} close */
 export function useAway(place, isOpen, close) {
-  useEffect(() => {
+  useLayoutEffect(() => { // a key that follows at once counts
     if (!isOpen) return undefined;
     const away = (/** @type {any} */ event) => {
       if (event.type === "keydown" ? event.key === "Escape" : !place.current?.contains(event.target)) close();
