@@ -160,7 +160,7 @@ def in_one(book: Book) -> str:
 
 
 def failing_table(sheet: Sheet, name: str, title: str, row: int, column: int) -> None:
-    """Declare at a cell the first checks that fail, each in a sentence that links to all of them, or that none does."""
+    """Declare at a cell the first checks that fail, each in a sentence, or that none does, with a link to all."""
     most = FAILING[name]
     what, says = (f"INDEX([checks.{column}],MATCH([{name}_k.k.same],[checks.nth],0))" for column in ("what", "says"))
     cell = CELLS["failing"].sharing(k=f"[{name}_k.k.same]", failing=FAILING_NOW, none=spelled(NONE, "checks_all"))
@@ -168,6 +168,4 @@ def failing_table(sheet: Sheet, name: str, title: str, row: int, column: int) ->
     block = sheet.table_at(name, title, row, column, failing)
     sheet.workings(block, f"{name}_k", "", sheet.print_columns + 2, cell("k", list(range(1, most + 1))))
     every = sheet.book.blocks["checks"]
-    sheet.texts += [
-        Text(row, block.column, "", "link", every.sheet.title, every.at) for row in range(block.row, block.row + most)
-    ]
+    sheet.texts.append(Text(row, column + 2, "every check", "link", every.sheet.title, every.at))

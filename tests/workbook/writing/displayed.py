@@ -41,10 +41,10 @@ class Displayed:
         return [match.dxf_id for cell in self.book.evaluate_cf_range(*here) for match in cell.matches]
 
     def charts(self, sheet):
-        """The charts of a sheet by name."""
+        """The charts of a sheet in their order."""
         number = self.sheets[sheet]
         drawn = [o for o in self.book.list_drawing_objects(number) if o.kind == DrawingObjectKind.CHART]
-        return {o.name: Seen(self.book.get_chart_data(number, o.object_id), self._limits(number, o)) for o in drawn}
+        return [Seen(self.book.get_chart_data(number, o.object_id), self._limits(number, o)) for o in drawn]
 
     def _limits(self, number, drawing):
         return tuple((axis.min, axis.max) for axis in self.book.get_chart(number, drawing.object_id).axes)

@@ -116,15 +116,14 @@ def test_each_chart_shows_the_columns_that_are_declared_for_it(shown):
     book, _, displayed = shown
     charts = 0
     for sheet in book.sheets:
-        seen = displayed.charts(sheet.title)
-        for chart, *_ in sheet.charts:
-            data = seen[chart.title].data
+        for (chart, *_), seen in zip(sheet.charts, displayed.charts(sheet.title), strict=True):
+            data = seen.data
             assert data.unresolved == []
-            assert data.title_text == chart.title
+            assert (data.title_text or "") == chart.title
             for line, drawn in zip(chart.series, data.series, strict=True):
                 assert drawn.x == pytest.approx(book.values(line.x), rel=1e-9, abs=1e-9)
                 assert drawn.values == pytest.approx(book.values(line.y), rel=1e-9, abs=1e-9)
-            for limits, wanted in zip(seen[chart.title].limits, (chart.x_range, chart.y_range), strict=True):
+            for limits, wanted in zip(seen.limits, (chart.x_range, chart.y_range), strict=True):
                 assert limits == (wanted[:2] if wanted else (None, None))
             charts += 1
     assert charts > 15
