@@ -11,9 +11,10 @@ import signal
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Page, Playwright, sync_playwright
 
 from workbook.template import FOLDER
 
@@ -66,7 +67,7 @@ def built(page: Page, root: str) -> None:
 def verified(page: Page, root: str) -> None:
     """Show the report on that book, whose checks that fail lead to the design."""
     built(page, root)
-    page.get_by_role("button", name="Verify").click()
+    page.locator(".notice").get_by_role("button", name="Verify").click()
     page.wait_for_selector("text=every formula cell computes")
 
 
@@ -86,18 +87,25 @@ def main(wanted: list[str]) -> None:
         Path(folder, "study.toml").write_text(text.replace("../templates/", ""), encoding="utf-8")
         command = [sys.executable, "-u", "-m", "workbook", "serve", folder, "--no-browse"]
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
-            found = ADDRESS.search(server.stdout.readline() if server.stdout else "")
-            address = found[0] if found else ""
-            browser = driver.chromium.launch(executable_path=shutil.which("chromium") or shutil.which("google-chrome"))
-            page = browser.new_page(viewport=SIZE)  # type: ignore[arg-type]
-            page.set_default_timeout(LONG)
-            page.goto(address)
-            for name, show in shown.items():
-                show(page, address.partition("/?")[0])
-                page.screenshot(path=HERE / name)
-                print(f"Made {HERE / name}")
-            browser.close()
-            server.send_signal(signal.SIGINT)
+            try:
+                take(shown, driver, server)
+            finally:  # else the block would wait for the server for ever
+                server.send_signal(signal.SIGINT)
+
+
+def take(shown: Mapping[str, Callable[[Page, str], None]], driver: Playwright, server: subprocess.Popen[str]) -> None:
+    """Take pictures of the pages of a server that has just begun."""
+    found = ADDRESS.search(server.stdout.readline() if server.stdout else "")
+    address = found[0] if found else ""
+    browser = driver.chromium.launch(executable_path=shutil.which("chromium") or shutil.which("google-chrome"))
+    page = browser.new_page(viewport=SIZE)  # type: ignore[arg-type]
+    page.set_default_timeout(LONG)
+    page.goto(address)
+    for name, show in shown.items():
+        show(page, address.partition("/?")[0])
+        page.screenshot(path=HERE / name)
+        print(f"Made {HERE / name}")
+    browser.close()
 
 
 if __name__ == "__main__":
