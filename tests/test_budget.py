@@ -12,8 +12,8 @@ from tests.test_structure import ROOT, sources
 
 BUDGET = {
     # goes down: who takes lines away lowers it; the sheets Vibration, Improve and Oracle raised it by 900
-    "lines of engine and workbook, formatted": 64_470,
-    "lines of tests": 36_380,  # likewise, from the day on whose new features bring their tests; 33,000 is the aim
+    "lines of engine and workbook, formatted": 64_460,
+    "lines of tests": 36_370,  # likewise, from the day on whose new features bring their tests; 33,000 is the aim
     "fmt: skip": 60,
     "functions of more than 12 branches": 20,
     "functions of more than 60 lines, formatted": 20,

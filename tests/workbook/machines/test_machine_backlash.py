@@ -71,7 +71,7 @@ def test_improve_lists_each_moment_with_error_and_shock(tmp_path, monkeypatch, c
     path = tmp_path / "machine.toml"
     path.write_text(write_machine(machine), encoding="utf-8")
     monkeypatch.setattr(command, "show_gains", lambda design, *_: design)
-    command.improve(path, None, "laws", ("rate", 0.0, 0.0), "", None, False)
+    command.improve(path, None, "laws", ("rate", 0.0, 0.0), "", (None, None), False)
     assert "crosses the backlash" in capsys.readouterr().out.replace("\n", " ")
 
 

@@ -178,7 +178,7 @@ def test_what_is_written_keeps_comments_and_is_the_best_design(tmp_path) -> None
     text = base(tmp_path).read_text("utf-8").replace("[master]", "# a remark\n[master]")
     path, faster = tmp_path / "feed.toml", tmp_path / "faster.toml"
     path.write_text(text, encoding="utf-8")
-    assert command.improve(path, faster, "laws", RATE_AIM, "", None, False) == AGREES
+    assert command.improve(path, faster, "laws", RATE_AIM, "", (None, None), False) == AGREES
     assert "# a remark" in faster.read_text("utf-8")
     before, after = (first_design(read_machine(file), False) for file in (path, faster))
     assert after.rate > before.rate * 1.01
@@ -215,7 +215,9 @@ def test_interrupted_it_keeps_the_best_so_far(cutting, monkeypatch, capsys) -> N
 
 def test_where_nothing_is_better_no_file_is_written_and_that_is_said(tmp_path, monkeypatch, capsys) -> None:
     monkeypatch.setattr(command, "show_gains", lambda design, *_: design)
-    assert command.improve(base(tmp_path), tmp_path / "faster.toml", "laws", RATE_AIM, "", None, False) == AGREES
+    assert (
+        command.improve(base(tmp_path), tmp_path / "faster.toml", "laws", RATE_AIM, "", (None, None), False) == AGREES
+    )
     assert not (tmp_path / "faster.toml").exists()
     assert "is not written" in capsys.readouterr().err.replace("\n", " ")
 
@@ -225,7 +227,7 @@ def test_a_book_has_what_was_printed_and_tells_entries_that_changed_since(tmp_pa
     path, book = base(tmp_path), tmp_path / "feed.xlsx"
 
     def improve(force: bool) -> int:
-        return command.improve(path, None, "laws", RATE_AIM, "", None, force, book)
+        return command.improve(path, None, "laws", RATE_AIM, "", (None, None), force, book)
 
     assert improve(False) == AGREES
     with pytest.raises(WriteError, match="exists"):
