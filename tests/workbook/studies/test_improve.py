@@ -131,7 +131,7 @@ SMALL = {"cycle": 4, "law": 4, "export": 1, "points": 8, "rotors": 2}
 
 def apart(machine):
     """A small machine whose first two axes, if there are, keep nine tenths of the least gap of their motions."""
-    named = {reference.name for reference in references(machine)}
+    named = {*machine.laws.of("LIN"), *(reference.name for reference in references(machine))}
     data = table(machine) | {"laws": {name: law for name, law in machine.laws.root.items() if name in named}}
     data["sizes"] = SMALL | {
         "phases": max(2, *(len(axis.phases) for axis in machine.axes)),
@@ -152,7 +152,7 @@ def failing(machine):
     return {q.name for _, q in book.checks if exact.judge(q.name, q.value, "")[0] != OK}
 
 
-@pytest.mark.parametrize("number", nights(200))
+@pytest.mark.parametrize("number", nights(100))
 def test_a_drawn_machine_improved_is_never_worse_and_its_book_verifies(number: int, tmp_path) -> None:
     """Laws and edges, clearances kept; the book is built at the rate that would be written, and verified."""
     try:
