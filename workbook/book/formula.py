@@ -225,7 +225,6 @@ def anchored(written: str) -> str:
 
 
 @lru_cache(maxsize=20_000)
-@lru_cache(maxsize=20_000)
 def functions_in(text: str) -> frozenset[str]:
     """Return the functions that a formula calls, in capitals and without prefix."""
     called = (word[:-1].upper() for kind, word in words(text) if kind == "function")
