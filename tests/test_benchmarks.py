@@ -20,7 +20,7 @@ SMALL = {
     "improve": {"ROUNDS": 1, "DEGREES": (7,), "STAGES": {}},
     "laws": {"SAMPLES": 100, "ROUNDS": 1},
     "pycel_speed": {"SIZES": ((4, 4),)},
-    "scale": {"ROUNDS": 1, "COUNTS": (1,), "JOBS": (1,), "AXES": (), "TEMPLATES": SMALLEST},
+    "scale": {"COUNTS": (1,), "JOBS": (1,)},
     "serve": {"EDITS": 1, "GOALS": {2: 1.0}, "BUILT": 2},
     "serve_page": {"SIZES": (4,), "ROUNDS": 1, "MOVES": 5, "FILES": 3},
     "study": {},
