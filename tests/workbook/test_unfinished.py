@@ -105,8 +105,8 @@ CASES = {
             {"name": "x", "count": 1.0, "diameter": 3.0, "length": 1.0, "density": 1.0, "bore": 3.0,
              "shaft": "motor"}])], None, "row 1, bore, not less than the diameter: 3"),
         "a belt that pushes": ([("axes", 0, "mechanism", {"kind": "conveyor", "efficiency": 0.9,
-                                                          "roller_diameter": 40.0, "belt_mass": -1.0}),
-                                ("axes", 0, "printed", None)], "Drive Slide: entries within limits",
+                                                          "roller_diameter": 40.0, "belt_mass": -1.0})],
+                               "Drive Slide: entries within limits",
                                "Mass of the belt: -1; expected a number of at least 0"),
     },
 }  # fmt: skip

@@ -65,7 +65,7 @@ class Chart:
 class Text(NamedTuple):
     """A label on the sheet, with the style it takes; ``link`` names a sheet to jump to, at a cell of it.
 
-    Without a text it links the declared cell in its place.
+    Without a text it links the declared cell in its place. The head of a column stands to the ``side`` of its cells.
     """
 
     row: int
@@ -74,3 +74,4 @@ class Text(NamedTuple):
     style: str
     link: str = ""
     linked_cell: str = "A1"
+    side: str = ""

@@ -35,6 +35,7 @@ ROUNDED, MOST = 1e-9, 1e9
 # below each size: four digits that count
 LOOKS = ((1.0, "0.0000"), (10.0, "0.000"), (100.0, "0.00"), (1000.0, "0.0"))
 NOISE = 1e-12  # rounding, of any unit and as a share of a value
+SHORT = 10  # letters of a word that stands below figures as they do
 PLAIN = "0.0##"  # how numbers are shown that an engineer enters
 
 Role = Literal["input", "calculation", "result", "check", "constant", "sentence", "title"]
@@ -142,6 +143,18 @@ def sample(q: Quantity) -> Any:
     values = list(q.value)
     numbers = [v for v in values if is_number(v)]
     return max(numbers, key=abs) if numbers else next(iter(values), None)
+
+
+def side_of(q: Quantity, is_table: bool) -> str:
+    """Return the side of a quantity's cells: numbers right, words left, verdicts centred; any, of what is yet empty."""
+    value = sample(q)
+    if q.align or q.role == "check":
+        return q.align or "center"
+    if not is_table:
+        return "left" if isinstance(value, str) and len(value) >= SHORT else "right"
+    if isinstance(value, str) and not q.unit:
+        return "left"
+    return "general" if value is None and not (q.unit or q.format) else "right"
 
 
 def number_format(q: Quantity, value: Any) -> str:

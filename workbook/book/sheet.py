@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from workbook.book import limits
 from workbook.book.chart import Chart, Text, in_scope
 from workbook.book.limits import Guard, Limit, RowRule
-from workbook.book.quantity import Block, Quantity, sentence
+from workbook.book.quantity import Block, Quantity, sentence, side_of
 from workbook.book.rows import as_rows
 
 if TYPE_CHECKING:
@@ -248,7 +248,8 @@ class Sheet:
             symbol = "" if ", " in q.unit else f"{q.symbol} "  # behind which several units are too wide
             unit = f"{symbol}[{q.unit}]".strip() if q.unit else q.symbol
             lines = [(q.label, "header"), (unit, "units"), *([(q.source, "equation")] if explained else [])]
-            self.texts += [Text(row + k, column, text, style) for k, (text, style) in enumerate(lines, 1)]
+            side = side_of(q, is_table=True)
+            self.texts += [Text(row + k, column, text, style, side=side) for k, (text, style) in enumerate(lines, 1)]
 
     def workings(self, block: Block, name: str, title: str, column: int, *quantities: Quantity) -> None:
         """Place a table in the rows of another, at a column to its right: what is worked out from each of its rows."""
@@ -267,7 +268,8 @@ class Sheet:
         """Place a table of a column beside a table without equations: as many as a size says, each with its name."""
         column = max(b.column + len(b.quantities) for b in self.blocks if b.row == block.row)
         lines = ((2, quantity.label, "header"), (1, quantity.unit, "units")) if heads else ()
-        self.texts += [Text(block.row - above, column, text, style) for above, text, style in lines]
+        side = side_of(quantity, is_table=True)
+        self.texts += [Text(block.row - above, column, text, style, side=side) for above, text, style in lines]
         own, name = self._own((quantity,)), in_scope(name, self.scope)
         blank = in_scope(blank, self.scope)
         self._place(Block(name, self, block.row, column, own, block.size, block.title, blank=blank, lead=block))

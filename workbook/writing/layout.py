@@ -14,13 +14,14 @@ from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 from workbook.book.declare import FIRST, REFERENCE, Block, Book, Quantity, Sheet
-from workbook.book.quantity import FAIL, OK, sample
+from workbook.book.quantity import FAIL, OK
 from workbook.book.rows import as_rows
 from workbook.book.sheet import COLUMN_WIDTH, WIDTHS
 from workbook.writing import style
 
 RUN = 12  # columns over which a text may run
 TOWARDS = {"left": 1, "right": -1}  # where texts run over: in the middle of a table, nowhere
+INDENT = 1.3  # digits
 GAP = 0.75  # digits beside a text, so that it does not touch what stands next to it
 WORD, NAME = re.compile(r'"((?:[^"]|"")*)"'), re.compile(r"\w+")
 NARROW, SLIM, BROAD = "ilj.,:;'|()[] ", "tfr", "mwMW%ω"
@@ -103,7 +104,11 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
         is_folded = 0 < sheet.folded_rows <= text.row  # heads of such workings make no page wider
         if text.style in ("header", "units") and not is_folded:
             words = text.text.split() if text.style == "header" or sheet.one_page else [text.text]
-            needed = GAP + max((text_width(word, HEAD, text.style == "header") for word in words), default=0.0)
+            needed = (
+                GAP
+                + INDENT * style.indent(text.side, text.column)
+                + max((text_width(word, HEAD, text.style == "header") for word in words), default=0.0)
+            )
             if 0 < sheet.print_columns < text.column:  # of workings, which make no printed row high
                 needed = max(needed, GAP + TWO_LINES * text_width(text.text, HEAD, bold=True))
             known_widths[text.column] = max(needed, known_widths.get(text.column, COLUMN_WIDTH))
@@ -121,8 +126,10 @@ def widths(sheet: Sheet, standing: PossibleTexts) -> dict[int, float]:
             font = style.ROLES[style.style_role(q.role, block)].font
             needed = max((text_width(text, font.sz or FULL, bool(font.b)) for text in texts), default=0.0)
             has = known_widths.get(column, COLUMN_WIDTH)
+            aligned = style.aligned(q, block.is_table, column)
+            needed += INDENT * aligned.indent
             if needed + GAP > has:
-                step = TOWARDS.get(style.side_of(q, sample(q), block.is_table), 0)
+                step = TOWARDS.get(aligned.side, 0)
                 rows = range(block.row, block.row + block.size)
                 run = min(free_width(known_widths, taken, row, column, step) for row in rows)
                 known_widths[column] = max(has, needed + GAP - (0 if q.wrap else run))

@@ -13,8 +13,8 @@ from openpyxl.styles import Alignment, Border, Font, NamedStyle, PatternFill, Pr
 from openpyxl.styles.differential import DifferentialStyle
 from openpyxl.styles.numbers import NumberFormat
 
-from workbook.book.declare import Block, Quantity
-from workbook.book.quantity import MOST, ROUNDED
+from workbook.book.declare import FIRST, Block, Quantity
+from workbook.book.quantity import MOST, ROUNDED, side_of
 
 INK, GREY, RULE, GRID = "1F2937", "6B7280", "D1D5DB", "E5E7EB"
 ENTRY, FIGURE, DOTS = "FFF8E1", "0B57A4", "D9B65C"
@@ -118,9 +118,11 @@ class Styles:
         cell.alignment = Alignment(aligned.side, vertical, wrap_text=aligned.wrap or None, indent=aligned.indent)
         return int(cell.style_id)
 
-    def _text(self, kind: str) -> int:
+    def _text(self, kind: str, side: str = "", indent: int = 0) -> int:
         cell = self._scratch.cell(1, 1)
         cell.style = TEXTS[kind].name
+        if side:
+            cell.alignment = Alignment(side, cell.alignment.vertical, wrap_text=cell.alignment.wrap_text, indent=indent)
         return int(cell.style_id)
 
 
@@ -131,19 +133,15 @@ def style_role(role: str, block: Block) -> str:
     return "calculation" if block.is_table and role == "result" else role
 
 
-def aligned(q: Quantity, value: Any, table: bool, first: bool) -> Aligned:
-    """Return how a quantity's cells are aligned; a text behind a number keeps off it, ``first`` being no such."""
-    side = side_of(q, value, table)
-    return Aligned(side, int(table and side == "left" and not first), q.wrap)
+def aligned(q: Quantity, is_table: bool, column: int) -> Aligned:
+    """Return how a quantity's cells are aligned, in a column of the sheet."""
+    side = side_of(q, is_table)
+    return Aligned(side, indent(side, column) if is_table else 0, q.wrap)
 
 
-def side_of(q: Quantity, value: Any, table: bool) -> str:
-    """Return how a quantity stands in its cell: numbers to the right, counters and texts of tables centred."""
-    if q.align:
-        return q.align
-    if q.role == "check" or (table and (isinstance(value, str | None) or q.role == "constant")):
-        return "center"
-    return "right" if not isinstance(value, str) or len(value) < 10 else "left"
+def indent(side: str, column: int) -> int:
+    """Return how far words of a table, and heads above them, stand off a number that may stand before them."""
+    return int(side == "left" and column != FIRST)
 
 
 class FormatRule(NamedTuple):

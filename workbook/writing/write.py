@@ -181,7 +181,8 @@ def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Style
     """Write titles, labels and headers."""
     for text in sheet.texts:
         aside = text.style == "units" and 0 < sheet.folded <= text.column
-        look = styles.text("folded units" if aside else text.style)
+        side = "" if aside else text.side
+        look = styles.text("folded units" if aside else text.style, side, style.indent(side, text.column))
         cells.put(text.row, text.column, look, text.text or None)
         if text.link:
             target = f"{quote_sheetname(text.link)}!{text.linked_cell}"
@@ -200,7 +201,7 @@ def write_block(
     """Write the cells of a block, each column in its style and with its rule, and set the height of wrapped texts."""
     for q, column in zip(block.quantities, block.columns.values(), strict=True):
         value = sample(q)
-        aligned = style.aligned(q, value, block.is_table, column == FIRST)
+        aligned = style.aligned(q, block.is_table, column)
         shown = AS_TYPED if rules.is_free_text(model, q) else number_format(q, value)
         role = style.style_role(q.role, block)
         looks = [styles.quantity(role, shown, aligned, ink) for ink in q.inks or ("",)]

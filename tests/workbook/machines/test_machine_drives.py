@@ -151,7 +151,6 @@ REFUSED = [
     (driven(*RISE) | {"load": {"inertia": 10000.0}}, "no entry of an axis in mm"),
     (linked(mechanism=table(*((10 * k, k) for k in range(13)))), r"raise sizes\.positions"),
     (linked(stages=[TOOTHED] * 3), "expected a list of 0 to 2 entries"),
-    (linked(mechanism=SCREW, stages=[TOOTHED], printed="S4"), "no stages behind its reducer"),
     (linked(mechanism=SCREW | {"crank_radius": 5.0}), "crank_radius: unknown entry; expected one of kind, efficiency"),
 ]
 

@@ -5,7 +5,6 @@ from functools import cache
 import pytest
 
 from tests.workbook.writing.carlito import pixels, room
-from workbook.book.quantity import sample
 from workbook.book.rows import as_rows
 from workbook.book_layout import NAME as LAYOUT
 from workbook.build import committed_descriptions
@@ -83,7 +82,7 @@ def lacking(cell, wide, full):
         return 0
     is_table = cell.block.is_table
     font = style.ROLES["calculation" if is_table and q.role == "result" else q.role].font
-    look = style.aligned(q, sample(q), is_table, cell.column == 2)
+    look = style.aligned(q, is_table, cell.column)
     has = room(wide.get(cell.column, COLUMN_WIDTH)) - look.indent * INDENT
     step, column = {"left": 1, "right": -1}.get(look.side, 0), cell.column
     while step and not q.wrap and 1 < column + step < cell.column + FARTHEST and (cell.row, column + step) not in full:

@@ -29,7 +29,6 @@ from workbook.motion.requirements import AT_REST, CROWDED, Smoothness, piece_cou
 from workbook.selection.entries import UNCHOSEN, Limits, OwnLimits, SelectionSizes, require_known, require_room
 
 MOST_AXES = 24
-PRINTED = ("lead screw", "conveyor")  # the mechanisms of S4
 Unit = Literal["mm", "°"]
 Closes = Literal["position", "feed", "open"]
 NO_TIME = "a cycle in {} does not tell how time passes, which a drive needs; expected none, or a cycle in s"
@@ -57,7 +56,6 @@ class Axis(beside.NamedPart):
     backlash: drive_entries.Backlash | None = None
     phases: Annotated[list[AxisPhase], Field(min_length=1)]
     rate: Positive | None = None
-    printed: Literal["S4"] | None = None
     mechanism: Mechanism | None = None
     load: drive_entries.AxisLoad = drive_entries.AxisLoad()
     parts: list[drive_entries.AxisPart] = []  # noqa: RUF012 - frozen
@@ -77,16 +75,12 @@ class Axis(beside.NamedPart):
     def _driven(self) -> Self:
         if self.motor is not None and self.mechanism is None:
             raise EntryError("mechanism", "empty; expected the mechanism that the motor drives")
-        driven = ("rate", "printed", "backlash", "load", "parts", "reducer", "stages", "limits")
+        driven = ("rate", "backlash", "load", "parts", "reducer", "stages", "limits")
         for name in driven if self.motor is None else ():
             if getattr(self, name) != type(self).model_fields[name].get_default(call_default_factory=True):
                 raise EntryError(name, "entered for an axis without a drive; expected none, or a mechanism and a motor")
         if self.mechanism and self.unit not in self.mechanism.UNITS:
             raise EntryError("mechanism.kind", f"a {self.mechanism.kind} does not move an axis in {self.unit}")
-        if self.printed and self.mechanism and self.mechanism.kind not in PRINTED:
-            raise EntryError("printed", f"{self.printed} has no {self.mechanism.kind}; expected none")
-        if self.printed and self.stages:
-            raise EntryError("printed", f"{self.printed} has no stages behind its reducer; expected none")
         self._require_own_load()
         return self
 

@@ -34,7 +34,6 @@ from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
-from workbook.machines.machine.printed import printed_sheet
 from workbook.machines.machine.rates_summary import range_of_rates, rate_check, rates_in_words, whole_range
 from workbook.machines.machine.studies import changes
 from workbook.machines.machine.studies.results import SCALING
@@ -92,9 +91,6 @@ def declare(given: AnyMachine) -> Book:
         number = place_of(given.selection.axis, [shaft.name for shaft in shafts])
         selection_sheet(book, PairSelection(given.selection, given.sizes, shafts, number), given.selection.axis)
     catalogue_sheet(book, given.selection, given.sizes)
-    for view in drives.values():
-        if view.driven.entered.printed:
-            printed_sheet(book, view)
     book_laws.sheets(book)
     for row in rows:
         cycle_sheet(book, machine, row, len(rows) + len(given.switches) - row.axis.number)
