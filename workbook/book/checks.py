@@ -27,7 +27,7 @@ def checks_sheet(book: Book) -> Sheet:
     sheet = book.sheet("Checks", "What fails, and how many checks each sheet has; one FAIL fails the book.")
     sheet.one_page, sheet.print_columns, sheet.widths = True, 12, {2: 22, 6: 58}
     checks, summed, top = book.checks, summary(book), sheet.row
-    sheet.row += FAILING["failing"] + 4
+    sheet.row += FAILING["failing"] + 2
     by_sheet(sheet)
     sheet.not_printed_below()
     sheet.heading("Results")
@@ -52,7 +52,7 @@ def checks_sheet(book: Book) -> Sheet:
     )
     links = ((row, book.blocks[q.name]) for row, (_, q) in enumerate(checks, every.row))
     sheet.texts += [Text(row, FIRST, "", "link", own.sheet.title, own.at) for row, own in links]
-    failing_table(sheet, "failing", "What fails", top, FIRST)
+    failing_table(sheet, "failing", "What fails", top)
     return sheet
 
 
@@ -159,13 +159,16 @@ def in_one(book: Book) -> str:
     return f"Checks that fail: {failing} of {count}." if failing else f"All {count} checks hold."
 
 
-def failing_table(sheet: Sheet, name: str, title: str, row: int, column: int) -> None:
-    """Declare at a cell the first checks that fail, each in a sentence, or that none does, with a link to all."""
+def failing_table(sheet: Sheet, name: str, title: str, row: int) -> None:
+    """Declare from a row on the first checks that fail, each in a sentence, or that none does, with a link to all."""
     most = FAILING[name]
     what, says = (f"INDEX([checks.{column}],MATCH([{name}_k.k.same],[checks.nth],0))" for column in ("what", "says"))
     cell = CELLS["failing"].sharing(k=f"[{name}_k.k.same]", failing=FAILING_NOW, none=spelled(NONE, "checks_all"))
     failing = cell("says", failing_checks(sheet.book, most), what=what, message=says)
-    block = sheet.table_at(name, title, row, column, failing)
-    sheet.workings(block, f"{name}_k", "", sheet.print_columns + 2, cell("k", list(range(1, most + 1))))
+    failing = failing._replace(red=f"[{name}_k.k.same]<={FAILING_NOW}")
+    block = sheet.list_at(name, title, row, FIRST, failing)
+    sheet.workings(block, f"{name}_k", "", sheet.print_columns + 2, cell("k", list(range(1, most + 1))), heads=False)
     every = sheet.book.blocks["checks"]
-    sheet.texts.append(Text(row, column + 2, "every check", "link", every.sheet.title, every.at))
+    links = [("every check", every.sheet.title, every.at)]
+    links += [("choose a pair", other.title, "A1") for other in sheet.book.sheets if other.title == "Selection"]
+    sheet.texts += [Text(row, FIRST + 2 * n, text, "link", *at) for n, (text, *at) in enumerate(links, 1)]

@@ -65,6 +65,7 @@ class Quantity(NamedTuple):
     good: str = ""  # a word that is shown as the verdict OK is
     # the condition, without =, under which the cell does not count, and is shown in grey
     grey: str = ""
+    red: str = ""  # likewise, under which it tells what is beyond limits
     inks: tuple[str, ...] = ()  # of each row, where they differ from that of its kind
     row_label: str = ""  # the label that stands in its row, where that is another than its own
     says: str = ""  # of a check: the formula of where it fails, and by how much
@@ -83,13 +84,14 @@ class Quantity(NamedTuple):
     def within(self, scope: str) -> Quantity:
         """Return the quantity with ``scope`` for each ``@`` in its name and formulas."""
         formula = self.formula
-        texts = (self.name, self.says, self.grey, *((formula,) if isinstance(formula, str) else formula or ()))
-        if not any("@" in text for text in texts):
+        texts = (self.name, self.says, self.grey, self.red)
+        formulas = (formula,) if isinstance(formula, str) else formula or ()
+        if not any("@" in text for text in (*texts, *formulas)):
             return self
         if formula is not None:
             formula = in_scope(formula, scope) if isinstance(formula, str) else [in_scope(f, scope) for f in formula]
-        name, says, grey = (in_scope(text, scope) for text in (self.name, self.says, self.grey))
-        return self._replace(name=name, formula=formula, says=says, grey=grey)
+        name, says, grey, red = (in_scope(text, scope) for text in texts)
+        return self._replace(name=name, formula=formula, says=says, grey=grey, red=red)
 
 
 def given(name: str, label: str, symbol: str, unit: str, value: Any, key: str, **more: Any) -> Quantity:

@@ -191,11 +191,10 @@ class Sheet:
             self._guard(block, watched, rules, inputs)
         return block
 
-    def table_at(self, name: str, title: str, row: int, column: int, *quantities: Quantity) -> Block:
-        """Place a table with its heads at a cell, beside others."""
-        self._heads(title, row, column, False, quantities)
-        size = len(quantities[0].value)
-        return self._place(Block(name, self, row + 3, column, self._own(quantities), size, title))
+    def list_at(self, name: str, title: str, row: int, column: int, quantity: Quantity) -> Block:
+        """Place a column at a cell, below its title alone."""
+        self._heads(title, row, column, False, ())
+        return self._place(Block(name, self, row + 1, column, self._own((quantity,)), len(quantity.value), title))
 
     def _guard(
         self, block: Block, watched: Sequence[tuple[Quantity, Limit]], rules: Sequence[RowRule], inputs: list[Quantity]
@@ -251,11 +250,13 @@ class Sheet:
             side = side_of(q, is_table=True)
             self.texts += [Text(row + k, column, text, style, side=side) for k, (text, style) in enumerate(lines, 1)]
 
-    def workings(self, block: Block, name: str, title: str, column: int, *quantities: Quantity) -> None:
+    def workings(
+        self, block: Block, name: str, title: str, column: int, *quantities: Quantity, heads: bool = True
+    ) -> None:
         """Place a table in the rows of another, at a column to its right: what is worked out from each of its rows."""
         explained = any(q.source for q in block.quantities)
         above = block.shared_heads - 1 if block.shared_heads else block.row - (4 if explained else 3)
-        if not any((text.row, text.column) == (above, column) for text in self.texts):
+        if heads and not any((text.row, text.column) == (above, column) for text in self.texts):
             self._heads(title, above, column, explained, quantities)
         own, name = self._own(quantities), in_scope(name, self.scope)
         workings = self._place(
@@ -270,8 +271,7 @@ class Sheet:
         lines = ((2, quantity.label, "header"), (1, quantity.unit, "units")) if heads else ()
         side = side_of(quantity, is_table=True)
         self.texts += [Text(block.row - above, column, text, style, side=side) for above, text, style in lines]
-        own, name = self._own((quantity,)), in_scope(name, self.scope)
-        blank = in_scope(blank, self.scope)
+        own, (name, blank) = self._own((quantity,)), (in_scope(text, self.scope) for text in (name, blank))
         self._place(Block(name, self, block.row, column, own, block.size, block.title, blank=blank, lead=block))
 
     def chart(self, chart: Chart, column: int, row: int, width: int = 8, height: int = 17) -> None:

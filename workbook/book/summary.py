@@ -56,8 +56,7 @@ ENTERED = LAST - 1  # the column of entries that identify the machine
 LETTER = 0.87  # width of a letter in digits
 PICTURE_ROW, PICTURE_ROWS = 9, 18
 LARGE = 22.0  # points of the row of figures
-MEND_COLUMN = FIRST + 4
-MENDING = 4 + FAILING["mend"]  # rows of the table of what is to mend
+MENDING = 2 + FAILING["mend"]  # rows of the table of what is to mend
 
 
 IDENTIFIED = {"number": "Number", "revision": "Revision", "author": "Author", "date": "Date"}
@@ -134,9 +133,7 @@ def close_summary(book: Book, sources: tuple[str, ...], says: CheckSentence = NO
         sheet.charts.append((replace(picture, title=""), PICTURE_ROW, FIRST, LAST - FIRST + 1, PICTURE_ROWS))
     stamp, today = stamped(book)
     sheet.put(today, STAMP, FIRST)
-    row = sheet.print_rows - MENDING
-    is_beside = any(row <= block.row < sheet.print_rows for block in sheet.blocks)
-    failing_table(sheet, "mend", "To mend", row, MEND_COLUMN if is_beside else FIRST)
+    failing_table(sheet, "mend", "To mend", sheet.print_rows - MENDING)
     sheet.heading("Contents")
     for other in book.sheets[1:]:
         entry(sheet, Text(sheet.row, FIRST, other.title, "link", other.title), other.purpose)

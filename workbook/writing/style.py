@@ -79,7 +79,6 @@ TEXTS = {
                    Alignment(wrap_text=True, horizontal="center", vertical="bottom")),
     "units": Look("Table units", font(10, GREY, italic=True), Alignment(wrap_text=True, horizontal="center"), None,
                   line(RULE)),
-    "folded units": Look("Folded units", font(10, GREY, italic=True), Alignment(horizontal="left"), None, line(RULE)),
     "equation": Look("Table equation", font(10, GREY),
                      Alignment(wrap_text=True, horizontal="center", vertical="center")),
 }  # fmt: skip
@@ -168,9 +167,10 @@ def conditional_formats(block: Block) -> Iterator[FormatRule]:
             yield FormatRule((q,), Rule(type="cellIs", operator="between", formula=ends, dxf=look))
             whole = [FormatObject("num", end) for end in (0, q.limit)]
             yield FormatRule((q,), Rule(type="dataBar", dataBar=DataBar(cfvo=whole, color=BAR)))
-        if q.grey:
-            look = DifferentialStyle(font=Font(color=GREY))
-            yield FormatRule((q,), Rule(type="expression", formula=[block.when(q.grey, block.row)], dxf=look))
+        for condition, ink in ((q.grey, GREY), (q.red, BEYOND)):
+            if condition:
+                look = DifferentialStyle(font=Font(color=ink))
+                yield FormatRule((q,), Rule(type="expression", formula=[block.when(condition, block.row)], dxf=look))
     if block.blanked:
         look = DifferentialStyle(numFmt=NumberFormat(NOTHING_ID, NOTHING))
         formula = block.when(block.blank, block.row)

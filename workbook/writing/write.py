@@ -180,9 +180,7 @@ def chart_size(
 def write_texts(sheet: Sheet, page: Worksheet, cells: Cells, styles: style.Styles, wide: dict[int, float]) -> None:
     """Write titles, labels and headers."""
     for text in sheet.texts:
-        aside = text.style == "units" and 0 < sheet.folded <= text.column
-        side = "" if aside else text.side
-        look = styles.text("folded units" if aside else text.style, side, style.indent(side, text.column))
+        look = styles.text(text.style, text.side, style.indent(text.side, text.column))
         cells.put(text.row, text.column, look, text.text or None)
         if text.link:
             target = f"{quote_sheetname(text.link)}!{text.linked_cell}"

@@ -6,8 +6,7 @@ from typing import Any
 from engine.drive.motor import Reserve
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import colour
-from workbook.book.checks import FAILING
-from workbook.book.declare import FIRST, Quantity, Sheet
+from workbook.book.declare import Quantity, Sheet
 from workbook.book.public_names import ENTERED
 from workbook.book.sentence import Sentence, figure
 from workbook.fields.units import PERCENT, shown
@@ -21,7 +20,7 @@ CELLS = cell_tables(__file__)
 
 WHOLE = 100.0  # % of a limit
 NO_DRIVE = "–"
-ON_A_PAGE = 9  # axes at most, of which all is printed on one page in letters that can be read
+ON_A_PAGE = 8  # axes at most, of which all is printed on one page in letters that can be read
 
 
 def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveView]) -> None:
@@ -31,7 +30,6 @@ def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveV
     number = [axis.number for axis in axes]
     speed, acceleration = (units(machine, order) for order in (1, 2))
     of_motors = motors(axes, drives) if drives else []
-    sheet.row += 1
     sheet.one_page = len(axes) <= ON_A_PAGE
     cell = CELLS["axes_short"].sharing(number=number)
     block = cell.place(
@@ -49,23 +47,18 @@ def axes_summary(sheet: Sheet, machine: MachineView, drives: Mapping[int, DriveV
 
 
 def gaps_summary(sheet: Sheet, gaps: Sequence[ClearanceView]) -> None:
-    """Declare the least gap of each clearance, and where it is, beside what is to mend."""
+    """Declare the least gap of each clearance, and where it is."""
     if not gaps:
         return
     over, size, unit = gaps[0].over, max(gap.size for gap in gaps), ", ".join(dict.fromkeys(gap.unit for gap in gaps))
     cell = CELLS["gaps_short"].sharing(n=[gap.number for gap in gaps], unit=unit, over=over)
-    name, title = cell.head
-    sheet.table_at(
-        name,
-        title,
-        sheet.row,
-        FIRST,
+    cell.place(
+        sheet,
         cell("name", [gap.given.name for gap in gaps]),
         cell("gap", [gap.least for gap in gaps], scale=size),
         cell("least", [gap.given.least for gap in gaps]),
         cell("at", [over.shown(gap.place) for gap in gaps], scale=over.length, format=over.format),
     )
-    sheet.row += max(0, len(gaps) - FAILING["mend"])
 
 
 def least_gap(gaps: Sequence[ClearanceView]) -> list[Quantity]:

@@ -26,6 +26,11 @@ TOGETHER = "On a common DC bus drives use what others give back; a drive at a ra
 ON_BUS = "of the mains, where the drive's sheet has that of the motor"
 CHART_COLUMN, COLUMNS = 11, 17
 INK = COLOURS[-1]
+OF_BUS = {
+    *("power_peak_most", "bus_alone", "bus_resistor_most", "power_mains", "power_resistors", "power_year"),
+    *("bus_saved", "bus_saved_most", "bus_saved_year", "bus_saved_price"),
+}
+"""results that say something of several drives alone"""
 kw = partial(shown, unit=KW)
 
 
@@ -84,7 +89,9 @@ def power_sheet(book: Book, bus: Mains) -> None:
     sheet.heading("Enter", NOTE)
     sheet.rows(*entry_cells(bus.entered, "power"))
     sheet.heading("Results", TOGETHER.format(bus.over.period))
-    sheet.rows(*results(bus))
+    every = results(bus)
+    printed = [q for q in every if bus.drives[1:] or q.name not in OF_BUS]
+    sheet.rows(*printed)
     if bus.on_bus.any():
         sheet.chart(power_chart(bus), column=CHART_COLUMN, row=5, width=COLUMNS - CHART_COLUMN + 1, height=20)
     sheet.row += 1
@@ -98,6 +105,7 @@ def power_sheet(book: Book, bus: Mains) -> None:
         cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=OF_ALL.format("peak"), between_cuts=taken),
         cell("bus_apart", kw(without.mains), of_all=OF_ALL.format("mains")),
         cell("bus_net", kw(without.net), of_all=OF_ALL.format("resistor")),
+        *(q for q in every if q not in printed),
     )
     bus_table(sheet, bus)
     if bus.cuts.meet:

@@ -24,11 +24,12 @@ from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import CheckSentence, Sentence, amount, around
 from workbook.drive.motor import continuous_at
-from workbook.fields.units import PER_MINUTE, PERCENT, RPM, shown
+from workbook.fields.units import DEGREE, PER_MINUTE, PERCENT, RPM, shown
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, DriveView, Rates
 
 CELLS = cell_tables(__file__)
 
+RMS_TORQUE = "RMS torque"  # the limit
 NOT_REACHED, NEVER_HELD = "–", "never"
 ABOUT = (
     "At rest a torque T_s stands; I = T − T_s grows with the square of the rate. At √x times it the "
@@ -206,7 +207,30 @@ def range_results(view: DriveView) -> Sequence[Quantity]:
         cell("@lowest", found.low, none=none, format=RATE_LOOK),
         cell("@binds_low", found.low_limit, none=none, none_binds=NONE_BINDS),
         cell("@mends", Sentence(range_in_words(found, "@").text), part=range_in_words(found, "@").says),
+        *longer_moves(view, range_in_words(found, "@").text),
     ]
+
+
+def longer_moves(view: DriveView, held: str) -> tuple[Quantity, ...]:
+    """Return how long all moves of an axis last about where its drive holds the present rate; with rates in words.
+
+    Moves that last as long as at the highest rate have its peaks. The RMS torque is that of a shorter cycle then; of
+    inertia, its square falls with the third power of how long moves last.
+    """
+    over, high, axis = view.tables.machine.over, view.rates.high, view.driven.axis
+    moved = over.shown(shown(math.fsum(phase.duration for phase in axis.phases if phase.lift), DEGREE))
+    power = 4.0 / 3.0 if view.rates.high_limit == RMS_TORQUE else 1.0
+    needed = max(1.0, view.rate / high) ** power * moved if isinstance(high, float) else 0.0
+    decimals, half = (3, 4.9e-4) if over.measured else (0, 0.49)  # rounded up
+    least = f"{round(needed + half, decimals):.15g}{over.after}"
+    words = f", or with moves of about {least} in all" if 0.0 < needed <= over.length else ""
+    cell, taken = CELLS["range_results"].sharing(over=over, half=half, decimals=decimals), f"axis{axis.number}_taken"
+    turned = over.shown_formula(f"SUMPRODUCT([{taken}.span]*([{taken}.h]<>0))*180/PI()")
+    return (
+        cell("@moved", moved, turned=turned),
+        cell("@needed", needed, rms=RMS_TORQUE, scale=over.length),
+        cell("@longer", Sentence(f"{held}{words}"), cycle=over.shown_formula("360")),
+    )
 
 
 def range_in_words(found: Rates, scope: str, holds: str = "holds") -> CheckSentence:

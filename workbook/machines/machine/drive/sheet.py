@@ -240,7 +240,7 @@ def checks(view: DriveView) -> list[Quantity]:
     driven, (torque, mean, speed) = view.driven, view.reducer_checks
     called, reducer, built = driven.called, driven.reducer, driven.motor_used
     mass = built.known_mass + reducer.known_mass
-    mends = CheckSentence('"; the drive "&@mends', f"; the drive {max_rate.range_in_words(view.rates, '@').text}")
+    mends = CheckSentence('"; the drive "&@longer', f"; the drive {max_rate.range_results(view)[-1].value}")
     most = driven.limits.inertia_ratio
     heavier = amount("@use_inertia", view.inertia_ratio / most, "; try a motor of ", " times it")
     within = motor.within_reducer(called, "@smax", "@reducer_held")
