@@ -19,7 +19,7 @@ from rich.table import Table
 
 from engine import law
 from engine.cams.certificate import certify, equal_steps
-from engine.cams.interpolation import lines, quintics, segmented, spline
+from engine.cams.interpolation import lines, quintics, segment_profile, spline
 from engine.laws.base import Array
 from engine.motion import Motion, Phase
 from engine.motion.profile import CamProfile, profile_of_motion
@@ -56,7 +56,7 @@ RULES: dict[str, Callable[[CamProfile, Array], CamProfile]] = {
     "cubic spline, REAL": clamped_real,
     "cubic spline, LREAL": clamped,
     "quintics of y, y', y''": quintic,
-    "segments": lambda of, x: segmented(of, of.edges),
+    "segments": lambda of, x: segment_profile(of, of.edges),
 }
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from workbook.build import build, read_description
 from workbook.commands.improve import is_roomy
-from workbook.description.editing import edited
+from workbook.description.editing import edit_text
 from workbook.judging.verify import verify
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
@@ -23,7 +23,7 @@ TRIED = {name: stage for name, stage in STAGES.items() if name != "motors"}
 
 def confirmed(design: Design, path: Path, rate: float, folder: Path) -> list[str]:
     """Build the book of a design at a rate and verify it; return a line for each finding and check that fails."""
-    text = edited(path.read_text("utf-8"), {**design.changes, RATE: rate}.items())
+    text = edit_text(path.read_text("utf-8"), {**design.changes, RATE: rate}.items())
     description = folder / path.name
     description.write_text(text, encoding="utf-8")
     failing = build(read_machine(description), book := description.with_suffix(".xlsx"), overwrite=True)

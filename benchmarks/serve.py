@@ -22,7 +22,7 @@ import tomli_w
 from rich.console import Console
 from rich.table import Table
 
-from workbook.description.editing import edited
+from workbook.description.editing import edit_text
 from workbook.entries.design import as_entered
 from workbook.reading.descriptions import read_machine
 from workbook.serve.design import figures
@@ -53,7 +53,8 @@ def edits(text: str) -> dict[str, list[str]]:
         "rate of the machine": (("master", "rate"), 180.0),
     }
     return {
-        what: [edited(text, [(path, value + 0.5 * k)]) for k in range(EDITS)] for what, (path, value) in places.items()
+        what: [edit_text(text, [(path, value + 0.5 * k)]) for k in range(EDITS)]
+        for what, (path, value) in places.items()
     }
 
 

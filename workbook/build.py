@@ -18,7 +18,7 @@ from workbook.judging.carry_over import find_additions, not_carried, with_sheet
 from workbook.judging.matching import Match
 from workbook.judging.structure import refuse_cut_cells
 from workbook.pool import collecting_between, collector_paused
-from workbook.reading.descriptions import counted_from_1, read_machine, require_possible, template_named, validated
+from workbook.reading.descriptions import counted_from_1, make_machine, read_machine, require_possible, template_named
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.reading.guard import inspect
@@ -182,7 +182,7 @@ def read_description(path: Path, motors: Path | None = None, reducers: Path | No
         if len(products) > MOST_PRODUCTS:
             raise InputError([f"{file}: {len(products)} products; expected at most {MOST_PRODUCTS}"])
         data["sizes"][entry] = max(data["sizes"][entry], len(products))  # tables have room for them
-    return validated(template_named(machine.template, str(path)), data, lambda key: f"{path}: {key}")
+    return make_machine(template_named(machine.template, str(path)), data, lambda key: f"{path}: {key}")
 
 
 def read_inputs(path: Path) -> tuple[Machine, list[str]]:

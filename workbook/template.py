@@ -24,12 +24,12 @@ M = TypeVar("M", bound=Machine)
 class Template(Generic[M]):
     """A kind of machine: its description's model, the book declared from a description, variations to verify at.
 
-    ``finished`` declares the book of a machine whose entries do; :meth:`declare` that of any.
+    ``declare_complete`` declares the book of a machine whose entries do; :meth:`declare` that of any.
     """
 
     name: str
     model: type[M]
-    finished: Callable[[M], Book]
+    declare_complete: Callable[[M], Book]
     variants: Callable[[M], list[M]]
     # raises EntryError for entries that only the engine can refuse
     check: Callable[[M], None] = lambda machine: None
@@ -52,7 +52,7 @@ class Template(Generic[M]):
 
     def declare(self, machine: M) -> Book:
         """Declare the book of a machine, with its layout; of an unfinished design with what was entered."""
-        book = self.finished(machine)
+        book = self.declare_complete(machine)
         layout = book.blocks[LAYOUT]
         layout.quantities = tuple(q._replace(value=layout_text(machine, book)) for q in layout.quantities)
         if machine.design.replaced:

@@ -18,7 +18,7 @@ from engine.drive.motor import LimitCheck
 from engine.motion.profile import CamProfile
 from engine.timing import Switch
 from workbook.book.quantity import FAIL, OK
-from workbook.book.sentence import rounded
+from workbook.book.sentence import as_shown
 from workbook.fields.units import KW, RPM, shown
 
 M = TypeVar("M")
@@ -114,12 +114,12 @@ class JudgedLimit(NamedTuple):
     @property
     def line(self) -> str:
         """Both figures against the limit; of a figure that is close to it, how close, and how well that is known."""
-        exact = f"{rounded(self.exact.value)} {self.unit}"
-        limit = f"{rounded(self.exact.limit)} {self.unit}"
+        exact = f"{as_shown(self.exact.value)} {self.unit}"
+        limit = f"{as_shown(self.exact.limit)} {self.unit}"
         if self.is_close:
             share, known = f"{100.0 * self.sheet.use:.2f} %", f"{100.0 * self.bound:.2g} %"
             return f"{self.what} at the limit: {share}, known to {known}; {exact} exactly, the limit is {limit}"
-        sheet = f"{rounded(self.sheet.value)} {self.unit}"
+        sheet = f"{as_shown(self.sheet.value)} {self.unit}"
         return f"{self.what} is {exact} exactly, {sheet} on its sheet; the limit is {limit}"
 
 
@@ -222,5 +222,5 @@ def deviations(drive: str, sheet: Mapping[str, float], exact: LimitChecks) -> It
     for name, value in sheet.items():
         unit, true, off = truths[name]
         if abs(value - true) > off + 1e-9 * abs(true):
-            exactly, by_points = (rounded(shown(each, SIZES.get(unit, 1.0))) for each in (true, value))
+            exactly, by_points = (as_shown(shown(each, SIZES.get(unit, 1.0))) for each in (true, value))
             yield f"{drive}: {name} is {exactly} {unit} exactly; its sheet says {by_points} {unit}"

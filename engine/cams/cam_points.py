@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.cams.certificate import subdivided
+from engine.cams.certificate import subdivide_intervals
 from engine.cams.interpolation import spline
 from engine.laws import Law
 from engine.laws.base import Array
@@ -162,7 +162,7 @@ class FoundPhase:
         return True
 
 
-def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
+def fit_splines(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
     """Return consecutive splines through few points, in succession, that keep to the others.
 
     A movement that returns is divided farthest from its begin, a movement of more than a hundred points in its middle.
@@ -184,7 +184,7 @@ def splined(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], mos
         Empty if more than 20 are needed, or no point is left at which to divide.
     """
     if of.v is not None:
-        x = subdivided(of.x, BETWEEN)
+        x = subdivide_intervals(of.x, BETWEEN)
         of = of._replace(x=x, y=rebuilt.at(x, left=True).y, v=None, a=None)
     phases: list[FoundPhase] = []
     left = [(0, len(of.x) - 1, slopes)]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, splined
+from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, fit_splines
 from engine.cams.least_squares import gauss_newton
 from engine.cams.moving_phases import phases_at_speed, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
@@ -31,7 +31,7 @@ class IdentifiedMotion(NamedTuple):
     delay: float = 0.0  # x by which the cycle begins later than the table
 
 
-def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: float = THINNED) -> IdentifiedMotion:
+def identify(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: float = THINNED) -> IdentifiedMotion:
     """Return the movements of a table in order, each with the first law of the catalogue that it follows.
 
     A movement that is not from rest to rest becomes phases that meet at speed. One that follows no law becomes splines
@@ -59,13 +59,13 @@ def identified(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: f
     of = of._replace(begins=begins, ends=ends, seam=of.rates_across() if begins and ends else None)
     phases = _phases(of, rebuilt)
     if _keeps_to(of, phases):
-        return IdentifiedMotion(phases, _allowed(of))
+        return IdentifiedMotion(phases, _tolerance(of))
     slopes = [of.rate_at(side)[0] if moves else 0.0 for side, moves in ((0, begins), (-1, ends))]
-    through = splined(of, rebuilt, (slopes[0], slopes[1]), max(of.thinned, of.near))
+    through = fit_splines(of, rebuilt, (slopes[0], slopes[1]), max(of.thinned, of.near))
     first, last, y, lift = (float(value) for value in (*of.x[[0, -1]], of.y[0], of.y[-1] - of.y[0]))
     line = FoundPhase(law("LIN"), first, last, y, lift, known=False)
     missed = [replace(phase, fits=False) for phase in phases or [line]]
-    return IdentifiedMotion(through or missed, _allowed(of))
+    return IdentifiedMotion(through or missed, _tolerance(of))
 
 
 def _from_first_dwell(of: CamPoints, rebuilt: CamProfile) -> IdentifiedMotion | None:
@@ -77,7 +77,7 @@ def _from_first_dwell(of: CamPoints, rebuilt: CamProfile) -> IdentifiedMotion | 
     later = _rolled(of, k)
     phases = _phases(later, rebuilt.shifted(float(of.x[-1] - of.x[k])))
     if all(phase.fits and phase.rests for phase in phases) and _keeps_to(later, phases):
-        return IdentifiedMotion(phases, _allowed(of), float(of.x[k] - of.x[0]))
+        return IdentifiedMotion(phases, _tolerance(of), float(of.x[k] - of.x[0]))
     return None
 
 
@@ -93,10 +93,10 @@ def motion_at(phases: Sequence[FoundPhase], x: Array, rest: float) -> Array:
 def _keeps_to(of: CamPoints, phases: Sequence[FoundPhase]) -> bool:
     """Return whether phases, in succession, go through every point of a table."""
     off = np.abs(motion_at(phases, of.x, float(of.y[0])) - of.y).max()
-    return bool(off <= _allowed(of))
+    return bool(off <= _tolerance(of))
 
 
-def _allowed(of: CamPoints) -> float:
+def _tolerance(of: CamPoints) -> float:
     """Return by how much a motion may be off a table's points."""
     return max(of.thinned, KEPT * of.near)
 
@@ -169,7 +169,7 @@ def _laid(
             return [phase for phases in parts for phase in phases]
     if meeting:
         return meeting
-    quintic = _found(law("PO5"), whole, np.array([*whole.x[[0, -1]], whole.y[0], np.ptp(whole.y)]))
+    quintic = _phase_of(law("PO5"), whole, np.array([*whole.x[[0, -1]], whole.y[0], np.ptp(whole.y)]))
     return [replace(quintic, fits=False, known=False)]
 
 
@@ -181,7 +181,7 @@ def _by_itself(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     phases, known = phases_at_speed(of, rebuilt)
     if known or np.abs(rebuilt.at(of.x[[0, -1]]).y1).max() > AT_SPEED * of.fastest:
         return phases if known else []
-    return splined(of, rebuilt, (0.0, 0.0), max(of.thinned, of.near))
+    return fit_splines(of, rebuilt, (0.0, 0.0), max(of.thinned, of.near))
 
 
 def _identify(of: CamPoints, laws: Sequence[Law], span: tuple[int, int], turns: tuple[bool, bool]) -> FoundPhase | None:
@@ -190,13 +190,13 @@ def _identify(of: CamPoints, laws: Sequence[Law], span: tuple[int, int], turns: 
         inner = of.part(span[0] + late, span[1] - early)
         if len(inner.x) >= FEWEST or (inner.a is not None and len(inner.x) > 1):
             for law in laws:
-                fitted = _fitted(law, inner) if inner.identifies(law) else None
+                fitted = _fit_law(law, inner) if inner.identifies(law) else None
                 if fitted is not None:
                     return fitted
     return None
 
 
-def _fitted(law: Law, of: CamPoints) -> FoundPhase | None:
+def _fit_law(law: Law, of: CamPoints) -> FoundPhase | None:
     """Return a law with begin, end, y and lift by least squares, in round numbers if they fit; None if none fits."""
     step = float(np.diff(of.x).max())
 
@@ -209,14 +209,16 @@ def _fitted(law: Law, of: CamPoints) -> FoundPhase | None:
         return None
     beyond = ROUNDED * (fit[1] - fit[0])
     outside = (of.begins and fit[0] < of.x[0] - beyond) or (of.ends and fit[1] > of.x[-1] + beyond)
-    if outside or not _found(law, of, fit).agrees(of, np.median):
+    if outside or not _phase_of(law, of, fit).agrees(of, np.median):
         return None
     tidied = (np.array([round(value, digits) + 0.0 for value in fit.tolist()]) for digits in DIGITS)
-    fits = (figures for figures in tidied if figures[1] > figures[0] and _found(law, of, figures).residual <= of.near)
-    return _found(law, of, next(fits, fit))
+    fits = (
+        figures for figures in tidied if figures[1] > figures[0] and _phase_of(law, of, figures).residual <= of.near
+    )
+    return _phase_of(law, of, next(fits, fit))
 
 
-def _found(law: Law, of: CamPoints, fit: Array) -> FoundPhase:
+def _phase_of(law: Law, of: CamPoints, fit: Array) -> FoundPhase:
     """Return the phase of a law with a begin, an end, a y and a lift."""
     phase = FoundPhase(law, *fit.tolist())
     return replace(phase, residual=float(np.abs(phase.off(of)).max()))

@@ -166,7 +166,7 @@ def straight(of: CamProfile) -> Flags:
     return np.asarray((of.c[:, 2:] == 0.0).all(axis=1) & (of.sines[:, :, 0] == 0.0).all(axis=1))
 
 
-def segmented(of: CamProfile, x: Array) -> CamProfile:
+def segment_profile(of: CamProfile, x: Array) -> CamProfile:
     """Return a motion between the places x: its own pieces if :func:`simple`, else quintics; u = 0 at each place."""
     begin, end = of.at(x[:-1]), of.at(x[1:], left=True)
     k = of.index(0.5 * (x[:-1] + x[1:]))
@@ -198,7 +198,7 @@ class FunctionValues(NamedTuple):
 OuterFunction = Callable[[Array], FunctionValues]
 
 
-def composed(of: CamProfile, outer: OuterFunction) -> CamProfile:
+def compose_profile(of: CamProfile, outer: OuterFunction) -> CamProfile:
     """Return f(y(x)) over the same cycle, ``outer`` being f: a quintic on each interval, none across a break of y.
 
     It has (f∘y)' = f' y' and (f∘y)'' = f'' y'² + f' y'' at both ends; an interval off in its middle is halved.

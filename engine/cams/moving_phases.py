@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, splined
+from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, fit_splines
 from engine.cams.least_squares import gauss_newton
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array, Flags
@@ -57,18 +57,18 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
         fitted = _law_between(laws, inner, sides, near)
         laid = [fitted] if fitted else _quintics(quintic, inner, rebuilt, sides, near)
         slopes = _slope(inner, sides[0], 0), _slope(inner, sides[1], -1)
-        laid = laid or splined(inner, rebuilt, slopes, max(of.thinned, near))
+        laid = laid or fit_splines(inner, rebuilt, slopes, max(of.thinned, near))
         if not laid:
             return [], False
         known &= fitted is not None
         phases += laid
-    return _settled(phases), known
+    return _with_lines_to_neighbours(phases), known
 
 
 def _law_between(laws: Sequence[BoundaryLaw], of: CamPoints, sides: Sides, near: float) -> FoundPhase | None:
     """Return the first law that a curve between two lines follows, in their direction or from a corner, or None."""
     ends = list(product(_meeting(of, sides[0], 0), _meeting(of, sides[1], -1)))
-    fits = (_fitted(law, of, both, near) for both in ends for law in laws if of.identifies(law))
+    fits = (_fit_moving_law(law, of, both, near) for both in ends for law in laws if of.identifies(law))
     return next(filter(None, fits), None)
 
 
@@ -115,7 +115,7 @@ def _line(of: CamPoints, run: tuple[int, int], places: tuple[float, float]) -> F
     return FoundPhase(law("LIN"), first, last, y, slope * (last - first), residual)
 
 
-def _settled(phases: Sequence[FoundPhase]) -> list[FoundPhase]:
+def _with_lines_to_neighbours(phases: Sequence[FoundPhase]) -> list[FoundPhase]:
     """Return the phases with their lines extended or cut to their neighbours."""
     settled = list(phases)
     for k, phase in enumerate(phases):
@@ -210,7 +210,7 @@ def _rates(of: CamPoints, rebuilt: CamProfile, k: int) -> EndLine:
     return EndLine(x, y, float(v), float(a))
 
 
-def _made(base: BoundaryLaw, places: Sequence[float], sides: Sides) -> FoundPhase | None:
+def _law_from_to(base: BoundaryLaw, places: Sequence[float], sides: Sides) -> FoundPhase | None:
     """Return a law between two x, with the velocities of the lines there; None if it cannot have these."""
     begin, end = places
     first, last = (s.y if s.fixed else s.y + s.v * (x - s.x) for s, x in zip(sides, places, strict=True))
@@ -225,7 +225,7 @@ def _made(base: BoundaryLaw, places: Sequence[float], sides: Sides) -> FoundPhas
     return FoundPhase(bounded, begin, end, first, last - first, 0.0)
 
 
-def _fitted(base: BoundaryLaw, of: CamPoints, sides: Sides, near: float) -> FoundPhase | None:
+def _fit_moving_law(base: BoundaryLaw, of: CamPoints, sides: Sides, near: float) -> FoundPhase | None:
     """Return a law whose begin and end are fitted to the points by least squares; None if it does not fit."""
     step = np.diff(of.x)[[0, -1]]
     free = np.array([not side.fixed for side in sides])
@@ -235,7 +235,7 @@ def _fitted(base: BoundaryLaw, of: CamPoints, sides: Sides, near: float) -> Foun
         """Return the law with its free ends moved; None if it cannot have them, or they are moved too far."""
         by = np.zeros(2)
         by[free] = moved
-        return _made(base, (of.x[[0, -1]] + by).tolist(), sides) if np.all(np.abs(by) <= 2.0 * step) else None
+        return _law_from_to(base, (of.x[[0, -1]] + by).tolist(), sides) if np.all(np.abs(by) <= 2.0 * step) else None
 
     def off(moved: Array) -> Array:
         return phase.off(of) if (phase := moved_law(moved)) else np.full(len(of.x), np.inf)
@@ -258,7 +258,7 @@ def _quintics(quintic: BoundaryLaw, of: CamPoints, rebuilt: CamProfile, sides: S
             middle = high if best is None and high == last else (low + high + 1) // 2
             there = sides[1] if middle == last else _rates(of, rebuilt, middle)
             ends = here._replace(fixed=True), there._replace(fixed=True)
-            phase = _made(quintic, (here.x, there.x), ends)
+            phase = _law_from_to(quintic, (here.x, there.x), ends)
             missed = float(np.abs(phase.off(of.part(k, middle))).max()) if phase else np.inf
             if phase and missed <= most:
                 best, low = (replace(phase, residual=missed), there), middle

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.drivetrain import Drivetrain, Force, LoadMotion, ShaftMotion, TorqueCoefficients, dwell_times
-from engine.drive.search import NOISE, crossed, largest_size, sign_changes
+from engine.drive.search import NOISE, crossings, largest_size, sign_changes
 from engine.laws.base import Array
 from engine.laws.extremes import Curve
 from engine.motion import Motion
@@ -110,7 +110,7 @@ class TorqueInterval:
         """Return every u at which the torque of a shaft changes its sign."""
         curve = self.curve(shaft)
         if curve is None:
-            return crossed(lambda u: self.torque(u, shaft), self.samples)
+            return crossings(lambda u: self.torque(u, shaft), self.samples)
         return sign_changes(curve, self.low, self.high)
 
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from engine.drive.cycle import DriveCycle, TorqueInterval
-from engine.drive.search import crossed, extremes, integral
+from engine.drive.search import crossings, extremes, integral
 from engine.laws.base import Array
 from engine.laws.extremes import Curve, zeros
 
@@ -104,7 +104,7 @@ class DriveResults:
         each = []
         for interval in self.drive_cycle.torque_intervals:
             # copper losses alone change the power's sign within an interval
-            reversals = crossed(interval.power, interval.samples) if interval.train.drive.copper else []
+            reversals = crossings(interval.power, interval.samples) if interval.train.drive.copper else []
             for low, high in pairwise([interval.low, *reversals, interval.high]):
                 each.append(integral(interval.power, low, high, scale) / interval.speed)
         return Energy(math.fsum(e for e in each if e > 0.0), -math.fsum(e for e in each if e < 0.0))

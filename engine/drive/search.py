@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.laws.extremes import Curve, narrowed, zeros
+from engine.laws.extremes import Curve, narrow_brackets, zeros
 
 PARTS = 16  # of a bracket, in a round
 ROUNDS = 9  # of narrowing a bracket, to an eighth each
@@ -82,7 +82,7 @@ def _top(function: Function, sign: float, u: Array, values: Array, least: float)
     return Extremum(sign * best.value, best.x)
 
 
-def crossed(function: Function, u: Array) -> list[float]:
+def crossings(function: Function, u: Array) -> list[float]:
     """Return every u at which a function changes its sign, if it does so at most once between two samples at u."""
     values = function(u)
     clear = np.abs(values) > NOISE * float(np.abs(values).max())
@@ -90,7 +90,7 @@ def crossed(function: Function, u: Array) -> list[float]:
     at = np.flatnonzero(positive[1:] != positive[:-1])
     if not at.size:
         return []
-    return [float(zero) for zero in narrowed(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
+    return [float(zero) for zero in narrow_brackets(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
 
 
 # the nodes of the rule on [−1, 1], and its weights

@@ -207,7 +207,7 @@ def _lag(h: Array, sin: Array, cos: Array) -> Array:
     return np.where(y < 1.0, series * term, direct)
 
 
-def cut(piece: Piece, shares: Sequence[float]) -> list[Piece]:
+def cut_piece(piece: Piece, shares: Sequence[float]) -> list[Piece]:
     """Return the parts of a piece between these shares of its duration, each with u from its own begin.
 
     c'_i = Σ_{k ≥ i} c_k C(k, i) u₀ᵏ⁻ⁱ, φ' = φ + ω u₀ from the begin u₀ of a part.

@@ -99,7 +99,7 @@ class Bench:
     """The book of one machine, and the inputs at which ``verify`` looks at it: those entered, then its variations."""
 
     def __init__(self, template: Template, machine: Machine) -> None:
-        self.template, self.machine = replace(template, finished=remembered(template.finished)), machine
+        self.template, self.machine = replace(template, declare_complete=remembered(template.declare_complete)), machine
         self.declared = self.template.declare(machine)
         self.workbook = opened(self.declared, type(machine))
         self.file = BookFile(Path(f"{template.name}.xlsx"), self.workbook, find_places(self.workbook))

@@ -15,7 +15,7 @@ from tests.laws import PAGED, blended
 from workbook.entries.facts import varying_entries
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.reading.descriptions import validated
+from workbook.reading.descriptions import make_machine
 from workbook.templates import MODULES, TEMPLATES
 
 TRIES = 200
@@ -32,7 +32,7 @@ def machine(given: Machine, drawn: random.Random) -> Machine:
     varied = import_module(f"tests.mutation.draw_{MODULES[given.template]}").varied
     for _ in range(TRIES):
         try:
-            made = validated(TEMPLATES[given.template], varied(given.model_dump(), drawn), str)
+            made = make_machine(TEMPLATES[given.template], varied(given.model_dump(), drawn), str)
         except InputError as error:
             refused = str(error)
         else:

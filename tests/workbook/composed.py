@@ -1,6 +1,6 @@
 """A small book: a machine of one axis, whose phases are told by law, lift and duration, over any abscissa."""
 
-from workbook.reading.descriptions import counted_from_1, read_machine, validated
+from workbook.reading.descriptions import counted_from_1, make_machine, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
@@ -51,4 +51,4 @@ def description(phases=EXERCISE, laws=None, sizes=None, over="°", unit="°", na
 
 def composed(phases=EXERCISE, laws=None, sizes=None, **axis):
     """The machine that is so described."""
-    return validated(MACHINE, description(phases, laws, sizes, **axis), counted_from_1)
+    return make_machine(MACHINE, description(phases, laws, sizes, **axis), counted_from_1)

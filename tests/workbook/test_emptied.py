@@ -10,18 +10,18 @@ from tests.workbook.test_unfinished import small
 from workbook.book.rows import as_rows
 from workbook.build import build, read_inputs
 from workbook.entries import rules
-from workbook.entries.design import finished
+from workbook.entries.design import mend_machine
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.laws.named import with_laws_by_code
-from workbook.reading.descriptions import counted_from_1, described
+from workbook.reading.descriptions import counted_from_1, make_described_machine
 from workbook.templates import TEMPLATES
 
 
 def machine_of(name):
     data = small(name)
     template = TEMPLATES[data["template"]]
-    return finished(template.model, template.check, with_laws_by_code(data, template.laws))
+    return mend_machine(template.model, template.check, with_laws_by_code(data, template.laws))
 
 
 def defaulted(name):
@@ -31,9 +31,9 @@ def defaulted(name):
     for block in TEMPLATES[machine.template].declare(machine).blocks.values():
         for q in block.quantities:
             key = re.sub(r"\.\d+(?=\.|$)", ".*", q.key)
-            optional = q.role == "input" and not rules.is_required(model, key)
+            optional = q.role == "input" and not rules.must_be_entered(model, key)
             held = as_rows(q.value, block.size, q.name)[0]
-            if optional and held is not None and rules.must_be_there(model, key):
+            if optional and held is not None and rules.must_be_entered(model, key):
                 found.setdefault(key, (block.name, q.name))
     return found
 
@@ -113,7 +113,7 @@ LISTS = {
 @pytest.mark.parametrize("what", LISTS)
 @pytest.mark.sample(1)
 def test_a_list_without_rows_is_the_same_in_the_description_and_in_its_book(what, tmp_path):
-    given = described(TEMPLATES["machine"], description() | LISTS[what], counted_from_1)
+    given = make_described_machine(TEMPLATES["machine"], description() | LISTS[what], counted_from_1)
     build(given, tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []
     back, _ = read_inputs(tmp_path / "book.xlsx")

@@ -171,7 +171,7 @@ def offset(view: View, cell: Address, stretch: Stretch) -> tuple[int, ...]:
     return tuple(side - place(cell, stretch.down) * moves for side, moves in sides)
 
 
-def held(view: View, cell: Address) -> str:
+def cell_text(view: View, cell: Address) -> str:
     """Return a cell with its content, in words."""
     return f"{cell.a1} has {view.text(cell) or 'nothing'}"
 

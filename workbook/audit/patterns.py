@@ -5,7 +5,7 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Sequence
 
 from workbook.audit.finding import Finding, Sure
-from workbook.audit.lines import FEW, Lines, Stretch, at, beside, held, nearest, place
+from workbook.audit.lines import FEW, Lines, Stretch, at, beside, cell_text, nearest, place
 from workbook.audit.view import Form, View
 from workbook.book.address import Address
 
@@ -25,12 +25,12 @@ def different(lines: Lines) -> Iterator[Finding]:
         count = len(stretch.cells) if len(stretch.between) < SEVERAL else 0
         for cell in others:
             if not is_meant(lines, cell, stretch.down) and not totals(view, cell, stretch.down):
-                yield differing(view, cell, nearest(stretch, cell), count, any(stretch.modes))
+                yield misfit(view, cell, nearest(stretch, cell), count, any(stretch.modes))
     for cell, down, neighbour, at_end in lines.shifted:
         if not is_meant(lines, cell, down):
             near = {at(cell, down, max(1, place(cell, down) + k)) for k in (-1, 1)}
             count = FEW + (not at_end) if near.isdisjoint(view.numbers) else 0
-            yield differing(view, cell, neighbour, count, True)
+            yield misfit(view, cell, neighbour, count, True)
 
 
 def is_meant(lines: Lines, cell: Address, down: bool) -> bool:
@@ -39,11 +39,15 @@ def is_meant(lines: Lines, cell: Address, down: bool) -> bool:
     return lines.is_structure(cell, down) or (across in lines.members and across not in lines.between)
 
 
-def differing(view: View, cell: Address, neighbour: Address, count: int, moves: bool) -> Finding:
+def misfit(view: View, cell: Address, neighbour: Address, count: int, moves: bool) -> Finding:
     """Return the finding of a formula that differs from a pattern, with how many cells have the pattern."""
     sure: Sure = ("high" if moves else "medium") if count > FEW else ("medium" if moves and count else "low")
     return Finding(
-        cell, "pattern", f"{view.text(cell)} differs from the formulas around it", sure, held(view, neighbour)
+        cell,
+        "pattern",
+        f"{view.text(cell)} differs from the formulas around it",
+        sure,
+        cell_text(view, neighbour),
     )
 
 
@@ -71,7 +75,7 @@ def typed_over(lines: Lines) -> Iterator[Finding]:
             kind = lines.kind(cell)
             if kind in ("=", "a") or lines.is_structure(cell, stretch.down) or in_row(lines, cell, stretch):
                 continue
-            neighbour = held(view, nearest(stretch, cell))
+            neighbour = cell_text(view, nearest(stretch, cell))
             if kind:
                 pair = [at(cell, stretch.down, place(cell, stretch.down) + step) in view.numbers for step in (-1, 1)]
                 anew = any(pair) or len(stretch.between) >= SEVERAL  # a series begins anew
@@ -106,7 +110,7 @@ def at_the_end(lines: Lines, stretch: Stretch) -> Iterator[Finding]:
         return
     if not in_row(lines, cell, stretch) and goes_on(lines, stretch, end):
         why = f"the number {view.text(cell)} where the pattern of formulas would go on"
-        yield Finding(cell, "typed-over", why, "medium", held(view, end))
+        yield Finding(cell, "typed-over", why, "medium", cell_text(view, end))
 
 
 def goes_on(lines: Lines, stretch: Stretch, end: Address) -> bool:
@@ -138,7 +142,7 @@ def typed_totals(lines: Lines) -> Iterator[Finding]:
             ends = (other._replace(row=row) for row in (area.top, area.top + 1, area.bottom))
             if other in view.numbers and all(end in view.forms for end in ends):
                 why = f"the number {view.text(other)} beside a formula that sums up such a column"
-                yield Finding(other, "typed-over", why, "medium", held(view, cell))
+                yield Finding(other, "typed-over", why, "medium", cell_text(view, cell))
 
 
 def dollars(lines: Lines) -> Iterator[Finding]:
@@ -154,7 +158,7 @@ def dollars(lines: Lines) -> Iterator[Finding]:
         for cells in kinds.values():
             if len(cells) == 1 and len(most) >= FEW and len(kinds) == 2 and cells[0] not in (stretch.cells[0],):
                 why = f"{view.text(cells[0])} has its $ elsewhere than the formulas around it"
-                yield Finding(cells[0], "dollar", why, "medium", held(view, most[-1]))
+                yield Finding(cells[0], "dollar", why, "medium", cell_text(view, most[-1]))
 
 
 def wandering(lines: Lines) -> Iterator[Finding]:
@@ -201,7 +205,7 @@ def stuck(lines: Lines) -> Iterator[Finding]:
             if unread or not any(stretch.modes):
                 more = "none reads the figures behind it" if unread else "so all are the same"
                 why = f"all {len(cells)} formulas read {first.a1}, and {more}"
-                yield Finding(cells[1], "stuck", why, "high", held(view, others[0]))
+                yield Finding(cells[1], "stuck", why, "high", cell_text(view, others[0]))
 
 
 def moving_tables(lines: Lines) -> Iterator[Finding]:
@@ -213,7 +217,7 @@ def moving_tables(lines: Lines) -> Iterator[Finding]:
             size = area.bottom - area.top if stretch.down else area.right - area.left
             if size >= 2 and any(stretch.modes[2 * n : 2 * n + 2]):
                 why = f"its table {area.a1} moves along with the cells"
-                yield Finding(stretch.cells[1], "moved-off", why, "high", held(view, stretch.cells[0]))
+                yield Finding(stretch.cells[1], "moved-off", why, "high", cell_text(view, stretch.cells[0]))
                 break
 
 

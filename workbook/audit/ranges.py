@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from workbook.audit.finding import Finding
-from workbook.audit.lines import Lines, held
+from workbook.audit.lines import Lines, cell_text
 from workbook.audit.patterns import AGGREGATES
 from workbook.audit.view import Form, View
 from workbook.book.address import Address
@@ -42,15 +42,19 @@ def ends(view: View, cell: Address, form: Form, area: Area) -> Iterator[Finding]
         return
     more = next_rows(view, cell, area, area.bottom, 1)
     if 0 < len(more) <= SHORT:
-        yield Finding(cell, "range", f"the range {area.a1} ends before {more[-1].a1}", "high", held(view, more[0]))
+        yield Finding(cell, "range", f"the range {area.a1} ends before {more[-1].a1}", "high", cell_text(view, more[0]))
     before = next_rows(view, cell, area, area.top, -1)
     if 0 < len(before) < SHORT:
         yield Finding(
-            cell, "range", f"the range {area.a1} begins behind {before[-1].a1}", "high", held(view, before[0])
+            cell,
+            "range",
+            f"the range {area.a1} begins behind {before[-1].a1}",
+            "high",
+            cell_text(view, before[0]),
         )
     if form.functions & AGGREGATES and (total := total_in(view, area)):
         why = f"the range {area.a1} has the total in {total.a1}, and what that sums up"
-        yield Finding(cell, "range", why, "high", held(view, total))
+        yield Finding(cell, "range", why, "high", cell_text(view, total))
 
 
 def total_in(view: View, area: Area) -> Address | None:
@@ -88,7 +92,7 @@ def labelled_apart(view: View, cell: Address, other: Address) -> bool:
     return here != there
 
 
-def unsorted(lines: Lines) -> Iterator[Finding]:
+def unsorted_lookups(lines: Lines) -> Iterator[Finding]:
     """Yield look-ups of the nearest value in a column that does not rise."""
     view, known = lines.view, dict[Area, str]()
     for cell, form in view.forms.items():
@@ -100,7 +104,7 @@ def unsorted(lines: Lines) -> Iterator[Finding]:
         except (FormulaError, KeyError, RecursionError):
             continue
         for node in nodes:
-            area, falls = searched(node, formula.arguments)
+            area, falls = searched_line(node, formula.arguments)
             if area is None:
                 continue
             if area not in known:
@@ -118,7 +122,7 @@ def calls(node: Node) -> Iterator[Node]:
         yield from calls(part)
 
 
-def searched(node: Node, arguments: tuple[Area | str, ...]) -> tuple[Area | None, bool]:
+def searched_line(node: Node, arguments: tuple[Area | str, ...]) -> tuple[Area | None, bool]:
     """Return the column, or row, in which a call looks up the nearest value, and whether it must fall."""
     parts, name = node.parts, node.value
     place, least = {"VLOOKUP": (3, 3), "HLOOKUP": (3, 3), "MATCH": (2, 2), "LOOKUP": (9, 2)}.get(name, (0, 99))
@@ -164,4 +168,4 @@ def unequal(lines: Lines) -> Iterator[Finding]:
                 break
 
 
-RULES = (short, unsorted, unequal)
+RULES = (short, unsorted_lookups, unequal)

@@ -4,7 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 
 from workbook.audit.finding import Finding, Sure
-from workbook.audit.lines import Lines, held
+from workbook.audit.lines import Lines, cell_text
 from workbook.audit.units import Units
 from workbook.audit.view import View
 from workbook.book.address import Address
@@ -16,7 +16,7 @@ TYPICAL = frozenset("0 1 2 3 4 5 6 7 8 9 10 12 15 16 20 24 25 30 32 36 50 60 90 
 Key = tuple[str, str]
 
 
-def labelled(view: View) -> dict[str, dict[Key, Address]]:
+def figures_by_label(view: View) -> dict[str, dict[Key, Address]]:
     """Return for each sheet its figures by label and heading, those left out that stand under the same twice."""
     sheets: dict[str, dict[Key, list[Address]]] = defaultdict(lambda: defaultdict(list))
     for cell in view.headings:
@@ -28,14 +28,14 @@ def labelled(view: View) -> dict[str, dict[Key, Address]]:
 
 def twins(lines: Lines, units: Units) -> Iterator[Finding]:
     """Yield cells of two sheets that have the same label and another value or formula."""
-    view, sheets = lines.view, labelled(lines.view)
+    view, sheets = lines.view, figures_by_label(lines.view)
     titles, apart = sorted(sheets), defaultdict[str, list[tuple[Address, Address]]](list)
     for n, first in enumerate(titles[:40]):
         for second in titles[n + 1 : 40]:
             shared = sheets[first].keys() & sheets[second].keys()
             pairs = [(sheets[first][key], sheets[second][key], key[0]) for key in sorted(shared)]
             if len(shared) >= max(5, ALIKE * max(len(sheets[first]), len(sheets[second]))):
-                for a, b, label in drifted(view, pairs):
+                for a, b, label in drifted_twins(view, pairs):
                     apart[label].append((a, b))
             elif len(shared) <= 3:
                 yield from contradicting(view, units, pairs)
@@ -50,10 +50,10 @@ def odd(view: View, label: str, rows: list[tuple[Address, Address]]) -> Iterator
         if a.sheet not in titles:
             a, b = b, a
         why = f"{label!r} is computed otherwise than on {b.sheet}, and the others are computed alike"
-        yield Finding(a, "drifted", why, "medium", f"{b.sheet}: {held(view, b)}")
+        yield Finding(a, "drifted", why, "medium", f"{b.sheet}: {cell_text(view, b)}")
 
 
-def drifted(view: View, pairs: list[tuple[Address, Address, str]]) -> list[tuple[Address, Address, str]]:
+def drifted_twins(view: View, pairs: list[tuple[Address, Address, str]]) -> list[tuple[Address, Address, str]]:
     """Return where two sheets that are copies of each other differ, if they differ in little."""
     formulas = [(a, b, label) for a, b, label in pairs if a in view.forms or b in view.forms]
     apart = [row for row in formulas if outline(view, row[0]) != outline(view, row[1])]
@@ -79,7 +79,7 @@ def contradicting(view: View, units: Units, pairs: list[tuple[Address, Address, 
         if differ and used and same_unit and not coded:
             sure: Sure = "medium" if len(label.split()) > 1 or (units.of.get(a) and len(label) > 4) else "low"
             why = f"{label!r} is {view.text(b)} in {b.a1} on {b.sheet}"
-            yield Finding(a, "other-value", why, sure, f"{b.sheet}: {held(view, b)}")
+            yield Finding(a, "other-value", why, sure, f"{b.sheet}: {cell_text(view, b)}")
 
 
 def unread(lines: Lines, units: Units) -> Iterator[Finding]:
@@ -97,9 +97,9 @@ def unread(lines: Lines, units: Units) -> Iterator[Finding]:
             writers = [w for w in typed.get(float(value), ()) if w.sheet == cell.sheet or is_special(value)]
             for writer in writers[:1]:
                 why = f"it has {value:g}, which {cell.a1} on {cell.sheet} is for, and no formula reads that"
-                yield Finding(writer, "typed-in", why, "high", held(view, cell))
+                yield Finding(writer, "typed-in", why, "high", cell_text(view, cell))
         elif alone(view, cell):
-            yield Finding(cell, "unread", why, "medium", held(view, cell._replace(row=cell.row - 1)))
+            yield Finding(cell, "unread", why, "medium", cell_text(view, cell._replace(row=cell.row - 1)))
 
 
 def is_special(value: float) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from functools import cached_property, lru_cache
 
 from workbook.audit.finding import Finding, many
-from workbook.audit.lines import Lines, held
+from workbook.audit.lines import Lines, cell_text
 from workbook.audit.view import View, numbers_of
 from workbook.book.address import Address
 from workbook.dimensions.rules import UNKNOWN, Judged, Term, UnitWalk
@@ -43,11 +43,11 @@ class Units:
         """The units by cells: right of a figure, in brackets left of it, or over its column."""
         units, ended = {}, set()
         for cell, (left, above) in sorted(self.view.headings.items(), key=lambda row: (row[0].sheet, row[0].row)):
-            own = bracketed(self.view.texts[left]) if left and self.is_row(left, cell) else ""
+            own = unit_in_text(self.view.texts[left]) if left and self.is_row(left, cell) else ""
             if own and above and own != self.over(above):
                 ended.add(above)  # rows that have units of their own
             over = self.over(above) if above and above not in ended else ""
-            if unit := self.right(cell) or bracketed(self.view.beside(cell)) or over:
+            if unit := self.right(cell) or unit_in_text(self.view.beside(cell)) or over:
                 units[cell] = unit
         return units
 
@@ -74,7 +74,7 @@ class Units:
     def over(self, heading: Address) -> str:
         """Return the unit in the heading of a column."""
         text = self.view.texts[heading]
-        return bracketed(text) or (text if heading in self.bare else "")
+        return unit_in_text(text) or (text if heading in self.bare else "")
 
     @cached_property
     def bare(self) -> set[Address]:
@@ -106,7 +106,7 @@ def is_unit(text: str) -> bool:
 
 
 @lru_cache(maxsize=10_000)
-def bracketed(text: str) -> str:
+def unit_in_text(text: str) -> str:
     """Return the unit in brackets in a text, or behind a comma or ``in`` at its end."""
     found = [*BRACKETS.findall(text), *BEHIND.findall(text.strip())]
     return next((unit.strip() for unit in found if is_unit(unit)), "")
@@ -176,7 +176,7 @@ def wandering(lines: Lines, units: Units) -> Iterator[Finding]:
             found = Counter(dimension_of(units.of[a.first]) for a in areas if a.first in units.of)
             if len(found) > 1:
                 why = f"its reference to {areas[0].a1} moves along, to {areas[1].a1} of another unit"
-                yield Finding(stretch.cells[1], "moved-off", why, "high", held(view, areas[1].first))
+                yield Finding(stretch.cells[1], "moved-off", why, "high", cell_text(view, areas[1].first))
                 break
 
 

@@ -5,7 +5,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 
 from workbook.audit.finding import Finding, Sure, many
-from workbook.audit.lines import Lines, held
+from workbook.audit.lines import Lines, cell_text
 from workbook.audit.ranges import calls
 from workbook.book.address import Address
 from workbook.book.columns import Node, tree
@@ -42,7 +42,7 @@ def texts(lines: Lines) -> Iterator[Finding]:
         codes = any(side in alike for side in sides)
         others = readers or ([] if codes else [side for side in sides if view.figure(side)])
         if others:
-            yield Finding(cell, "text-number", f"{view.texts[cell]!r} is a text", "high", held(view, others[0]))
+            yield Finding(cell, "text-number", f"{view.texts[cell]!r} is a text", "high", cell_text(view, others[0]))
 
 
 def blanks(lines: Lines) -> Iterator[Finding]:
@@ -53,7 +53,7 @@ def blanks(lines: Lines) -> Iterator[Finding]:
         if judged and view.empty(empty) and empty not in view.contents.arrays:
             reader = min(judged)
             why = f"{reader.a1} on {reader.sheet} reads an empty cell"
-            yield Finding(empty, "blank", why, sure_of_blank(lines, empty, reader), held(view, reader))
+            yield Finding(empty, "blank", why, sure_of_blank(lines, empty, reader), cell_text(view, reader))
 
 
 def sure_of_blank(lines: Lines, empty: Address, reader: Address) -> Sure:

@@ -14,7 +14,7 @@ from scipy.sparse.csgraph import connected_components
 
 from workbook.book.address import Address
 from workbook.book.columns import Moved
-from workbook.book.formula import FUNCTION, TOKEN, Area, Formula, anchored
+from workbook.book.formula import FUNCTION, TOKEN, Area, Formula, anchors
 from workbook.book.rows import is_number
 from workbook.reading.files import BookFile
 from workbook.witnesses.pycel.compiled import depth_first
@@ -67,8 +67,8 @@ def corners(written: tuple[str, ...]) -> tuple[tuple[bool, ...], ...]:
     """Return of each reference which of top, left, bottom and right has a ``$``; all of a name."""
     fixed = []
     for word in written:
-        anchors = anchored(word)
-        ends = [(end.endswith("$r"), end.startswith("$c")) for end in anchors.split(":")] if anchors else []
+        signs = anchors(word)
+        ends = [(end.endswith("$r"), end.startswith("$c")) for end in signs.split(":")] if signs else []
         fixed.append((*ends[0], *ends[-1]) if ends else (True, True, True, True))
     return tuple(fixed)
 
@@ -101,12 +101,12 @@ class View:
     @cached_property
     def columns(self) -> dict[tuple[str, int], list[int]]:
         """The sorted rows of all figures, by sheet and column."""
-        return grouped((cell.sheet, cell.column, cell.row) for cell in (*self.numbers, *self.forms))
+        return places_by_line((cell.sheet, cell.column, cell.row) for cell in (*self.numbers, *self.forms))
 
     @cached_property
     def rows(self) -> dict[tuple[str, int], list[int]]:
         """The sorted columns of all figures, by sheet and row."""
-        return grouped((cell.sheet, cell.row, cell.column) for cell in (*self.numbers, *self.forms))
+        return places_by_line((cell.sheet, cell.row, cell.column) for cell in (*self.numbers, *self.forms))
 
     def within(self, area: Area) -> Iterator[Address]:
         """Yield the figures in an area."""
@@ -142,7 +142,7 @@ class View:
     @cached_property
     def order(self) -> tuple[list[Address], list[list[Address]]]:
         """All formulas, each behind those that it needs; and the circles among them."""
-        return ordered(self)
+        return order_formulas(self)
 
     @cached_property
     def headings(self) -> dict[Address, tuple[Address | None, Address | None]]:
@@ -178,7 +178,7 @@ class View:
         return self.texts.get(cell._replace(column=cell.column - 1), "") if cell.column > 1 else ""
 
 
-def grouped(places: Iterable[tuple[str, int, int]]) -> dict[tuple[str, int], list[int]]:
+def places_by_line(places: Iterable[tuple[str, int, int]]) -> dict[tuple[str, int], list[int]]:
     """Return places, sorted, by sheet and line."""
     lines = defaultdict(list)
     for sheet, line, place in sorted(places):
@@ -224,7 +224,7 @@ def spans(places: Iterable[int], gap: int = 1) -> Iterator[tuple[int, int]]:
         yield int(first or 0), last
 
 
-def ordered(view: View) -> tuple[list[Address], list[list[Address]]]:
+def order_formulas(view: View) -> tuple[list[Address], list[list[Address]]]:
     """Return all formulas, each behind those that it needs but on a circle; and the circles."""
     needs = needs_of(view)
     if not needs:
@@ -245,7 +245,7 @@ def ordered(view: View) -> tuple[list[Address], list[list[Address]]]:
 
 def needs_of(view: View) -> dict[Any, set[Any]]:
     """Return the formulas that each reads; of a range the largest of the parts into which columns are halved."""
-    rows = grouped((cell.sheet, cell.column, cell.row) for cell in view.forms)
+    rows = places_by_line((cell.sheet, cell.column, cell.row) for cell in view.forms)
     needs: dict[Any, set[Any]] = {
         (line, k): {part(line, of, 2 * k), part(line, of, 2 * k + 1)}
         for line, of in rows.items()

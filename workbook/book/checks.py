@@ -8,7 +8,7 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text
 from workbook.book.quantity import SAYS
 from workbook.book.rows import filled
-from workbook.book.sentence import Sentence, spelled
+from workbook.book.sentence import Sentence, sentence_formula
 
 CELLS = cell_tables(__file__)
 
@@ -163,7 +163,9 @@ def failing_table(sheet: Sheet, name: str, title: str, row: int) -> None:
     """Declare from a row on the first checks that fail, each in a sentence, or that none does, with a link to all."""
     most = FAILING[name]
     what, says = (f"INDEX([checks.{column}],MATCH([{name}_k.k.same],[checks.nth],0))" for column in ("what", "says"))
-    cell = CELLS["failing"].sharing(k=f"[{name}_k.k.same]", failing=FAILING_NOW, none=spelled(NONE, "checks_all"))
+    cell = CELLS["failing"].sharing(
+        k=f"[{name}_k.k.same]", failing=FAILING_NOW, none=sentence_formula(NONE, "checks_all")
+    )
     failing = cell("says", failing_checks(sheet.book, most), what=what, message=says)
     failing = failing._replace(red=f"[{name}_k.k.same]<={FAILING_NOW}")
     block = sheet.list_at(name, title, row, FIRST, failing)

@@ -69,7 +69,7 @@ class Formulas:
 
     def read(self, text: str, row: int) -> Formula | Moved:
         """Split the formula of a row into its shape and arguments; raise FormulaError as :func:`read` does."""
-        open_text = opened(text, row)
+        open_text = open_row_numbers(text, row)
         pattern = self._patterns.get(open_text) if open_text is not text else None
         if pattern is not None:
             return Moved(pattern, row)
@@ -79,7 +79,7 @@ class Formulas:
         return formula
 
 
-def opened(text: str, row: int) -> str:
+def open_row_numbers(text: str, row: int) -> str:
     """Return a formula's text with the numbers of its row and the row above left open; itself where that cannot be."""
     if row < 2 or HERE in text or ABOVE in text:
         return text
@@ -91,7 +91,7 @@ def pattern_of(open_text: str, formula: Formula, row: int) -> Pattern | None:
     arguments: list[Area | str | Moving] = []
     left_open = open_text.count(HERE) + open_text.count(ABOVE)
     for argument, word in zip(formula.arguments, formula.written, strict=True):
-        match = None if isinstance(argument, str) else MOVING.fullmatch(opened(word, row))
+        match = None if isinstance(argument, str) else MOVING.fullmatch(open_row_numbers(word, row))
         offsets = [{HERE: 0, ABOVE: -1}.get(digits) for digits in (match.groups() if match else ())]
         moves = len(offsets) - offsets.count(None)
         left_open -= moves

@@ -106,7 +106,7 @@ class Formula(NamedTuple):
     @property
     def anchors(self) -> tuple[str, ...]:
         """The places of ``$`` in references: ``$Timing!$B7:C$9`` gives ``$cr:c$r``; nothing for a name or a text."""
-        return tuple(anchored(w) for w in self.written)
+        return tuple(anchors(w) for w in self.written)
 
 
 # a defined name used on a sheet, or ``title!``, to what it means
@@ -166,7 +166,7 @@ def meant(kind: str | None, word: str, sheet: str, area: Resolve) -> Area | str:
     if kind == "name":
         before, mark, name = word.rpartition("!")
         scope = area(f"{unquoted(before)}!", sheet).sheet if mark else sheet
-        return bounded(area(name, scope), word)
+        return require_bounded(area(name, scope), word)
     if kind == "lines":
         raise FormulaError("#REF!", f"whole rows or columns, {word}, are not evaluated")
     raise FormulaError("#NAME?", f"{word!r} cannot be read; tables and computed references are not evaluated")
@@ -186,7 +186,7 @@ def reference(text: str, sheet: str, area: Resolve) -> Area:
         raise FormulaError("#REF!", f"{text} spans sheets")
     bottom, right = corner(second)
     top, bottom, left, right = min(top, bottom), max(top, bottom), min(left, right), max(left, right)
-    return bounded(Area(title, top, left, bottom, right, single=False), text)
+    return require_bounded(Area(title, top, left, bottom, right, single=False), text)
 
 
 def corner(cell: str) -> tuple[int, int]:
@@ -205,7 +205,7 @@ def number(text: str) -> str:
     return str(int(value)) if value.is_integer() and value < WHOLE else repr(value)
 
 
-def bounded(area: Area, text: str) -> Area:
+def require_bounded(area: Area, text: str) -> Area:
     """Return the area, or refuse an area of absurd size."""
     if area.size > MOST_CELLS:
         raise FormulaError("#REF!", f"{text} is a range of more than {MOST_CELLS:,} cells")
@@ -217,7 +217,7 @@ def unquoted(sheet: str) -> str:
     return sheet[1:-1].replace("''", "'") if sheet.startswith("'") else sheet
 
 
-def anchored(written: str) -> str:
+def anchors(written: str) -> str:
     """Return where a reference has its ``$``, or nothing for a name or a text."""
     if written.startswith('"') or not REFERENCE.fullmatch(written):
         return ""

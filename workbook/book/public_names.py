@@ -39,7 +39,7 @@ def place_names(sheet: Sheet, rows: Rows, part: str, called: str = "", n: int = 
     1; ``units`` are those of its position, velocity and acceleration.
     """
     book = sheet.book
-    name = free_name(book, cleaned(called) or part, [row["name"] for row in rows])
+    name = free_name(book, clean_name(called) or part, [row["name"] for row in rows])
     sheet.heading(called or "Results")
     if called:
         sheet.rows(constant(f"{part}_built", BUILT, "", "", called, "its names keep this name", align="right"))
@@ -48,11 +48,11 @@ def place_names(sheet: Sheet, rows: Rows, part: str, called: str = "", n: int = 
         if source := quantity_at(book, reference):
             public, cell = (row["name"].format(name=each) for each in (name, "public"))
             unit = row["unit"].format(*units) if "unit" in row else source.unit
-            sheet.rows(repeated(source._replace(unit=unit), reference, f"{part}_{cell}", public, row["meaning"]))
+            sheet.rows(repeat_cell(source._replace(unit=unit), reference, f"{part}_{cell}", public, row["meaning"]))
             book.public[public] = f"{part}_{cell}"
 
 
-def repeated(source: Quantity, reference: str, cell: str, public: str, meaning: str) -> Quantity:
+def repeat_cell(source: Quantity, reference: str, cell: str, public: str, meaning: str) -> Quantity:
     """Return the quantity of a public name, which repeats the cell that a reference leads to."""
     formula, value = f"={reference}", source.value
     if source.role == "input":
@@ -84,7 +84,7 @@ def free_name(book: Book, wanted: str, patterns: Sequence[str]) -> str:
     return next(name for name in numbered if not is_taken(name))
 
 
-def cleaned(name: str) -> str:
+def clean_name(name: str) -> str:
     """Return of a name what every program takes for part of a name: letters, digits and _, no digit first.
 
     With _ and an ending behind it, it is no address of a cell, be it as A1 or as R1C1.

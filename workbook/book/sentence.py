@@ -35,7 +35,7 @@ def quoted(text: str) -> str:
     return '"' + text.replace('"', '""') + '"'
 
 
-def spelled(text: str, *cells: str) -> str:
+def sentence_formula(text: str, *cells: str) -> str:
     """Return the formula of a sentence, without its =, that has the figures of cells at each {}."""
     words = [quoted(part) if part else "" for part in text.split("{}")]
     return "&".join(part for pair in zip_longest(words, cells, fillvalue="") for part in pair if part)
@@ -62,7 +62,7 @@ NOTHING = CheckSentence("", "")
 
 def amount(cell: str, value: float, before: str, after: str) -> CheckSentence:
     """Return a sentence on the amount that a formula without = gives, rounded for people, between words."""
-    return around(shown(cell), rounded(value), before, after)
+    return around(as_shown_formula(cell), as_shown(value), before, after)
 
 
 def around(shows: str, shown: str, before: str, after: str) -> CheckSentence:
@@ -77,11 +77,11 @@ def exceeding(cell: str, limit: str, unit: str, value: float, most: float) -> Ch
     return number.then(amount(f"{cell}-{limit}", value - most, "", f" {unit} too much"))
 
 
-def shown(cell: str) -> str:
+def as_shown_formula(cell: str) -> str:
     """Return the formula that rounds an amount for people."""
     return f"ROUND({cell},{PLACES})"
 
 
-def rounded(value: float) -> str:
+def as_shown(value: float) -> str:
     """Return an amount as sentences show it."""
     return f"{round(value, PLACES) + 0.0:.15g}"

@@ -49,7 +49,7 @@ class Counted(NamedTuple):
         return f"=SUMPRODUCT([{self.block.name}.{self.quantity.name}],{weights})"
 
 
-def counted(book: Book) -> Iterator[Counted]:
+def counted_columns(book: Book) -> Iterator[Counted]:
     """Yield the columns of numbers that are entered, and of results on the first sheet."""
     for block in book.blocks.values():
         for q in block.quantities:
@@ -67,13 +67,13 @@ def weight(row: int) -> float:
 
 def fingerprint(book: Book) -> float | None:
     """Return the weighted sum of the sizes; None where any is open."""
-    sizes = [column.size for column in counted(book)]
+    sizes = [column.size for column in counted_columns(book)]
     if None in sizes:
         return None
     return fsum(weight(row) * size for row, size in enumerate(sizes) if size)
 
 
-def stamped(book: Book) -> tuple[Quantity, Quantity]:
+def stamp_quantities(book: Book) -> tuple[Quantity, Quantity]:
     """Return the fingerprint of the last verify, and whether today's entries are those, in words."""
     cell, today = CELLS["stamped"], fingerprint(book)
     says: str | None = NEVER
@@ -84,7 +84,7 @@ def stamped(book: Book) -> tuple[Quantity, Quantity]:
 
 def stamp_table(book: Book, sheet: Sheet) -> None:
     """Declare on a sheet the fingerprint of today's entries, and the sums that it is made of."""
-    cell, columns = CELLS["stamp_table"], list(counted(book))
+    cell, columns = CELLS["stamp_table"], list(counted_columns(book))
     rows = max([len(columns), *(column.block.size for column in columns)])
     sheet.heading("Fingerprint of the entries")
     sheet.rows(cell("stamp_sum", fingerprint(book)), cell("stamp_equal", EQUAL))

@@ -14,7 +14,7 @@ from workbook.book.checks import FAILING, IN_ONE, failing_table, in_one, repeat_
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, Text
 from workbook.book.sentence import NOTHING, CheckSentence, Sentence
 from workbook.book.sheet import COLUMN_WIDTH
-from workbook.book.stamp import stamp_table, stamped
+from workbook.book.stamp import stamp_quantities, stamp_table
 
 CELLS = cell_tables(__file__)
 
@@ -131,7 +131,7 @@ def close_summary(book: Book, sources: tuple[str, ...], says: CheckSentence = NO
     drawn = [chart for other in book.sheets[1:] for chart, *_ in other.charts]
     for picture in drawn[:1]:
         sheet.charts.append((replace(picture, title=""), PICTURE_ROW, FIRST, LAST - FIRST + 1, PICTURE_ROWS))
-    stamp, today = stamped(book)
+    stamp, today = stamp_quantities(book)
     sheet.put(today, STAMP, FIRST)
     failing_table(sheet, "mend", "To mend", sheet.print_rows - MENDING)
     sheet.heading("Contents")

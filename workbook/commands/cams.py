@@ -17,7 +17,7 @@ from workbook.controllers.table import Table, equidistant
 from workbook.controllers.tabulation import certify_table
 from workbook.controllers.target import Target, Track, differences, read_table, text_of
 from workbook.errors import AGREES, DISAGREES, ReadError, TargetError, visible
-from workbook.reading.descriptions import template_named, validated, write_machine
+from workbook.reading.descriptions import make_machine, template_named, write_machine
 from workbook.reports.cams import certificate_data, excess, show
 from workbook.reports.terminal import ERR, print_or_write, say, say_data, say_json
 from workbook.template_outputs import CamAxis, CamSwitch
@@ -48,7 +48,7 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     title = f"Read from {visible(file.name)}"
     title = title if len(title) <= LONGEST else f"{title[: LONGEST - 1]}…"
     data = as_description.compose(moves, table, units, title)
-    machine = validated(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
+    machine = make_machine(template_named(data["template"], str(file)), data, lambda key: f"{file}: {key}")
     span = f"{table.x[0]:.9g} to {table.x[-1]:.9g} {units[0]}"
     say(ERR, f"{len(table.x):,} points, {span}; {len(moves.phases)} movements")
     for line in as_description.movement_lines(moves, units):

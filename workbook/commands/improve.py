@@ -6,7 +6,7 @@ from pathlib import Path
 
 from workbook.build import failing_checks, read_description, read_entered, write_keeping
 from workbook.cluster import pool
-from workbook.description.editing import edited
+from workbook.description.editing import edit_text
 from workbook.entries.machine import Machine
 from workbook.errors import AGREES, FAILS, InputError
 from workbook.fields.paths import spell
@@ -165,7 +165,7 @@ def write_best(path: Path, best: Design, output: Path, force: bool) -> int:
     with ERR.status(escaped(f"Writing and judging {output} …")):
         rate = best.rate_to_write
         changes = {**best.changes} | ({RATE: rate} if rate else {})
-        write_text(output, edited(read_text(path, DESCRIPTION), changes.items()), force)
+        write_text(output, edit_text(read_text(path, DESCRIPTION), changes.items()), force)
         machine = read_description(output)
         template = TEMPLATES[machine.template]
         failing = failing_checks(template.declare(machine), template.judge(machine))

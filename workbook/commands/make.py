@@ -126,14 +126,14 @@ def new_template(name: str, folder: Path | None) -> None:
     try:
         target.mkdir(parents=True)
         for file, text in texts.items():
-            (target / renamed(file, name)).write_bytes(renamed(text, name).encode())
+            (target / rename_hoist(file, name)).write_bytes(rename_hoist(text, name).encode())
     except OSError as error:
         raise WriteError(f"{target}: {error.strerror}") from error
     then = f"python -m pip install -e {target}, then motionbook build {target}/{name}.toml"
     say(OUT, f"Wrote {target.absolute()}; {then}")
 
 
-def renamed(text: str, name: str) -> str:
+def rename_hoist(text: str, name: str) -> str:
     """Return a text on the hoist as a text on another machine."""
     return text.replace("hoist", name).replace("Hoist", name.title().replace("_", ""))
 

@@ -94,7 +94,7 @@ def run_study(
     parts.step, seconds = pace.step(plan.space), pace.seconds(plan.space)
     at_once = 1 if seconds < SHORT else jobs or cores()
     with pool(at_once, scheduler) as workers, parts.opened(resume, force):
-        for line in announced(plan, seconds, None if scheduler else at_once):
+        for line in announce_duration(plan, seconds, None if scheduler else at_once):
             say(OUT, line)
         summary = run_with_progress(plan, parts, workers)
         names = ["design", *(row.label for row in plan.space.dimensions), *plan.study.names, *ENDS]
@@ -132,7 +132,7 @@ def run_with_progress(plan: Plan, parts: Parts, workers: Pool) -> Summary:
         raise
 
 
-def announced(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
+def announce_duration(plan: Plan, seconds: float, at_once: int | None) -> list[str]:
     """Return in a line how long a study takes that is not done at once, and which results make it slow."""
     if seconds / (at_once or 1) < LONG:
         return []
@@ -183,7 +183,7 @@ def show(plan: Plan, summary: Summary, results: Path, seconds: float) -> None:
     """Print what came of a study in a few lines."""
     counts = f"{summary.feasible:,} feasible, {summary.impossible:,} impossible"
     say(OUT, f"{summary.designs:,} designs in {seconds:.1f} s: {counts}")
-    for line in page.unranked(summary):
+    for line in page.unranked_designs(summary):
         say(OUT, line, "yellow")
     for name, bounds, count, alone in page.excluding(plan, summary):
         line_text = f"{name} ({bounds}) excludes {count:,}, {alone:,} of them alone"

@@ -8,15 +8,15 @@ from typing import Any
 import numpy as np
 
 from engine.cams.cam_points import CamPoints, FoundPhase, precision
-from engine.cams.certificate import subdivided
-from engine.cams.identify import THINNED, IdentifiedMotion, identified
+from engine.cams.certificate import subdivide_intervals
+from engine.cams.identify import THINNED, IdentifiedMotion, identify
 from engine.laws.spline import Spline
 from engine.motion.profile import CamProfile
 from workbook.controllers.table import Table
 from workbook.controllers.tabulation import rules_of
 from workbook.controllers.target import Target
 from workbook.controllers.texts import Units
-from workbook.entries.abscissa import ENTERED, measured
+from workbook.entries.abscissa import ENTERED, length_abscissa
 from workbook.entries.abscissa import UNITS as MEASURES
 from workbook.entries.machine import Sizes
 from workbook.errors import TargetError
@@ -44,13 +44,13 @@ def phases_of(target: Target, table: Table, units: Units = ("", ""), share: floa
     points = CamPoints(table.x, table.y, v, table.a, known)
     # polynomials that are exact everywhere
     if table.profile is not None and table.steps == (1.0, 1.0):
-        x = subdivided(table.x, BETWEEN)
+        x = subdivide_intervals(table.x, BETWEEN)
         at = table.profile.at(x, left=True)
         points = CamPoints(x, at.y, at.y1, None, known)
     elif table.profile is not None:  # polynomials of whole steps are fitted to the motion, and keep to it at their ends
         at = table.profile.at(table.x)
         points = CamPoints(table.x, at.y, at.y1, at.y2, known)
-    return identified(points, rebuilt, turns, share)
+    return identify(points, rebuilt, turns, share)
 
 
 def movement_lines(read: IdentifiedMotion, units: Units) -> list[str]:
@@ -101,7 +101,7 @@ def compose(read: IdentifiedMotion, table: Table, units: Units, title: str) -> d
     begin, end = float(table.x[0]), float(table.x[-1])
     near = NEXT * (end - begin)
     laws, phases = compose_phases(movements, begin, near, units)
-    phases = phases or [{"law": "DWL", "lift": 0.0, "start": 0.0, "stop": rounded(end - begin)}]
+    phases = phases or [{"law": "DWL", "lift": 0.0, "start": 0.0, "stop": tidied(end - begin)}]
     travel = math.fsum(p.lift for p in movements)
     closes = abs(travel) <= NEXT * max((abs(p.lift) for p in movements), default=1.0)
     if movements and end - movements[-1].end <= near:
@@ -114,11 +114,11 @@ def compose(read: IdentifiedMotion, table: Table, units: Units, title: str) -> d
         "unit": units[1],
         "smoothness": "velocity" if jumps else "acceleration",
         "closes": "position" if closes else "feed" if read.delay else "open",
-        "shift": rounded(read.delay),
+        "shift": tidied(read.delay),
         "position": float(movements[0].y if movements else table.y[0]),
         "phases": phases,
     }
-    master = {"cycle": rounded(end - begin), "unit": units[0]}
+    master = {"cycle": tidied(end - begin), "unit": units[0]}
     points = max((len(p.law.points) for p in movements if isinstance(p.law, Spline)), default=0)
     rows = {"points": points, "phases": len(phases)}
     # usually there is room
@@ -139,7 +139,7 @@ def compose_phases(
         laws |= law
         start = p.begin if p.begin - reached > near else reached
         reached = p.end
-        places = {"start": rounded(start - begin), "stop": rounded(reached - begin)}
+        places = {"start": tidied(start - begin), "stop": tidied(reached - begin)}
         phases.append({"law": name, "lift": p.lift, **places, **boundary_rates(movements, k, near, units)})
     return laws, phases
 
@@ -169,12 +169,12 @@ def boundary_rates(phases: Sequence[FoundPhase], k: int, near: float, units: Uni
     if not meets or {"LIN", Spline.code} & {phases[k].law.code, before.law.code if k else ""}:
         return {}
     x, y = units
-    size = measured(x, 1.0).lift(y).size
+    size = length_abscissa(x, 1.0).lift(y).size
     rates = zip(RATES, phases[k].rates(0), strict=True)
     return {name: shown(si(value, ENTERED[y].size), size) for name, value in rates if value}
 
 
-def rounded(x: float) -> float:
+def tidied(x: float) -> float:
     """Return a place as it was meant, without what rounding leaves behind the twelfth digit."""
     return float(f"{x:.12g}")
 

@@ -233,12 +233,12 @@ def columns(triples: Iterable[tuple[int, str, str]], names: Sequence[str]) -> li
     return [np.array([row[name] for row in elements.values()]) for name in names]
 
 
-def indexed(text: str, names: Sequence[str]) -> list[Array]:
+def by_index(text: str, names: Sequence[str]) -> list[Array]:
     """Return the columns that ``NAME[1].field := value;`` assigns."""
     return columns(((int(i), name, value) for i, name, value in INDEXED.findall(without_comments(text))), names)
 
 
-def grouped(text: str, names: Sequence[str]) -> list[Array]:
+def by_group(text: str, names: Sequence[str]) -> list[Array]:
     """Return the columns that ``(field := value, …)`` initialises, a group an element."""
     elements, index = [], -1
     for name, value in ASSIGNED.findall(without_comments(text)):

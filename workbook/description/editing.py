@@ -15,7 +15,7 @@ from workbook.fields.paths import Place, reach
 COMMENTED = re.compile(r"""((?:[^"'#]|"[^"]*"|'[^']*')*?)( +)(#.*)""")  # entries, blanks, and a comment
 
 
-def edited(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
+def edit_text(text: str, changes: Iterable[tuple[Place, Any]]) -> str:
     """Return the text with other values at paths, None to remove an entry; raise InputError for a wrong text, path."""
     try:
         document = tomlkit.parse(text)

@@ -120,7 +120,7 @@ BY_X = ("y", "y'", "y''", "y'''")
 MARKS = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}
 
 
-def measured(unit: str, length: float) -> Abscissa:
+def length_abscissa(unit: str, length: float) -> Abscissa:
     """Return the abscissa of a cycle of a length in a unit."""
     (after, symbol, name), timed = NAMED[unit], unit == "s"
     abscissa = Abscissa(

@@ -27,16 +27,16 @@ class RefusedError(Exception):
         self.faults, self.numbers = faults, numbers
 
 
-def finished(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> M:
+def mend_machine(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> M:
     """Return a machine, with numbers that do in place of faulty ones; raise RefusedError for other faults."""
     replaced: list[str] = []
     faults: list[Fault] = []
-    data = model.spelled(data)
+    data = model.expand_short_forms(data)
     tried = deepcopy(data)
     for _ in range(MOST_ROUNDS):
-        machine, refused = validated(model, check, tried)
+        machine, refused = machine_or_faults(model, check, tried)
         if machine is not None:
-            changed = differing(model, data, machine.model_dump(), replaced)
+            changed = differing_entries(model, data, machine.model_dump(), replaced)
             machine._design = Design(changed, tuple(faults))
             return machine
         not_entered = tuple(f"{place}." for place in replaced)
@@ -57,7 +57,7 @@ def part_of(key: str) -> str:
     return ".".join(key.split(".")[:2])
 
 
-def validated(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> tuple[M | None, list[Fault]]:
+def machine_or_faults(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> tuple[M | None, list[Fault]]:
     """Return the machine of a description, or the faults of its numbers; raise RefusedError for all other faults."""
     try:
         machine = model.model_validate(data)
@@ -132,7 +132,7 @@ def unknown_line(loc: Sequence[Any], key: str, rule: str, model: type[BaseModel]
     kind, _ = rules.field_at(model, rule.removesuffix(f".{unknown}") if "." in rule else "")
     plain = unknown.isidentifier() and len(unknown) < LONGEST
     named = where(f"{above if len(loc) > 1 else ''}.{unknown if plain else quoted(unknown)}".strip("."))
-    return f"{named}: unknown entry; expected one of {rules.listed(kind)}"
+    return f"{named}: unknown entry; expected one of {rules.list_entries(kind)}"
 
 
 def of_rule(where: str, error: DesignError) -> Fault:
@@ -150,7 +150,7 @@ def keys_of(model: type[BaseModel], loc: tuple[int | str, ...]) -> tuple[str, st
     return join(["laws", name, *rest]), ".".join(["laws", family, *rest])
 
 
-def ruled(path: str, data: dict[str, Any]) -> str:
+def rule_key(path: str, data: dict[str, Any]) -> str:
     """Return the key of the rule for an entry: of a law that has a name of its own, that of its family."""
     names = split(path)
     if len(names) > 1 and names[0] == "laws":
@@ -158,7 +158,7 @@ def ruled(path: str, data: dict[str, Any]) -> str:
     return join(names)
 
 
-def differing(
+def differing_entries(
     model: type[BaseModel], entered: dict[str, Any], whole: dict[str, Any], replaced: Sequence[str]
 ) -> dict[str, Any]:
     """Return by key the entries below the places that were replaced, where they differ."""
@@ -169,7 +169,7 @@ def differing(
             absent = old.get(key, {}) == {}
             was = None if absent else old[key]
             if absent and key in new and get(entered, split(key)[:-1]):
-                was = rules.default_at(model, ruled(key, entered))
+                was = rules.default_at(model, rule_key(key, entered))
             if was != new.get(key):
                 by_path.setdefault(key, plain(was))
     return by_path
@@ -185,15 +185,15 @@ def as_entered(machine: Machine) -> dict[str, Any]:
     data = machine.model_dump(exclude_none=True)
     for key, old in machine.design.replaced.items():
         put(data, split(key), old)
-    return dict(emptied(data))
+    return dict(without_empty_entries(data))
 
 
-def emptied(data: Any) -> Any:
+def without_empty_entries(data: Any) -> Any:
     """Return a description without empty entries, and without empty rows at the end of lists."""
     if isinstance(data, dict):
-        return {key: emptied(value) for key, value in data.items() if value is not None}
+        return {key: without_empty_entries(value) for key, value in data.items() if value is not None}
     if isinstance(data, list):
-        rows = [emptied(value) for value in data]
+        rows = [without_empty_entries(value) for value in data]
         while rows and rows[-1] in ({}, None):
             rows.pop()
         return rows

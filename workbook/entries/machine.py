@@ -69,14 +69,14 @@ class Machine(Model):
     _stamp: float | None = PrivateAttr(None)
 
     @classmethod
-    def spelled(cls, data: Any) -> Any:
+    def expand_short_forms(cls, data: Any) -> Any:
         """Return a description with its short forms written out."""
         return data
 
     @model_validator(mode="before")
     @classmethod
-    def _spelled(cls, data: Any) -> Any:
-        return cls.spelled(data)
+    def _expand_short_forms(cls, data: Any) -> Any:
+        return cls.expand_short_forms(data)
 
     @property
     def heading(self) -> str:
@@ -136,7 +136,7 @@ class Exporting(Machine):
         return [*cls.AXES, *(str(get(row, ["name"])) for row in (rows if isinstance(rows, list) else []))]
 
     @classmethod
-    def spelled(cls, data: Any) -> Any:
+    def expand_short_forms(cls, data: Any) -> Any:
         """Return a description that has the exported axis by its number."""
         name = get(data, ("export", "axis"))
         if not isinstance(name, str):
@@ -154,7 +154,7 @@ class Exporting(Machine):
         return self
 
 
-def named(number: int) -> str:
+def number_cell(number: int) -> str:
     """Return the name of the cell with the number of the exported axis; from the name alone a file's axis is known."""
     return f"export_of{number}"
 

@@ -97,7 +97,7 @@ def validation(model: type[BaseModel], q: Quantity) -> DataValidation:
             rule = DataValidation("decimal", operator="greaterThan", formula1=repr(ends[">"]))
     # off by default, and then nothing is enforced
     rule.showErrorMessage = rule.showInputMessage = True
-    may_be_empty = not must_be_there(model, q.key)
+    may_be_empty = not must_be_entered(model, q.key)
     rule.allow_blank = may_be_empty or "*" in q.key
     rule.promptTitle = rule.errorTitle = clip(q.label, 32)
     unit = f" [{q.unit}]" if q.unit else ""
@@ -125,9 +125,9 @@ def limits(model: type[BaseModel]) -> Callable[[str, float], Limit | None]:
         constraints = up_to(most, constraints)
         if get_origin(kind) is list:
             return Limit(any(isinstance(c, MinLen) and c.min_length for c in constraints), (), "", number=False)
-        required = must_be_there(model, key)
+        required = must_be_entered(model, key)
         if kind is float:
-            bounds = tuple((SIGNS[type(c)], float(astuple(c)[0])) for c in known(constraints))
+            bounds = tuple((SIGNS[type(c)], float(astuple(c)[0])) for c in plain_bounds(constraints))
             return Limit(required, bounds, expectation(kind, constraints))
         listed = get_origin(kind) is Literal or takes_law(constraints)
         return Limit(True, (), "one entry of the list", number=False) if listed and required else None
@@ -142,17 +142,17 @@ def up_to(most: float, constraints: list[Any]) -> list[Any]:
 
 def is_required(model: type[BaseModel], key: str) -> bool:
     """Whether an entry must be there: it has no default."""
-    field = declared(model, key)
+    field = field_of_entry(model, key)
     return field is None or bool(field.is_required())
 
 
-def declared(model: type[BaseModel], key: str) -> FieldInfo | None:
+def field_of_entry(model: type[BaseModel], key: str) -> FieldInfo | None:
     """Return the field of an entry; None of a row of a list."""
     above, _, last = key.rpartition(".")
     return None if last == "*" or last.isdigit() else fields(field_at(model, above)[0]).get(last)
 
 
-def must_be_there(model: type[BaseModel], key: str) -> bool:
+def must_be_entered(model: type[BaseModel], key: str) -> bool:
     """Whether a cell must hold the entry: a description without it has a default that an empty cell is not."""
     if is_required(model, key):
         return True
@@ -163,7 +163,7 @@ def must_be_there(model: type[BaseModel], key: str) -> bool:
 
 def default_at(model: type[BaseModel], key: str) -> Any:
     """Return the default of an entry; None where it has none."""
-    field = declared(model, key)
+    field = field_of_entry(model, key)
     return None if field is None else default_of(field)
 
 
@@ -205,7 +205,7 @@ def within(kind: Any, constraints: list[Any]) -> Any:
 SIGNS: dict[Any, str] = {Gt: ">", Ge: ">=", Lt: "<", Le: "<="}
 
 
-def known(constraints: list[Any]) -> list[Any]:
+def plain_bounds(constraints: list[Any]) -> list[Any]:
     """Return the bounds of a number that a person would know; of two lower ones the greater counts."""
     bounds = [c for c in constraints if type(c) in SIGNS and abs(astuple(c)[0]) not in (LARGEST, SMALLEST)]
     least = max((astuple(c)[0] for c in bounds if isinstance(c, Gt | Ge)), default=0.0)
@@ -231,7 +231,7 @@ def expectation(kind: Any, constraints: list[Any]) -> str:
     if kinds(kind):
         return f"the entries of a {either(kinds(kind))}"
     if tables(kind):
-        return f"the entries {listed(kind)}"
+        return f"the entries {list_entries(kind)}"
     return f"{'a whole number' if kind is int else 'a number'} {bounds_expectation(constraints)}".strip()
 
 
@@ -246,8 +246,8 @@ def list_expectation(constraints: list[Any]) -> str:
 
 def bounds_expectation(constraints: list[Any]) -> str:
     """Return in words the bounds of a number."""
-    bounds = [BOUNDS[type(c)].format(astuple(c)[0]) for c in known(constraints)]
-    low, high = ([c for c in known(constraints) if isinstance(c, kinds)] for kinds in (Gt | Ge, Lt | Le))
+    bounds = [BOUNDS[type(c)].format(astuple(c)[0]) for c in plain_bounds(constraints)]
+    low, high = ([c for c in plain_bounds(constraints) if isinstance(c, kinds)] for kinds in (Gt | Ge, Lt | Le))
     if low and high:
         bounds = [BETWEEN[type(low[0]), type(high[0])].format(astuple(low[0])[0], astuple(high[0])[0])]
     return " and ".join(bounds)
@@ -259,10 +259,10 @@ def either(choices: Iterable[Any]) -> str:
     return f"{', '.join(others)} or {last}" if others else last
 
 
-def listed(kind: Any) -> str:
+def list_entries(kind: Any) -> str:
     """Return the entries of a table in words, those that may be left out last; of either of two tables, each."""
     if len(tables(kind)) > 1 and not kinds(kind):
-        return ", or ".join(map(listed, tables(kind)))
+        return ", or ".join(map(list_entries, tables(kind)))
     required = [name for name, field in fields(kind).items() if field.is_required()]
     optional = [name for name in fields(kind) if name not in required]
     if not required:

@@ -37,7 +37,7 @@ def one_line(text: str) -> str:
     return text
 
 
-def looked_up(name: str) -> str:
+def checked_name(name: str) -> str:
     """Return a name; raise EntryError where a look-up would find another than this, or none."""
     one_line(name)
     if NO_NAME.fullmatch(name):
@@ -50,7 +50,7 @@ def looked_up(name: str) -> str:
     return name
 
 
-ONE_LINE, LOOKED_UP = AfterValidator(one_line), AfterValidator(looked_up)
+ONE_LINE, LOOKED_UP = AfterValidator(one_line), AfterValidator(checked_name)
 Text = Annotated[str, Field(min_length=1, max_length=80, pattern=NO_FORMULA), ONE_LINE]
 
 
@@ -90,17 +90,17 @@ RESERVED = ("Drive cycle", *"Summary Cycle Pieces Laws Export Names Checks Histo
 
 def sheet_title(name: str, taken: Iterable[str]) -> str:
     """Return a title for the sheet of a name; Law for a name of which nothing is left."""
-    words = cut(re.sub(r"[\[\]:*?/\\]", "-", name), LONGEST) or "Law"
+    words = cut_text(re.sub(r"[\[\]:*?/\\]", "-", name), LONGEST) or "Law"
     others = {lookup_key(title) for title in (*taken, *RESERVED)}
     short, more = words, 1
     while lookup_key(short) in others:
         more += 1
         ending = f" ({more})"
-        short = cut(words, LONGEST - len(ending)) + ending
+        short = cut_text(words, LONGEST - len(ending)) + ending
     return short
 
 
-def cut(text: str, most: int) -> str:
+def cut_text(text: str, most: int) -> str:
     """Return as much of a text as UTF-16 has in so many units, without apostrophes or blanks at its ends."""
     short = text.strip("' ").encode("utf-16-le", "surrogatepass")[: 2 * most].decode("utf-16-le", "ignore")
     return short.strip("' ")

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from workbook.book.formula import words
-from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm, mirrored
+from workbook.functions.addin.motion_functions.library import LAWS, OWN, LawForm, mirror_half
 from workbook.functions.declarations import FUNCTIONS
 
 SOURCE = Path(__file__).with_name("formulas.txt")
@@ -97,7 +97,9 @@ def polynomial_formula(law: LawForm) -> str:
         powers = [f"{str(value).replace('/', ' / ')} / {share} ^ {i}" if value else "0" for i, value in enumerate(c, 1)]
         return f"HSTACK({', '.join([share, *powers, *'0' * (NUMBERS - 1 - len(c))])})"
 
-    return f"LET(share, INDEX(p, 1), rest, 1 - share, VSTACK({half('share', first)}, {half('rest', mirrored(first))}))"
+    return (
+        f"LET(share, INDEX(p, 1), rest, 1 - share, VSTACK({half('share', first)}, {half('rest', mirror_half(first))}))"
+    )
 
 
 def domain_condition(law: LawForm) -> str:

@@ -247,11 +247,15 @@ def samples(sheet: Sheet, shown: PageInputs) -> None:
     xi = np.arange(LAW_STEPS + 1) / LAW_STEPS
     x = np.arange(MOTION_STEPS + 1) * shown.motion.total / MOTION_STEPS
     law = [(name, words, name, name.upper()) for name, words in DERIVATIVES.items()]
-    sampled(sheet, "law", "xi", xi, f"[fn_law.fn_law],[xi],{P}", zip(law, shown.chosen_law.evaluate(xi), strict=True))
-    sampled(sheet, "motion", "x", x, f"[x],{EXAMPLES['phases']}", zip(RATES, shown.motion.at(x)[:3], strict=True))
+    declare_samples(
+        sheet, "law", "xi", xi, f"[fn_law.fn_law],[xi],{P}", zip(law, shown.chosen_law.evaluate(xi), strict=True)
+    )
+    declare_samples(
+        sheet, "motion", "x", x, f"[x],{EXAMPLES['phases']}", zip(RATES, shown.motion.at(x)[:3], strict=True)
+    )
 
 
-def sampled(
+def declare_samples(
     sheet: Sheet, name: str, abscissa: str, x: Array, arguments: str, columns: Iterable[tuple[Sequence[str], Array]]
 ) -> None:
     """Declare a sampled table over an abscissa: of each column its name, words, symbol and function, and its values."""

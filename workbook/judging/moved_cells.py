@@ -207,7 +207,7 @@ class Moves:
         new = self.area(old)
         if old.single and (index := self.match.index_of(old.first)):
             self._note_row(index[0], index[1])
-        ends = [placed(first, new.top, new.left), *([placed(last, new.bottom, new.right)] if last else [])]
+        ends = [cell_at(first, new.top, new.left), *([cell_at(last, new.bottom, new.right)] if last else [])]
         if before and new.sheet == old.sheet:
             return before + ":".join(ends)
         sheet = f"{quote_sheetname(new.sheet)}!" if before or new.sheet != to else ""
@@ -246,7 +246,7 @@ class Moves:
         return new
 
 
-def placed(cell: str, row: int, column: int) -> str:
+def cell_at(cell: str, row: int, column: int) -> str:
     """Return a cell of a reference at another place, with its signs $."""
     across, down = CELL.fullmatch(cell).groups()  # type: ignore[union-attr]
     return f"{across}{get_column_letter(column)}{down}{row}"

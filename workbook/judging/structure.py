@@ -135,7 +135,7 @@ def setting_findings(workbook: Workbook) -> Iterator[Finding]:
             yield Finding(sheet.title, "calculation", "setting", *rules, COMPUTED)
 
 
-def finding(place: Place, name: str, fault: str, expected: str) -> Finding:
+def structure_finding(place: Place, name: str, fault: str, expected: str) -> Finding:
     """Return the finding of a name that leads elsewhere: its place, the fault, and the expectation."""
     return Finding(place.sheet, place.cell(0, 0).a1, "name", f"{name}: {fault}", expected)
 
@@ -151,10 +151,10 @@ def column_name_findings(match: Match) -> Iterator[Finding]:
         right, held = (first.corners[0], last.corners[1]), places.get(name)
         if held is None or held.corners != right:
             expected = range_of(first._replace(columns=last.column - first.column + 1))
-            yield finding(held or first, name, range_of(held), expected)
+            yield structure_finding(held or first, name, range_of(held), expected)
     for name, cell in match.declared.public.items():
         if (place := places.get(cell)) is not None and places.get(name) != place:
-            yield finding(place, name, range_of(places.get(name)), range_of(place))
+            yield structure_finding(place, name, range_of(places.get(name)), range_of(place))
 
 
 def stray_blocks(match: Match) -> Iterator[Finding]:
@@ -169,7 +169,7 @@ def stray_blocks(match: Match) -> Iterator[Finding]:
         for title, ((first, place), *more) in away.items():
             others = f"the sheet {title}" + (f", and so do {len(more)} more" if more else "")
             expected = f"the sheet {counted[0][0]}, with the others: move it back"
-            yield finding(place, first.name, others, expected)
+            yield structure_finding(place, first.name, others, expected)
 
 
 def range_of(place: Place | None) -> str:

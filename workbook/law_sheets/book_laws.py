@@ -31,7 +31,7 @@ class BookLaws:
         self.given, self.sizes, self.hands_over = given, sizes, hands_over
         self.named = named_laws(given)
         self.laws = {named.name: named.law for named in self.named}
-        self.rows = stacked(self.named, sizes)
+        self.rows = stack_rows(self.named, sizes)
         groups = groupby(self.rows, key=lambda row: row.number)
         self.stack = Pieces(
             {number: [row.piece for row in group] for number, group in groups},
@@ -58,7 +58,7 @@ class Row(NamedTuple):
     values: dict[str, float]
 
 
-def stacked(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
+def stack_rows(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     """Return the rows of the stack: by their keys the pieces of all laws stand in rising order."""
     rows = []
     for law in laws:

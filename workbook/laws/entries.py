@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field, PrivateAttr, RootModel, create_mode
 
 from workbook.errors import quoted
 from workbook.fields.paths import key_of
-from workbook.fields.texts import LOOKED_UP, NO_FORMULA, looked_up, place_of, require_distinct
+from workbook.fields.texts import LOOKED_UP, NO_FORMULA, checked_name, place_of, require_distinct
 from workbook.fields.types import EntryError, Model
 from workbook.laws.registry import CODES, FAMILY, code_named, nearest_laws
 
@@ -130,7 +130,7 @@ def require_names(names: list[Any]) -> None:
         if not re.match(NO_FORMULA, name) or len(name) > LONGEST:
             raise EntryError(key_of(name), f"a law's name; expected 1 to {LONGEST} characters that do not begin with =")
         try:
-            looked_up(name)
+            checked_name(name)
         except EntryError as error:
             raise EntryError(key_of(name), f"the law's name {error}") from None
         if name not in CODES and listed(name, CODES):

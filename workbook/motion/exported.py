@@ -11,9 +11,9 @@ from engine.motion.shifted import Unshifted
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity
 from workbook.entries.abscissa import ANGLE, Abscissa
-from workbook.entries.machine import Exporting, named
+from workbook.entries.machine import Exporting, number_cell
 from workbook.motion.cells import PieceRows
-from workbook.motion.pieces import finding, sampled
+from workbook.motion.pieces import at_sample, workings_at
 
 CELLS = cell_tables(__file__)
 
@@ -59,7 +59,7 @@ def export_sheet(book: Book, given: Exporting, axes: Sequence[Exportable]) -> No
     with sheet.scoped(axis.scope):
         sheet.rows(
             CELLS["export_sheet"]("export_axis", axis.name, formula=axis.called),
-            CELLS["export_sheet"]("{named}", number, named=named(number)),
+            CELLS["export_sheet"]("{named}", number, named=number_cell(number)),
             straight_loss(axis, table),
         )
         sheet.row += 1
@@ -86,7 +86,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     def derivative(name: str, order: int, goes_on: str = "") -> Quantity:
         factor = axis.unit[1] / unit**order
         per = axis.over.from_rad(order) if rows.at.degrees else ""
-        shows = f"({sampled(rows, order)}){axis.y_factor}{per}{goes_on}"
+        shows = f"({at_sample(rows, order)}){axis.y_factor}{per}{goes_on}"
         size, own = axis.size(order) * factor, axis.units[order + 1]
         return cell(name, values[order] * factor, unit=own, sampled=shows, scale=size)
 
@@ -105,5 +105,5 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
         derivative("y2", 2),
         cell("k", list(range(n + 1))),
         *at_phases,
-        *finding(rows, "p" if later else "at", unshifted.x),
+        *workings_at(rows, "p" if later else "at", unshifted.x),
     ]

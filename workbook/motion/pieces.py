@@ -14,7 +14,7 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import LEAST, filled, polynomial
-from workbook.book.sentence import spelled
+from workbook.book.sentence import sentence_formula
 from workbook.fields.units import DEGREE, shown
 from workbook.motion.cells import FIRST, Cells, PieceRows, last_before, of_law
 from workbook.motion.requirements import CROWDED
@@ -64,7 +64,7 @@ def room_check(name: str, at: Cells, of: str, cuts: str) -> Quantity:
     """Return the check that the table of pieces has room for all ``of`` an axis, with ``cuts`` in them."""
     rows, count = f"[{at.pieces}.r.last]", f"{at.count}+{cuts}" if cuts else at.count
     texts = {"name": name, "of": of, "count": count, "rows": rows}
-    return CELLS["room_check"]("{name}", True, says=spelled(CROWDED, count, rows), **texts)
+    return CELLS["room_check"]("{name}", True, says=sentence_formula(CROWDED, count, rows), **texts)
 
 
 def pieces_table(
@@ -182,7 +182,7 @@ def sine(at: Cells, mark: str, sines: Sequence[Sine], sizes: Sizes) -> list[Quan
     ]
 
 
-def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
+def workings_at(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
     """Return the workings of samples at a column ``x``, with its ``values``: the piece, u in it, arguments of sines."""
     at, place = rows.at, PieceTable(rows.pieces, rows.end).located(values)
     cell, q = CELLS["finding"].sharing(at=at, of=of, suffix=suffix), f"[q{suffix}]"
@@ -190,11 +190,11 @@ def finding(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = 
     return [
         cell("q{suffix}", place.piece + 1.0, piece=at.piece(x)),
         cell("u{suffix}", place.u + LEAST, local=f"RADIANS({local})" if at.degrees else local),
-        *arguments(rows, suffix, q, turned([rows.pieces[k] for k in place.piece], place.u), of),
+        *arguments(rows, suffix, q, sine_arguments([rows.pieces[k] for k in place.piece], place.u), of),
     ]
 
 
-def turned(pieces: Sequence[MotionPiece], u: Array) -> Array:
+def sine_arguments(pieces: Sequence[MotionPiece], u: Array) -> Array:
     """Return the arguments ωu + φ of the sines of pieces, each at its u."""
     _, omega, phi = np.array([piece.sines for piece in pieces]).T
     return np.asarray(omega * u + phi)
@@ -217,7 +217,7 @@ def of_row(rows: PieceRows, name: str, q: str = "") -> str:
     return f"INDEX({rows.at.named(name)},{q})" if q else f"[{rows.at.pieces}.{name}.same]"
 
 
-def sampled(rows: PieceRows, order: int, suffix: str = "") -> str:
+def at_sample(rows: PieceRows, order: int, suffix: str = "") -> str:
     """Return the formula, without its =, of a derivative at a sample: coefficients times powers of u, and sines."""
     return at_place(rows, order, suffix, f"[q{suffix}]")
 
@@ -229,7 +229,7 @@ def place_columns(
     cell, values = CELLS["place_columns"], u + LEAST
     return [
         cell("u{suffix}", values, suffix=suffix, of=of, x=rows.at.x, place=formula, scale=rows.end),
-        *arguments(rows, suffix, q, turned(pieces, u), f"{of}: "),
+        *arguments(rows, suffix, q, sine_arguments(pieces, u), f"{of}: "),
     ]
 
 

@@ -23,7 +23,7 @@ from workbook.book.formula import (
     Area,
     Formula,
     FormulaError,
-    anchored,
+    anchors,
     reference,
     unquoted,
     words,
@@ -139,7 +139,7 @@ class Contents:
         text = self.name_text(name, sheet)
         if text is None or not REFERENCE.fullmatch(text):
             raise FormulaError("#NAME?", f"the name {name} does not lead to cells")
-        if anchored(text) not in ("$c$r", "$c$r:$c$r"):
+        if anchors(text) not in ("$c$r", "$c$r:$c$r"):
             raise FormulaError("#NAME?", f"the name {name} moves with the cell that uses it")
         area = reference(text, sheet, self.area)
         return area._replace(single=area.size == 1)

@@ -9,13 +9,13 @@ from typing import Any
 from pydantic import ValidationError
 
 from workbook.entries import rules
-from workbook.entries.design import RefusedError, Where, as_entered, fault_line, finished, keys_of
+from workbook.entries.design import RefusedError, Where, as_entered, fault_line, keys_of, mend_machine
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, quoted
 from workbook.fields.paths import key_of, put, spell, split
 from workbook.fields.types import EntryError
 from workbook.laws.named import with_laws_by_code
-from workbook.selection.entries import referred
+from workbook.selection.entries import refer_to_catalogues
 from workbook.template import M, Template
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.text_files import read_text
@@ -37,7 +37,7 @@ def read_machine(path: Path) -> Machine:
     """Read the description in a TOML file; raise ReadError or InputError, with a line for each fault."""
     data = parse_toml(read_text(path, "a machine description, a .toml file"), path)
     template = template_named(data.get("template"), f"{path}: template")
-    return described(template, data, lambda key: f"{path}: {counted_from_1(key)}")
+    return make_described_machine(template, data, lambda key: f"{path}: {counted_from_1(key)}")
 
 
 def parse_toml(text: str, path: Path) -> dict[str, Any]:
@@ -73,23 +73,23 @@ def write_machine(machine: Machine) -> str:
     """Return the TOML of a machine description; catalogues that come with the templates are referred to."""
     import tomlkit  # for this alone: most commands write no description
 
-    return tomlkit.dumps(referred(as_entered(machine)))
+    return tomlkit.dumps(refer_to_catalogues(as_entered(machine)))
 
 
-def described(template: Template[M], data: dict[str, Any], where: Where) -> M:
+def make_described_machine(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate a description, which may name laws as the catalogue does; raise InputError as :func:`validated` does."""
     try:
         named = with_laws_by_code(data, template.laws)
     except EntryError as error:
         raise InputError([f"{where(error.field)}: {error}"]) from None
-    return validated(template, named, where)
+    return make_machine(template, named, where)
 
 
-def validated(template: Template[M], data: dict[str, Any], where: Where) -> M:
+def make_machine(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate entries; raise InputError for faults of structure or type: other ones make an unfinished design."""
     model = template.model
     try:
-        return finished(model, template.check, data)
+        return mend_machine(model, template.check, data)
     except RefusedError as error:
         raise InputError([fault_line(fault, model, where) for fault in error.faults]) from None
     except EntryError as error:
@@ -110,7 +110,7 @@ def empty_machine(template: Template[M], layout: dict[str, Any]) -> M:
                 kind, constraints = rules.field_at(model, rule)
                 if kind is str and not rules.takes_law(constraints):
                     put(data, split(key), f"A{n}")
-    return validated(template, data, lambda key: key)
+    return make_machine(template, data, lambda key: key)
 
 
 def require_possible(template: Template[M], machine: M, where: Where) -> None:

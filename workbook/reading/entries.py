@@ -15,7 +15,7 @@ from workbook.entries.machine import Machine
 from workbook.errors import DisputedError, InputError, ReadError, quoted
 from workbook.fields.paths import get, has_key, put, split
 from workbook.fields.types import MakesCells
-from workbook.reading.descriptions import cell_key, empty_machine, template_named, validated
+from workbook.reading.descriptions import cell_key, empty_machine, make_machine, template_named
 from workbook.reading.files import BookFile, is_formula, require_narrow
 from workbook.reading.table_fit import fit_tables, tear_lines
 from workbook.templates import AnyTemplate
@@ -61,7 +61,7 @@ class Entries:
         if self._between:
             raise InputError(self._between[:1])
         data, named = self._by_name()
-        machine = validated(self.template, data, lambda key: self._where(cell_key(key, named)))
+        machine = make_machine(self.template, data, lambda key: self._where(cell_key(key, named)))
         built = {
             name: text
             for name, place in self.file.places.items()  # what laws and axes were called
@@ -173,7 +173,7 @@ class Entries:
         name, _, below = rest.partition(".")
         known = f"{begin}.{self._laws.get(name, name)}.{below}" if begin == "laws" else key
         model = self.template.model
-        return not rules.is_required(model, known) and rules.must_be_there(model, known)
+        return not rules.is_required(model, known) and rules.must_be_entered(model, known)
 
     def _entered(self, cell: Address, q: Quantity) -> Any:
         """Return an entry, of a formula its value; note in a line where that is in doubt."""
@@ -206,7 +206,7 @@ class Entries:
 @lru_cache(maxsize=2)
 def declare_empty(template: AnyTemplate, layout: str) -> Book:
     """Declare the book of a layout (JSON) with nothing entered; the latest serve all saves of a book."""
-    return template.finished(empty_machine(template, json.loads(layout)))
+    return template.declare_complete(empty_machine(template, json.loads(layout)))
 
 
 def is_empty(row: Sequence[Any]) -> bool:

@@ -10,7 +10,7 @@ import workbook
 from engine.cams.certificate import Certificate
 from workbook.controllers.tabulation import ORDERS, CertifiedTable, automatic, curve, placed_otherwise, rules_of
 from workbook.controllers.target import Target
-from workbook.reports.html import Line, document, plot, rendered
+from workbook.reports.html import Line, document, plot, render
 from workbook.reports.terminal import OUT, show_table, shown
 from workbook.template_outputs import CamAxis
 
@@ -107,7 +107,7 @@ def page(
     claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
     return document(
         title,
-        rendered(
+        render(
             "reports/cams.html",
             title=title,
             version=workbook.__version__,

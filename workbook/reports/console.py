@@ -114,7 +114,7 @@ def show_findings(report: Report, console: Console, everything: bool) -> None:
     headings = "Cell What Kind Computes Expected By".split()[: 6 if len(report.witnesses) > 1 else 5]
     first, rows = listed if everything else listed[:MOST], []
     for f in first:
-        computed, expected = map(figure, differing(f.computed, f.expected))
+        computed, expected = map(figure, differing_middles(f.computed, f.expected))
         value = f"{computed} ({f.why})" if f.why else computed
         row = (where(f), f.what, f.kind, value, expected, f.witness)
         rows.append(row[: len(headings)])
@@ -127,7 +127,7 @@ def show_findings(report: Report, console: Console, everything: bool) -> None:
         say(console, f"Cells that are wrong only because of these: {counted}; --all lists them")
 
 
-def differing(held: Any, expected: Any) -> tuple[Any, Any]:
+def differing_middles(held: Any, expected: Any) -> tuple[Any, Any]:
     """Return two long formulas without what both begin and end with, ``…`` in its place; others as they are."""
     both = held, expected
     if not all(isinstance(text, str) and text.startswith("=") for text in both) or max(map(len, both)) <= LONG:

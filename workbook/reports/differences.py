@@ -7,7 +7,7 @@ import numpy as np
 from rich.console import Console
 
 from workbook.differences.design import Change, Design, Differences
-from workbook.reports.html import Line, document, plot, rendered
+from workbook.reports.html import Line, document, plot, render
 from workbook.reports.terminal import say, show_table
 from workbook.templates import TEMPLATES
 
@@ -58,8 +58,8 @@ def show(console: Console, differences: Differences, everything: bool = False) -
             show_table(console, HEADINGS, map(row, chosen), title=title, box=None, pad_edge=False)
         show_rest(console, len(changes) - len(chosen), name)
     for name, title in LINES:
-        lines = signed(getattr(differences, name))
-        groups = [f"{sign} {text}" for sign, text in lines] if everything else grouped(lines)
+        lines = sign_lines(getattr(differences, name))
+        groups = [f"{sign} {text}" for sign, text in lines] if everything else group_lines(lines)
         for text in groups if everything else groups[:MOST]:
             say(console, f"{title}: {text}")
         show_rest(console, 0 if everything else len(groups) - MOST, title.lower())
@@ -71,7 +71,7 @@ def show_rest(console: Console, count: int, what: str) -> None:
         say(console, f"… and {count:,} more {what}; --all lists them")
 
 
-def grouped(lines: list[tuple[str, str]]) -> list[str]:
+def group_lines(lines: list[tuple[str, str]]) -> list[str]:
     """Return lines on cells, those of a column whose texts differ in numbers alone as one with its first and last."""
     groups: dict[tuple[str, ...], list[tuple[str, str]]] = {}
     for sign, line in lines:
@@ -86,7 +86,7 @@ def grouped(lines: list[tuple[str, str]]) -> list[str]:
     return texts
 
 
-def signed(lines: dict[str, list[str]]) -> list[tuple[str, str]]:
+def sign_lines(lines: dict[str, list[str]]) -> list[tuple[str, str]]:
     """Return the lines that are gone with a minus, and those that came with a plus."""
     return [*(("−", line) for line in lines["old"]), *(("+", line) for line in lines["new"])]
 
@@ -96,7 +96,7 @@ def page(old: Design, new: Design, differences: Differences) -> str:
     title = f"{old.path.name} and {new.path.name}"
     return document(
         title,
-        rendered(
+        render(
             "reports/differences.html",
             title=title,
             old=old,
@@ -106,7 +106,7 @@ def page(old: Design, new: Design, differences: Differences) -> str:
             lines=LINES,
             row=row,
             headings=HEADINGS,
-            signed=signed,
+            signed=sign_lines,
             drawn=diagrams(old, new),
         ),
     )

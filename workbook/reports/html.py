@@ -33,10 +33,10 @@ Box = tuple[float, float, float, float]  # left, top, right and bottom of what i
 
 def document(title: str, body: str, above: str = "") -> str:
     """Return a page of HTML, with what stands above its body."""
-    return rendered("reports/document.html", title=title, style=STYLE, body=body, above=above)
+    return render("reports/document.html", title=title, style=STYLE, body=body, above=above)
 
 
-def rendered(template: str, /, **values: Any) -> str:
+def render(template: str, /, **values: Any) -> str:
     """Return a template beside the modules, such as ``reports/page.html``, filled with values; texts are escaped."""
     return PAGES.load(template).generate(**values).decode()
 
@@ -54,7 +54,7 @@ def as_bytes(text: str | bytes) -> bytes:
 def table(headings: Sequence[str], rows: Iterable[Sequence[str]], numbers: Container[int]) -> str:
     """Return a table whose columns ``numbers`` stand to the right."""
     css = [' class="number"' if k in numbers else "" for k in range(len(headings))]
-    return rendered("reports/table.html", headings=headings, rows=rows, css=css)
+    return render("reports/table.html", headings=headings, rows=rows, css=css)
 
 
 def xml_safe(text: str) -> str:
@@ -173,7 +173,7 @@ def picture(title: str, labels: tuple[str, str], across: Scale, up: Scale, **dra
     """Return a picture of what is drawn between two axes; no numbers stand at an axis without a name."""
     given = {"title": title, "labels": labels, "across": across, "up": up}
     given |= {"width": WIDTH, "height": HEIGHT, "curves": ()}
-    return rendered("reports/picture.svg", **given | drawn)
+    return render("reports/picture.svg", **given | drawn)
 
 
 def figure(value: float) -> str:

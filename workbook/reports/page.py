@@ -16,7 +16,7 @@ from workbook.errors import WriteError
 from workbook.judging.batch import Outcome
 from workbook.judging.comparison import TOLERANCE
 from workbook.judging.report import Finding, Report, WitnessRun
-from workbook.reports.html import document, rendered
+from workbook.reports.html import document, render
 from workbook.writing.output_files import refuse_existing, write_text
 
 COUNTED = (("tests", ""), ("failures", "failure"), ("errors", "error"), ("skipped", "skipped"))
@@ -68,7 +68,7 @@ def page(outcomes: Sequence[Outcome], when: datetime) -> str:
     versions = f"motionbook {workbook.__version__}, Python {platform.python_version()}"
     return document(
         title,
-        rendered(
+        render(
             "reports/page.html",
             title=title,
             when=f"{when:%Y-%m-%d %H:%M:%S %z}",
@@ -164,7 +164,7 @@ class Case(NamedTuple):
 
 def junit(outcomes: Sequence[Outcome], when: datetime) -> str:
     """Return the run as JUnit XML: a suite for each workbook, a case for each sheet; findings are failures."""
-    return rendered(
+    return render(
         "reports/junit.xml",
         suites=[(outcome, cases(outcome)) for outcome in outcomes],
         counted=COUNTED,

@@ -11,7 +11,7 @@ import numpy as np
 import workbook
 from workbook.fields.paths import leaves, spell
 from workbook.reports.differences import figure
-from workbook.reports.html import document, front_picture, rendered
+from workbook.reports.html import document, front_picture, render
 from workbook.reports.html import shown as escaped
 from workbook.studies.evaluate import Label, Labels
 from workbook.studies.plan import Plan
@@ -46,7 +46,7 @@ def front(
     heads = [*(dimension.label for dimension in plan.space.dimensions), *(heading(name, named) for name in names)]
     css = ["" if isinstance(value, str) else ' class="number"' for value in first]
     drawn = picture(plan.study, shown, named, links) if shown and len(plan.study.goals) > 1 else ""
-    return rendered(
+    return render(
         "reports/study.html",
         plan=plan,
         summary=summary,
@@ -57,7 +57,7 @@ def front(
         columns=list(zip(heads, css, strict=False)),
         shown_best=shown,
         names=names,
-        unranked=unranked,
+        unranked=unranked_designs,
         parted=breakable,
         judged_line=judged_line,
         excluding=excluding,
@@ -76,7 +76,7 @@ def excluding(plan: Plan, summary: Summary) -> list[tuple[str, str, int, int]]:
     return [(name, words.get(name, "OK"), count, summary.alone.get(name, 0)) for name, count in counts.items()]
 
 
-def unranked(summary: Summary) -> list[str]:
+def unranked_designs(summary: Summary) -> list[str]:
     """Return in a line how many feasible designs have no place among the best since they lack an objective's value."""
     if not summary.unranked:
         return []

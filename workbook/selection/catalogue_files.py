@@ -108,12 +108,12 @@ def useless(model: type[Row], given: Product) -> Iterator[str]:
                 yield fault_line(fault, model, lambda key: f"column {facts[key].head}")
 
 
-def committed(model: type[Row], name: str) -> list[Row]:
+def committed_products(model: type[Row], name: str) -> list[Row]:
     """Return the products of a catalogue that comes with the templates."""
     return [model.model_validate(product) for product in read(model, FOLDER / name)]
 
 
 read_motors = partial(read, MotorRow)
 read_reducers = partial(read, ReducerRow)
-committed_motors = cache(partial(committed, MotorRow, "motors.csv"))
-committed_reducers = cache(partial(committed, ReducerRow, "reducers.csv"))
+committed_motors = cache(partial(committed_products, MotorRow, "motors.csv"))
+committed_reducers = cache(partial(committed_products, ReducerRow, "reducers.csv"))

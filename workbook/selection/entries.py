@@ -19,7 +19,7 @@ REFERENCE = "committed"
 """instead of a catalogue: that of the templates, whatever lies beside the description"""
 
 
-def referred(data: dict[str, Any]) -> dict[str, Any]:
+def refer_to_catalogues(data: dict[str, Any]) -> dict[str, Any]:
     """Return a description that refers to the catalogues which come with the templates instead of repeating them."""
     chosen = data.get("selection", {})
     whole = {entry: [row.model_dump(exclude_none=True) for row in rows()] for entry, rows in COMMITTED.items()}

@@ -37,7 +37,7 @@ def selection_sheet(book: Book, view: PairSelection, axis: str = "", limits: Lim
             sheet.heading("Enter: what a usable pair holds")
             sheet.rows(*entry_cells(limits, "limits"))
         outcome(sheet, view, axis)
-        asked(sheet, view)
+        declare_task(sheet, view)
         sheet.heading("Workings: the axes")
         named_drive(sheet, view)
         points_table(sheet, view)
@@ -95,7 +95,7 @@ def outcome(sheet: Sheet, view: PairSelection, axis: str) -> None:
     )
 
 
-def asked(sheet: Sheet, view: PairSelection) -> None:
+def declare_task(sheet: Sheet, view: PairSelection) -> None:
     """Declare what the axis asks for at the shaft behind the reducer."""
     load, scale = view.grid.task, view.shaft.torque
     sheet.heading("What the axis asks for", "At the shaft behind the reducer, exact from the motion's pieces.")

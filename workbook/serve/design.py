@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from workbook.entries.design import RefusedError, fault_line, finished
+from workbook.entries.design import RefusedError, fault_line, mend_machine
 from workbook.entries.machine import Fault
 from workbook.errors import MotionbookError
 from workbook.fields.paths import get, split
@@ -41,11 +41,11 @@ class Judged(NamedTuple):
     faults: dict[str, str]
 
 
-def judged(template: AnyTemplate, data: dict[str, Any]) -> Judged:
+def judge_entries(template: AnyTemplate, data: dict[str, Any]) -> Judged:
     """Return the machine of a description, or its faults by their keys."""
     model = template.model
     try:
-        machine = finished(model, template.check, with_laws_by_code(data, template.laws))
+        machine = mend_machine(model, template.check, with_laws_by_code(data, template.laws))
         noted: Sequence[Any] = machine.design.faults
     except RefusedError as error:
         machine, noted = None, [*error.faults, *error.numbers]
@@ -69,7 +69,7 @@ class Edited:
         self.axes = axes if isinstance(axes, list) else []
         self.faults = dict[str, str]()
         self.own = [self._axis(k, axis) for k, axis in enumerate(self.axes)]
-        self.faults |= judged(self.template, self.data).faults
+        self.faults |= judge_entries(self.template, self.data).faults
         self.faults = {key: sentence(line) for key, line in self.faults.items()}
 
     def _axis(self, k: int, axis: Any) -> Judged:
@@ -169,7 +169,7 @@ def as_json(data: Any) -> str:
 @lru_cache(REMEMBERED)
 def judged_axis(template: str, data: str) -> Judged:
     """Return a machine of one axis, judged, from its JSON."""
-    return judged(template_named(template, "template"), json.loads(data))
+    return judge_entries(template_named(template, "template"), json.loads(data))
 
 
 @lru_cache(REMEMBERED)

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 from workbook.errors import InputError, ReadError, WriteError
-from workbook.reports.html import rendered
+from workbook.reports.html import render
 from workbook.serve import design, parts, shown, study, tables
 from workbook.serve.handler import Page, state
 from workbook.serve.server import SCRIPTS, VERSION
@@ -22,7 +22,7 @@ async def edit(page: Page, name: str) -> str:
     page.folder.file(name)
     asked, number = page.get_query_argument("study", ""), page.get_query_argument("pick", "")
     given = {"name": name, "study": asked, "pick": number, "version": VERSION, "scripts": SCRIPTS}
-    return rendered("serve/page/design.html", **given)
+    return render("serve/page/design.html", **given)
 
 
 async def open_design(page: Page) -> dict[str, Any]:
@@ -33,7 +33,7 @@ async def open_design(page: Page) -> dict[str, Any]:
         draft.unlink(missing_ok=True)
     if asked:
         number, results = page.number("pick"), study.study_file(page, asked)
-        text = await page.work.in_worker(study.picked, results, number)
+        text = await page.work.in_worker(study.design_of_study, results, number)
         note = f"Design {number} of {asked}. It is not saved yet; Save gives it a name of its own."
         target = f"{results.stem}-{number}.toml"
     elif draft.exists():
@@ -42,10 +42,10 @@ async def open_design(page: Page) -> dict[str, Any]:
     book = path.with_suffix(".xlsx")
     built = {"name": book.name, "time": book.stat().st_mtime} if book.is_file() else None
     more = {"saved": saved, "state": state(path), "note": note, "target": target, "book": built}
-    return await page.work.in_worker(opened, saved if text is None else text, more)
+    return await page.work.in_worker(open_text, saved if text is None else text, more)
 
 
-def opened(text: str, more: dict[str, Any]) -> dict[str, Any]:
+def open_text(text: str, more: dict[str, Any]) -> dict[str, Any]:
     """Return a text as the page opens it."""
     read = shown_text(text)
     name = read["data"].get("template") if read["data"] else None
@@ -67,15 +67,15 @@ async def change(page: Page) -> dict[str, Any]:
     """Return a text with changes made in it, and the figures of an axis; keep a draft of what is no preview."""
     path, text = page.file(), page.text()
     changes, chosen = page.get_json("changes"), page.number("axis", "-1")
-    given = await page.work.in_worker(made, text, changes, chosen)
+    given = await page.work.in_worker(edit_result, text, changes, chosen)
     if not page.get_body_argument("preview", ""):
         keep_draft(path, given["text"])
     return given
 
 
-def made(text: str, changes: list[dict[str, Any]], chosen: int) -> dict[str, Any]:
+def edit_result(text: str, changes: list[dict[str, Any]], chosen: int) -> dict[str, Any]:
     """Return a text after changes, with the figures of an axis."""
-    text, refused = parts.changed(text, changes)
+    text, refused = parts.apply_changes(text, changes)
     return shown_text(text) | {"refused": refused} | design.figures(text, chosen, machine=False)
 
 

@@ -13,7 +13,7 @@ from workbook.book.rows import is_number
 from workbook.errors import MotionbookError, WriteError
 from workbook.file_cache import load_cached, store_cached
 from workbook.reports.html import path as places
-from workbook.reports.html import rendered, scale
+from workbook.reports.html import render, scale
 from workbook.serve import pages, shown
 from workbook.serve.editing import draft_of
 from workbook.serve.handler import BRIEF, JSON, JUDGED, Page, state
@@ -37,7 +37,7 @@ class Group(NamedTuple):
     others: list[pages.Item]
 
 
-def grouped(files: list[Path]) -> list[Group]:
+def groups_of_files(files: list[Path]) -> list[Group]:
     """Return the files of a folder: each design with its books and studies, what has none under its own title."""
     items = [pages.item(path) for path in files]
     designs = [each for each in items if each.path.suffix.lower() == ".toml" and not each.base]
@@ -69,7 +69,7 @@ async def home(page: Page) -> str:
         at_home=True,
         do=(pages.link("#compare", "Compare"), pages.link("#verify", "Verify"), pages.link("#new", "New machine")),
         folder=page.folder.path,
-        groups=grouped(files),
+        groups=groups_of_files(files),
         names=[path.name for path in files],
         waiting=page.work.waiting,
         templates=TEMPLATES,
@@ -87,7 +87,7 @@ async def brief(page: Page, name: str) -> str:
     if known is None:
         known = await page.work.in_worker(summary, name, text, slow=True)
         store_cached(BRIEF, digest, known)
-    return rendered("serve/brief.html", known=known)
+    return render("serve/brief.html", known=known)
 
 
 def summary(name: str, text: str) -> dict[str, Any]:
@@ -123,7 +123,7 @@ def lines_of(design: shown.ShownDesign) -> list[tuple[str, str]]:
 
 def design_of(page: Page, *paths: Path) -> str:
     """Return the name of the design that the first of some files is, or is of; empty where the folder has none."""
-    groups = grouped(page.folder.files())
+    groups = groups_of_files(page.folder.files())
     of = {each.path: group.design for group in groups for each in (group.design, *group.others) if each}
     return next((own.path.name for path in paths if (own := of.get(path))), "")
 
@@ -137,13 +137,13 @@ async def build(page: Page) -> str | dict[str, Any]:
         options, before = ["--keep", book, "--force"], book.read_bytes()
     done = await page.run("build", path, "-o", book, *options)
     if options and done.written != NOT_WRITTEN and pages.was_saved(before):
-        binned(book).write_bytes(before)
+        place_in_bin(book).write_bytes(before)
     if page.request.headers.get("Accept") == JSON:
         return {"book": book.name, "code": done.code, "words": done.text, "written": done.written}
-    return pages.printed(path.name, done.text, done.written, path, *filter(Path.exists, [book]))
+    return pages.printed_page(path.name, done.text, done.written, path, *filter(Path.exists, [book]))
 
 
-def binned(path: Path) -> Path:
+def place_in_bin(path: Path) -> Path:
     """Return the place for a file in the bin of its folder, by the time."""
     path.parent.joinpath(BIN).mkdir(exist_ok=True)
     return path.parent / BIN / f"{datetime.now():%Y-%m-%d %H-%M-%S} {path.name}"
@@ -162,7 +162,7 @@ async def keep(page: Page) -> None:
             draft.rename(draft_of(target))
     elif do == "delete":
         for file in filter(Path.exists, (path, draft)):
-            file.rename(binned(file))
+            file.rename(place_in_bin(file))
     else:
         raise WriteError(f"{do!r}: expected duplicate, rename or delete")
     page.redirect("/")

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from urllib.parse import quote
 
 from workbook.reading.files import BUILT
-from workbook.reports.html import document, rendered, shown
+from workbook.reports.html import document, render, shown
 
 TITLE = re.compile(r"<dc:title>([^<]*)</dc:title>")
 CORE, AS_BUILT = "docProps/core.xml", f">{BUILT:%Y-%m-%dT%H:%M:%SZ}</dcterms:modified>"
@@ -35,12 +35,12 @@ class Item(NamedTuple):
 def page(title: str, template: str, do: Sequence[str] = (), at_home: bool = False, **values: Any) -> str:
     """Return a page; ``do`` are links and buttons of the bar above it, which leads home but ``at_home``."""
     given = {"title": title, "link": link, "address": address, "post": post, "choice": choice, "item": item}
-    return document(title, rendered(f"serve/{template}.html", **given | values), bar(*do, at_home=at_home))
+    return document(title, render(f"serve/{template}.html", **given | values), bar(*do, at_home=at_home))
 
 
 def bar(*do: str, at_home: bool = False) -> str:
     """Return the bar above a page: the way to the first page, and what can be done."""
-    return rendered("serve/bar.html", do="".join(do), at_home=at_home)
+    return render("serve/bar.html", do="".join(do), at_home=at_home)
 
 
 def item(path: Path) -> Item:
@@ -70,12 +70,12 @@ def was_saved(book: bytes) -> bool:
         return AS_BUILT.encode() not in file.read(CORE)
 
 
-def framed(report: str, *do: str, design: str = "") -> str:
+def report_below_bar(report: str, *do: str, design: str = "") -> str:
     """Return a report of a command below the bar; what it tells of entries leads to the design's."""
     return report.replace("<body>", f'<body data-design="{shown(design)}">{bar(*do)}', 1)
 
 
-def printed(title: str, words: str, verdict: str, *files: Path) -> str:
+def printed_page(title: str, words: str, verdict: str, *files: Path) -> str:
     """Return the page of what a command printed, and what can be done with the files of it."""
     return page(title, "printed", words=words, verdict=verdict, files=files)
 

@@ -6,12 +6,12 @@ from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
-from workbook.description.editing import edited
+from workbook.description.editing import edit_text
 from workbook.entries.rules import KIND
 from workbook.errors import InputError
 from workbook.fields.paths import Place, get
 from workbook.reading.descriptions import parse_toml
-from workbook.serve.tables import key_at, required, sections_at, unit_at
+from workbook.serve.tables import key_at, required_entries, sections_at, unit_at
 from workbook.serve.typed import value_of
 
 Changes = list[tuple[Place, Any]]
@@ -48,7 +48,7 @@ class Change:
             changes = work()
         except (AttributeError, LookupError, TypeError, ValueError):
             raise InputError(["this cannot be done before the entries beside it are numbers and texts"]) from None
-        return edited(self.text, changes)
+        return edit_text(self.text, changes)
 
     @property
     def length(self) -> float:
@@ -82,7 +82,7 @@ class Change:
         keys = [key for section in sections for key in section.keys]
         names = {key.name for key in keys}
         gone: Changes = [((*above, name), None) for name in table if name not in names and name != KIND]
-        needed = {name: value for name, value in required(keys).items() if name not in table and name != KIND}
+        needed = {name: value for name, value in required_entries(keys).items() if name not in table and name != KIND}
         return gone + [((*above, name), value) for name, value in needed.items()]
 
     def _naming(self, name: Any) -> list[Place]:
@@ -111,9 +111,9 @@ class Change:
             raise InputError([f"{self.place[-1]} is there already"])
         sections = sections_at(self.template, self.place)
         if sections and rows is None:
-            return [(self.place, required([key for each in sections if not each.kind for key in each.keys]))]
+            return [(self.place, required_entries([key for each in sections if not each.kind for key in each.keys]))]
         key = key_at(self.template, self.data, self.place)
-        row = required(key.rows)
+        row = required_entries(key.rows)
         if "name" in row:
             row["name"] = self._free(rows, f"New {self.place[-1].removesuffix('s')}")
         if not key.rows[2:] and all(each.required for each in key.rows):
@@ -235,7 +235,7 @@ def new_axis(name: str, length: float) -> dict[str, Any]:
     return {"name": name, "group": "Group", "phases": phases}
 
 
-def changed(text: str, changes: list[dict[str, Any]]) -> tuple[str, dict[str, str]]:
+def apply_changes(text: str, changes: list[dict[str, Any]]) -> tuple[str, dict[str, str]]:
     """Return the text with the changes, in their order, and by path in JSON the sentences on those that are refused."""
     refused = {}
     for change in changes:

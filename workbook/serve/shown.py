@@ -10,13 +10,13 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book
 from workbook.book.rows import is_number
 from workbook.book.summary import TITLE
-from workbook.description.editing import edited
+from workbook.description.editing import edit_text
 from workbook.differences.design import Design, Figure, Key
 from workbook.entries.machine import Machine
 from workbook.pool import THIS_PROCESS
-from workbook.reading.descriptions import counted_from_1, described, parse_toml, template_named
+from workbook.reading.descriptions import counted_from_1, make_described_machine, parse_toml, template_named
 from workbook.reports.differences import figure
-from workbook.reports.html import Line, document, plot, rendered
+from workbook.reports.html import Line, document, plot, render
 from workbook.studies.design import first_design
 from workbook.studies.improve import single_gains
 
@@ -52,7 +52,7 @@ def design(name: str, text: str) -> ShownDesign:
     path = Path(name)
     data = parse_toml(text, path)
     template = template_named(data.get("template"), "template")
-    machine = described(template, data, counted_from_1)
+    machine = make_described_machine(template, data, counted_from_1)
     return ShownDesign(path, machine, template.declare(machine))
 
 
@@ -64,7 +64,7 @@ def gains(name: str, text: str) -> list[dict[str, str]]:
     machine = design(name, text).machine
     first = first_design(machine, "motion_pieces" in parse_toml(text, Path(name)).get("sizes", {}))
     rows = sorted(single_gains(first, THIS_PROCESS, lambda *_: None), key=lambda gain: gain.after)
-    return [{"sentence": gain.sentence(first), "text": edited(text, gain.changes.items())} for gain in rows]
+    return [{"sentence": gain.sentence(first), "text": edit_text(text, gain.changes.items())} for gain in rows]
 
 
 def failing(new: ShownDesign) -> list[list[str]]:
@@ -110,7 +110,7 @@ def sheet(name: str, text: str) -> str:
     drawn = pictures(shown, 1 + (FEWER if len(shown.axes) > MANY else DRAWN))
     return document(
         machine.title,
-        rendered(
+        render(
             "serve/sheet.html",
             title=machine.title,
             lines=[": ".join(map(str, row)) for row in failing(shown)],

@@ -13,8 +13,8 @@ import tomlkit
 from pydantic import ValidationError
 
 from workbook.build import read_description
-from workbook.commands.study import announced, summary_from
-from workbook.description.editing import edited
+from workbook.commands.study import announce_duration, summary_from
+from workbook.description.editing import edit_text
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.fields.paths import Place, get, join, leaves, spell, split, spread
@@ -67,7 +67,7 @@ async def new(page: Page) -> None:
     """Write a study under a name that is free, and show it."""
     base = page.file()
     asked = {key: page.get_body_arguments(key) for key in (*page.request.body_arguments, *SENT)}
-    text = composed(base.name, asked)
+    text = study_text(base.name, asked)
     await page.work.in_worker(require_study, text, base)
     path = page.folder.free(f"{base.stem}-study.toml")
     write_text(path, text)
@@ -131,7 +131,7 @@ def forecast(path: Path) -> str:
     """Return how many designs a study has, and how long they take."""
     plan = read_study(path)
     seconds = measure_pace(plan).seconds(plan.space)
-    return " ".join(announced(plan, seconds, max(1, cores() - 1))) or f"{plan.space.size:,} designs, soon done."
+    return " ".join(announce_duration(plan, seconds, max(1, cores() - 1))) or f"{plan.space.size:,} designs, soon done."
 
 
 def choices(base: Path, picked: list[str]) -> dict[str, Any]:
@@ -140,7 +140,7 @@ def choices(base: Path, picked: list[str]) -> dict[str, Any]:
     tables = fields_of(machine)
     known = {row["at"] for rows in tables.values() for row in rows}
     others = [spoken(split(key), machine.model_dump()) for key in picked if key not in known]
-    return {"tables": tables, "results": proposed(machine), "others": others}
+    return {"tables": tables, "results": proposed_results(machine), "others": others}
 
 
 def fields_of(machine: Any) -> dict[str, list[dict[str, Any]]]:
@@ -162,7 +162,7 @@ def fields_of(machine: Any) -> dict[str, list[dict[str, Any]]]:
     return tables
 
 
-def proposed(machine: Any) -> list[tuple[str, Label]]:
+def proposed_results(machine: Any) -> list[tuple[str, Label]]:
     """Return the results that are proposed, a drive's with its axis; other results are asked for by their names."""
     results = [result for _, names in listed_results(machine) for result in names]
     chosen = []
@@ -186,7 +186,7 @@ def field_to_vary(data: Mapping[str, Any], path: Place, value: Any, words: list[
     return {"key": spell(path), "at": join(path), "now": figure(value), "over": over, "known": known, "givers": givers}
 
 
-def composed(base: str, asked: Mapping[str, list[str]]) -> str:
+def study_text(base: str, asked: Mapping[str, list[str]]) -> str:
     """Return the text of a study of what a form asks for, lists of texts by the names of its fields."""
     study: dict[str, Any] = {"title": f"Study of {Path(base).stem}", "base": base}
     constraints: dict[str, Any] = {}
@@ -202,11 +202,13 @@ def composed(base: str, asked: Mapping[str, list[str]]) -> str:
     study["way"] = {"kind": kind} | ({} if kind == "full" else {"designs": int(value_of(asked["designs"][0]))})
     values = dict(zip(asked["key"], asked["values"], strict=True))
     givers = {key: {"takes": phase} for key, phase in zip(asked["key"], asked.get("takes", []), strict=False) if phase}
-    study["vary"] = [{"key": key} | varied(key, values[key]) | givers.get(key, {}) for key in asked.get("vary", [])]
+    study["vary"] = [
+        {"key": key} | range_of_entry(key, values[key]) | givers.get(key, {}) for key in asked.get("vary", [])
+    ]
     return tomlkit.dumps(study)
 
 
-def varied(key: str, text: str) -> dict[str, Any]:
+def range_of_entry(key: str, text: str) -> dict[str, Any]:
     """Return the values or range of an entry: ``80 to 100 in 5``, values with commas between, or all."""
     text = text.strip()
     if text == ALL:
@@ -247,7 +249,7 @@ def read_results(path: Path) -> tuple[Plan, Summary]:
     return plan, summary
 
 
-def picked(path: Path, number: int) -> str:
+def design_of_study(path: Path, number: int) -> str:
     """Return the description of a design among the best of a study: the text of its base with other entries."""
     plan, summary = read_results(path)
     if not 1 <= number <= len(summary.best):
@@ -258,7 +260,7 @@ def picked(path: Path, number: int) -> str:
     text = read_text(base, "a machine description, a .toml file")
     try:
         entries = {dimension: best.entries[dimension.label] for dimension in plan.space.dimensions}
-        changed = edited(text, plan.changes(entries).items())
+        changed = edit_text(text, plan.changes(entries).items())
         template = template_named(plan.base.template, "template")
         if template.model.model_validate(parse_toml(changed, base)) == machine:
             return changed

@@ -114,7 +114,7 @@ def unit_at(key: Key, data: Any, place: Place) -> str:
     return units[-1 if axis == "°" else 0] if units[1:] else key.unit
 
 
-def required(keys: Sequence[Key]) -> dict[str, Any]:
+def required_entries(keys: Sequence[Key]) -> dict[str, Any]:
     """Return the entries that a table must have, as in an example."""
     return {key.name: key.example for key in keys if key.required and key.example is not None}
 

@@ -32,7 +32,7 @@ def number(text: str, unit: str, expected: str) -> float:
         if SUM.fullmatch(words):
             return finite(worked_out(words, text), text)
         if match := WITH_UNIT.fullmatch(words):
-            return finite(converted(match[1].strip(), match[2].strip(), unit, text), text)
+            return finite(in_unit_of_entry(match[1].strip(), match[2].strip(), unit, text), text)
     raise InputError([f"{expected} is expected; “{visible(text[:LONGEST])}” is none"])
 
 
@@ -53,21 +53,23 @@ def worked_out(words: str, text: str) -> float:
         raise InputError([f"“{visible(text)}” cannot be worked out; expected a number, or a sum as 20+5"]) from None
 
 
-def converted(figure: str, given: str, unit: str, text: str) -> float:
+def in_unit_of_entry(figure: str, given: str, unit: str, text: str) -> float:
     """Return a number with a unit in the unit of its entry."""
     value = number(figure, "", "a number")
-    if spelled(given) == spelled(unit):
+    if pint_spelling(given) == pint_spelling(unit):
         return value
     wanted = f"in {unit}" if unit else "without a unit"
     from workbook.dimensions.units import registry
 
     try:
-        return float(registry().Quantity(value, spelled(given)).to(spelled(unit) or "dimensionless").magnitude)
+        return float(
+            registry().Quantity(value, pint_spelling(given)).to(pint_spelling(unit) or "dimensionless").magnitude
+        )
     except Exception:  # pint has an error of its own for each of: unknown, ambiguous, of another kind
         raise InputError([f"“{visible(text)}”: {visible(given)} is no unit here; expected a number {wanted}"]) from None
 
 
-def spelled(unit: str) -> str:
+def pint_spelling(unit: str) -> str:
     """Return a unit as pint spells it."""
     unit = SPELLED.get(unit, unit)
     return unit.replace("²", "**2").replace("³", "**3").replace("°C", "degC").replace("°", "degree").replace(" ", " * ")

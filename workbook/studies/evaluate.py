@@ -218,13 +218,13 @@ def require_names(plan: Plan, where: str) -> Labels:
             continue
         value = usual.named[name]() if name in usual.named else book_value(book, name)
         value = value.ravel()[0].item() if hasattr(value, "ravel") else value
-        lines += [f"{where}: {line}" for line in misused(study, name, value)]
+        lines += [f"{where}: {line}" for line in misuses(study, name, value)]
     if lines:
         raise InputError(lines)
     return {name: label(book, name) for name in dict.fromkeys([*study.names, *plan.study.bounds, *checks])}
 
 
-def misused(study: Study, name: str, value: Any) -> Iterator[str]:
+def misuses(study: Study, name: str, value: Any) -> Iterator[str]:
     """Yield what is wrong with the use of a result in a study: a text as a goal, a bound that does not suit it."""
     text = isinstance(value, str)
     if name in study.goals and text:

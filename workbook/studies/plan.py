@@ -14,7 +14,7 @@ from pydantic import ValidationError
 import workbook
 from workbook.book.declare import Book
 from workbook.build import read_description
-from workbook.entries.design import RefusedError, validated
+from workbook.entries.design import RefusedError, machine_or_faults
 from workbook.entries.machine import Fault, Machine
 from workbook.errors import InputError, quoted
 from workbook.fields.paths import Place, get, join, replaced, spell, split, table
@@ -94,7 +94,7 @@ def changed_machine(base: Machine, data: dict[str, Any], changes: Mapping[Place,
     for path, value in changes.items():
         data = dict(replaced(data, path, value))
     try:
-        machine, faults = validated(type(base), TEMPLATES[base.template].check, data)
+        machine, faults = machine_or_faults(type(base), TEMPLATES[base.template].check, data)
     except EntryError as error:
         return Impossible(f"{error.field}: {error}")
     except RefusedError as error:

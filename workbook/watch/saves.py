@@ -87,12 +87,12 @@ def judge_values(path: Path, data: bytes) -> tuple[Outcome, Changes] | None:
             judged = watched.book.judge_values(copy)
         before, watched.design = watched.design, Design(path, judged.machine, judged.declared)
         report = replace(judged.report, path=path)
-        return judge(path, report, hashlib.sha256(data).hexdigest(), begin), changed(before, watched.design)
+        return judge(path, report, hashlib.sha256(data).hexdigest(), begin), changes_between(before, watched.design)
     watched.design = None
     return None
 
 
-def changed(before: Design | None, design: Design) -> Changes:
+def changes_between(before: Design | None, design: Design) -> Changes:
     """Return the differences between two saves of a book."""
     if before is None or before.machine.template != design.machine.template:
         return Changes()

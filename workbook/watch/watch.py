@@ -19,7 +19,7 @@ from workbook.judging.batch import exit_code, find_workbooks
 from workbook.reading.files import SUFFIXES
 from workbook.reports import differences
 from workbook.reports.console import findings_data, plain
-from workbook.reports.html import rendered
+from workbook.reports.html import render
 from workbook.reports.page import line
 from workbook.reports.terminal import OUT, say, say_data
 from workbook.serve import pages
@@ -97,7 +97,7 @@ class Watch:
         is_ok = all(verdict.is_ok for verdict in self.saves.verdicts.values())
         verdicts = sorted(self.saves.verdicts.items(), key=lambda item: item[1].when, reverse=True)
         waiting = [path.name for path in self.paths if not path.is_dir() and path not in self.saves.verdicts]
-        return rendered(
+        return render(
             "watch/verdicts.html",
             verdicts=verdicts,
             waiting=waiting,

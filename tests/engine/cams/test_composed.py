@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from engine import law
-from engine.cams.interpolation import FunctionValues, composed
+from engine.cams.interpolation import FunctionValues, compose_profile
 from engine.drive.mechanisms.slides import crank_slider
 from engine.drive.mechanisms.variable_ratio import PositionTable
 from engine.motion import Motion, Phase
@@ -19,7 +19,7 @@ TABLE = PositionTable([(0.3 * k, 0.02 * k - 0.03 + 0.004 * np.sin(k)) for k in r
 def test_the_shafts_angle_is_that_of_the_mechanism_everywhere(linkage, name):
     motion = Motion([Phase(law(name), 0.04, 2.0), Phase(law("dwell"), 0.0, 0.5), Phase(law(name), -0.04, 1.5)])
     of = profile_of_motion(motion)
-    made = composed(of, lambda y: FunctionValues(*linkage.shaft(y)))
+    made = compose_profile(of, lambda y: FunctionValues(*linkage.shaft(y)))
     x = np.sort(np.random.default_rng(3).uniform(0.0, of.total, 4_001))
     exact = linkage.shaft(of.at(x).y).angle
     assert np.abs(made.at(x).y - exact).max() <= 1e-8 * np.ptp(exact)

@@ -7,7 +7,7 @@ import pytest
 
 from engine import law
 from engine.cams.cam_points import CamPoints, precision
-from engine.cams.identify import identified, motion_at
+from engine.cams.identify import identify, motion_at
 from engine.cams.interpolation import quintics, spline
 from engine.laws import CATALOGUE, Dwell, PieceLaw
 from engine.motion import Motion, Phase
@@ -25,7 +25,7 @@ def motion(entry) -> Motion:
 
 
 def found_in(x: np.ndarray, y: np.ndarray):
-    return identified(CamPoints(x, y, None, None, precision(y)), spline(x, y, "natural")).phases
+    return identify(CamPoints(x, y, None, None, precision(y)), spline(x, y, "natural")).phases
 
 
 @pytest.mark.parametrize("digits", [None, 6, "REAL"])
@@ -62,7 +62,7 @@ def test_breaks_are_exact_where_points_stand_on_them_with_their_rates() -> None:
     of = profile_of_motion(motion(MOVING[4]))
     at = of.at(of.edges)
     points = CamPoints(of.edges, at.y, at.y1, at.y2, precision(at.y))
-    one, other = identified(points, quintics(of.edges, at.y, at.y1, at.y2)).phases
+    one, other = identify(points, quintics(of.edges, at.y, at.y1, at.y2)).phases
     assert (one.law.code, one.begin, one.end) == (MOVING[4].code, 33.3, 125.0)
     assert (other.begin, other.end, other.lift) == (180.0, 300.0, -50.0)
 
@@ -77,7 +77,7 @@ def bumpy(x: np.ndarray) -> np.ndarray:
 def test_what_keeps_to_no_law_is_a_spline_thinned_to_the_tolerance(share) -> None:
     x = np.linspace(0.0, 360.0, 721)
     y = bumpy(x)
-    (one,) = identified(CamPoints(x, y, None, None, precision(y)), spline(x, y, "natural"), share=share).phases
+    (one,) = identify(CamPoints(x, y, None, None, precision(y)), spline(x, y, "natural"), share=share).phases
     assert (one.law.code, one.known, one.begin, one.end, one.lift) == ("SPL", False, 60.0, 180.0, 20.0)
     inside = (x >= 60.0) & (x <= 180.0)
     off = np.abs(20.0 * one.law.s((x[inside] - 60.0) / 120.0) - y[inside]).max()
@@ -136,7 +136,7 @@ def test_phases_that_meet_at_speed_are_told_as_they_were(name: str, equidistant:
     at = of.at(x)
     y, rates = at.y, (None, None) if equidistant else (at.y1, at.y2)
     rebuilt = spline(x, y, "not-a-knot") if equidistant else quintics(x, y, at.y1, at.y2)
-    found = identified(CamPoints(x, y, *rates, precision(y)), rebuilt).phases
+    found = identify(CamPoints(x, y, *rates, precision(y)), rebuilt).phases
     meant = [phase for phase in given if phase[0] != "DWL"]
     if equidistant and through:  # where two curved phases meet is not to be seen in positions alone
         assert max(one.residual for one in found) <= 1e-4 * np.ptp(y)
@@ -152,7 +152,7 @@ def test_a_cycle_that_begins_on_the_way_is_told_from_its_dwell_on() -> None:
     x = np.linspace(0.0, 360.0, 721)
     y = of.at(x).y
     points = CamPoints(x, y, None, None, precision(y))
-    read = identified(points, spline(x, y, "periodic"), turns=True)
+    read = identify(points, spline(x, y, "periodic"), turns=True)
     one, other = read.phases
     assert (one.law.code, other.law.code) == (MOVING[4].code, "MTP")
     begins = sorted((phase.begin + read.delay) % 360.0 for phase in (one, other))
@@ -189,7 +189,7 @@ def test_lines_that_join_without_a_rest_are_told_each_by_itself(name: str, step:
     corners = ZIGZAGS[name]
     x = np.arange(0.0, 360.0 + step, step)
     y = zigzag(*corners)(x)
-    found = identified(CamPoints(x, y, None, None, precision(y)), spline(x, y, "not-a-knot")).phases
+    found = identify(CamPoints(x, y, None, None, precision(y)), spline(x, y, "not-a-knot")).phases
     meant = [(a, b, z - w) for (a, w), (b, z) in pairwise(corners) if z != w]
     assert [one.law.code for one in found] == ["LIN"] * len(meant)
     near = [pytest.approx(one, abs=1e-6) for one in meant]
@@ -250,6 +250,6 @@ def test_the_motion_that_is_told_goes_through_every_point(number: int) -> None:
     x = np.linspace(0.0, 360.0, int(drawn.choice([37, 181, 361])))
     y = zigzag(*zip(corners, levels, strict=True))(x) + drawn.choice([0.0, 1.0]) * np.sin(np.radians(x)) ** 2
     y = np.round(y, int(drawn.choice([2, 3, 12])))
-    read = identified(CamPoints(x, y, None, None, precision(y)), spline(x, y, "not-a-knot"))
+    read = identify(CamPoints(x, y, None, None, precision(y)), spline(x, y, "not-a-knot"))
     assert not all(one.fits for one in read.phases) or np.abs(motion_at(read.phases, x, y[0]) - y).max() <= read.allowed
     assert read.allowed <= max(1e-4 * np.ptp(y), 6.0 * precision(y))

@@ -13,7 +13,7 @@ from tests import cutting
 from workbook.book.checks import FAILING
 from workbook.book.sheet import COLUMN_WIDTH, ON_SCREEN, WIDTHS
 from workbook.build import read_inputs
-from workbook.reading.descriptions import parse_toml, read_machine, validated
+from workbook.reading.descriptions import make_machine, parse_toml, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert
@@ -33,7 +33,7 @@ def described(name, change, **more):
         assert old in text
         text = text.replace(old, new)
     data = parse_toml(text, FOLDER / f"{name}.toml") | more
-    return validated(TEMPLATES[data["template"]], data, lambda key: key)
+    return make_machine(TEMPLATES[data["template"]], data, lambda key: key)
 
 
 def mended(book):

@@ -15,7 +15,7 @@ from workbook.description.keys import sections
 from workbook.description.schema import any_schema, page, schema
 from workbook.errors import InputError, WriteError
 from workbook.laws.registry import CODES
-from workbook.reading.descriptions import read_machine, validated
+from workbook.reading.descriptions import make_machine, read_machine
 from workbook.templates import TEMPLATES
 
 
@@ -77,7 +77,7 @@ def test_its_optional_keys_may_go(template):
             data.pop(last, None)
     data["laws"] = {name: entry for name, entry in laws.items() if name not in CODES}
     data.pop("sizes")
-    assert validated(template, data, str).title == read_machine(template.description).title
+    assert make_machine(template, data, str).title == read_machine(template.description).title
 
 
 def test_every_key_says_what_it_means(template):

@@ -4,7 +4,7 @@ import tomllib
 
 import pytest
 
-from workbook.description.editing import edited
+from workbook.description.editing import edit_text
 from workbook.errors import InputError
 from workbook.fields.paths import put
 from workbook.template import FOLDER
@@ -24,7 +24,7 @@ TEXT = (FOLDER / "machine.toml").read_text(encoding="utf-8")
     ],
 )
 def test_one_entry_changes_in_one_line_and_comments_stay(path, value):
-    changed = edited(TEXT, iter([(path, value)]))
+    changed = edit_text(TEXT, iter([(path, value)]))
     lines = [(one, other) for one, other in zip(TEXT.split("\n"), changed.split("\n"), strict=True) if one != other]
     assert len(lines) == 1
     before, after = (line.partition("#")[1:] for line in lines[0])
@@ -35,17 +35,17 @@ def test_one_entry_changes_in_one_line_and_comments_stay(path, value):
 
 def test_an_entry_is_added_and_taken_away():
     path = ("axes", "2", "motor", "rated_torque")
-    more = edited(TEXT, iter([(path, 12.0)]))
+    more = edit_text(TEXT, iter([(path, 12.0)]))
     put(data := tomllib.loads(TEXT), path, 12.0)
     assert tomllib.loads(more) == data
-    less = edited(TEXT, iter([(("axes", "1", "group"), None)]))
+    less = edit_text(TEXT, iter([(("axes", "1", "group"), None)]))
     assert "group" not in tomllib.loads(less)["axes"][1]
 
 
 def test_what_does_not_lead_to_an_entry_is_told():
     for text, path in ((TEXT, ("axes", "9", "name")), (TEXT, ("title", "x")), ("a = ", ("a",))):
         with pytest.raises(InputError):
-            edited(text, iter([(path, 1.0)]))
+            edit_text(text, iter([(path, 1.0)]))
 
 
 @pytest.mark.parametrize(
@@ -53,11 +53,11 @@ def test_what_does_not_lead_to_an_entry_is_told():
 )
 @pytest.mark.parametrize("value", [100.0, 7.5, "B # 2", 1234567.0])
 def test_a_comment_keeps_its_column_where_there_is_room(line, value):
-    changed = edited(f"{line}\n", iter([((line.partition(" ")[0],), value)])).rstrip("\n")
+    changed = edit_text(f"{line}\n", iter([((line.partition(" ")[0],), value)])).rstrip("\n")
     before, after = line.rindex(" # "), changed.rindex(" # ")
     assert changed[after:] == line[before:]
     assert after == before or (after > before and changed[after - 1] != " ")
 
 
 def test_blanks_in_a_text_stay():
-    assert edited('name = "A   # 1"\n', iter([(("name",), "BB   # 1")])) == 'name = "BB   # 1"\n'
+    assert edit_text('name = "A   # 1"\n', iter([(("name",), "BB   # 1")])) == 'name = "BB   # 1"\n'

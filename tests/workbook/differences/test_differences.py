@@ -16,7 +16,7 @@ from tests.workbook.edit import cell_named
 from workbook.build import build
 from workbook.commands.oracle import diff
 from workbook.differences.design import Change, Differences, compare, read_design
-from workbook.reading.descriptions import read_machine, validated, write_machine
+from workbook.reading.descriptions import make_machine, read_machine, write_machine
 from workbook.reports.differences import MOST, show
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -26,7 +26,7 @@ from workbook.writing.output_files import write_text
 
 def machine_of(data):
     """Return the machine of entries."""
-    return validated(TEMPLATES["machine"], data, str)
+    return make_machine(TEMPLATES["machine"], data, str)
 
 
 @pytest.fixture(scope="module")

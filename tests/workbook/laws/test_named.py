@@ -17,7 +17,7 @@ from workbook.law_sheets.book_laws import BookLaws
 from workbook.laws.entries import ENTRIES, LONGEST
 from workbook.laws.named import with_laws_by_code
 from workbook.reading import descriptions
-from workbook.reading.descriptions import counted_from_1, validated, write_machine
+from workbook.reading.descriptions import counted_from_1, make_machine, write_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
 from workbook.templates import TEMPLATES
@@ -43,7 +43,7 @@ def described(laws, *used):
 
 
 def machine(laws, *used):
-    return validated(MACHINE, described(laws, *used), counted_from_1)
+    return make_machine(MACHINE, described(laws, *used), counted_from_1)
 
 
 def refused(laws, *used):
@@ -74,7 +74,7 @@ def test_a_description_says_the_same_after_it_was_written():
     text = write_machine(given)
     assert '[laws."0.5 of [a]: x/y"]\nfamily = "MTP"\n' in text
     assert "[laws.TVP]\nlift" in text
-    assert validated(MACHINE, tomllib.loads(text), counted_from_1) == given
+    assert make_machine(MACHINE, tomllib.loads(text), counted_from_1) == given
 
 
 # --- Names ------------------------------------------------------------------------------------------
@@ -121,14 +121,14 @@ def test_a_description_names_a_law_as_the_catalogue_does_and_its_book_has_it():
             data["axes"][0]["phases"][0]["law"] = name
             named = with_laws_by_code(data, {})
             assert named["axes"][0]["phases"][0]["law"].upper() == law.code
-        made = validated(MACHINE, named, counted_from_1)
+        made = make_machine(MACHINE, named, counted_from_1)
         assert made.laws[law.code] == ENTRIES[law.code](family=law.code)
 
 
 def test_a_law_of_the_description_goes_before_the_catalogues_of_like_name():
     own = {"PO5": {"share": 0.4}, "Modified sine": {"rise_edge": 0.2}}
     data = with_laws_by_code(described(own, "3-4-5", "modified sine"), {})
-    made = validated(MACHINE, data, counted_from_1)
+    made = make_machine(MACHINE, data, counted_from_1)
     assert [axis.phases[k].law for axis, k in zip(made.axes, (0, 1), strict=False)] == ["PO5", "Modified sine"]
     assert (made.laws["PO5"].share, made.laws["Modified sine"].family) == (0.4, "MSN")
 
@@ -136,7 +136,7 @@ def test_a_law_of_the_description_goes_before_the_catalogues_of_like_name():
 @pytest.mark.parametrize("name", ["PO5", "quintic", "modified sine", "MT"])
 def test_a_law_of_the_description_hides_none_of_the_catalogue(name):
     with pytest.raises(InputError, match=r"laws\..*of the catalogue; expected its family, or another name"):
-        descriptions.described(MACHINE, described({name: {"family": "SCC"}}), counted_from_1)
+        descriptions.make_described_machine(MACHINE, described({name: {"family": "SCC"}}), counted_from_1)
 
 
 def test_in_a_book_only_its_own_laws_have_names():

@@ -16,7 +16,7 @@ from workbook.law_sheets.library import laws
 from workbook.laws.registry import FAMILY
 from workbook.machines.machine.mechanism import MECHANISMS
 from workbook.machines.machine.view import MachineView
-from workbook.reading.descriptions import validated
+from workbook.reading.descriptions import make_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
@@ -39,7 +39,7 @@ def drawn_machine(number, seed="drawn"):
     dice = random.Random(f"{seed} {number}")
     for _ in range(TRIES):
         try:
-            made = validated(TEMPLATE, description(dice, number), str)
+            made = make_machine(TEMPLATE, description(dice, number), str)
             return limited(made, dice) if not made.design.replaced and reached(made) else 1 / 0
         except (InputError, ZeroDivisionError):
             continue
@@ -338,7 +338,7 @@ def limited(made, dice):
                 "mean_torque": near(asked["output mean"]),
                 "max_speed": near(rpm),
             }
-    return validated(TEMPLATE, data | ({"selection": {"motors": motors}} if motors else {}), str)
+    return make_machine(TEMPLATE, data | ({"selection": {"motors": motors}} if motors else {}), str)
 
 
 def fallen(dice, motor, name):

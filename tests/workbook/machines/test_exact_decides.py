@@ -10,7 +10,7 @@ from engine.drive.results import DriveResults
 from tests.workbook import office
 from tests.workbook.edit import cell_named
 from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
-from workbook.book.sentence import rounded
+from workbook.book.sentence import as_shown
 from workbook.build import build
 from workbook.judging.verify import verify
 from workbook.machines.machine.exact import drives_of, limits_of
@@ -92,7 +92,7 @@ def test_a_figure_that_breaks_a_limit_by_one_hand_alone_fails_everywhere(rated, 
     book = TEMPLATE.declare(machine)
     assert {q.name: q.value for _, q in book.checks}["drive1_ok_rms"] == sheet
     lines, check, live, feasible, excluded = surfaces(machine, tmp_path)
-    engine, cell, limit = (f"{rounded(one * rms)} Nm" for one in (exact, 1.0, rated))
+    engine, cell, limit = (f"{as_shown(one * rms)} Nm" for one in (exact, 1.0, rated))
     both = f"RMS torque is {engine} exactly, {cell} on its sheet; the limit is {limit}"
     assert lines == [f"{RMS}: {check[1]}"]
     assert check[1].startswith(both)

@@ -9,7 +9,7 @@ from tests.tiers import seed
 from tests.workbook.cells import disagreeing
 from workbook.build import build
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import validated
+from workbook.reading.descriptions import make_machine
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
@@ -32,7 +32,7 @@ def entered(rate=100.0, lift=50.0, stop=90.0, mass=25.0, law="MTP"):
     axis["phases"][1]["lift"] = -lift
     axis["load"]["mass"] = mass
     data = {"template": "machine", "title": "Press", "master": {"rate": rate}, "axes": [axis], "sizes": SIZES}
-    return validated(TEMPLATE, data, lambda key: key)
+    return make_machine(TEMPLATE, data, lambda key: key)
 
 
 @pytest.mark.parametrize(
@@ -75,5 +75,5 @@ def test_a_small_lift_beside_a_large_one_is_no_finding(number, tmp_path):
     gap = {"name": "gap", "first": "A", "second": "C", "offset": 3.0 * large}
     data = {"template": "machine", "title": "Press", "axes": axes, "clearances": [gap]}
     data["sizes"] = SIZES
-    build(validated(TEMPLATE, data | {"master": {"rate": 1.0}}, str), tmp_path / "book.xlsx")
+    build(make_machine(TEMPLATE, data | {"master": {"rate": 1.0}}, str), tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []

@@ -8,7 +8,7 @@ import pytest
 
 from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE
-from workbook.reading.descriptions import validated
+from workbook.reading.descriptions import make_machine
 
 PAGE = (Path(__file__).parents[3] / "docs/holding.md").read_text(encoding="utf-8")
 BELT = {"teeth_driver": 20.0, "teeth_driven": 40.0, "efficiency": 0.95, "friction_torque": 0.2}
@@ -20,7 +20,7 @@ def hoist(stages=(), back=None, holding="motor"):
     axis = data["axes"][0]
     axis["mechanism"]["back_efficiency"], axis["stages"] = back, list(stages)
     axis["motor"] |= {"holding": holding, "brake": {"torque": 1.0}}
-    machine = validated(TEMPLATE, data, str)
+    machine = make_machine(TEMPLATE, data, str)
     assert disagreeing(TEMPLATE, machine)[0] == []
     return computed(TEMPLATE, machine)
 

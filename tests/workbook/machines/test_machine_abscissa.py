@@ -12,7 +12,7 @@ from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.composed import MACHINE, composed, description
 from workbook.build import build
 from workbook.errors import InputError
-from workbook.reading.descriptions import counted_from_1, validated
+from workbook.reading.descriptions import counted_from_1, make_machine
 
 LINE = {"LIN": {"family": "LIN"}, "PO5": {"family": "PO5"}}
 TO_AND_FRO = (("CIC", 20.0, 30.0), ("DWL", 0.0, 10.0), ("CIC", -20.0, 60.0))
@@ -65,7 +65,7 @@ def test_every_cell_is_the_engines_and_what_is_entered_comes_back(over):
     data["axes"].append(description(TO_AND_FRO, name="Other", position=4.0)["axes"][0])
     data |= {"switches": [{"name": "Valve", "on": [[10.0, 20.0], [90.0, 5.0]]}], "export": {"axis": 1}}
     data["clearances"] = [{"name": "ClearanceView", "first": "Axis", "second": "Other", "least": -1000.0}]
-    machine = validated(MACHINE, data, counted_from_1)
+    machine = make_machine(MACHINE, data, counted_from_1)
     assert machine.design.faults == ()
     assert disagreeing(MACHINE, machine)[0] == []
     assert entered(MACHINE, machine) == (machine, [])
@@ -118,7 +118,7 @@ def test_an_open_axis_begins_with_what_is_entered_and_ends_at_rest():
 def test_an_open_axis_with_a_drive_fails_by_name(master):
     data = description(TO_AND_FRO, unit="mm", closes="open", **DRIVE) | {"master": master}
     data["sizes"] |= {"cycle": 200}  # samples that tell the peak of the bus
-    machine = validated(MACHINE, data, counted_from_1)
+    machine = make_machine(MACHINE, data, counted_from_1)
     said = "Axis is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
     assert [fault.message for fault in machine.design.faults] == [said]
     assert entered(MACHINE, machine) == (machine, [])
@@ -146,7 +146,7 @@ def test_a_crank_is_where_its_slide_begins():
         mechanism = {"kind": "table", "efficiency": 0.9, "points": points}
         data = description((("CIC", 30.0, 40.0), ("CIC", -30.0, 60.0)), over="s", unit="mm", position=begin,
                            **DRIVE | {"mechanism": mechanism})  # fmt: skip
-        return validated(MACHINE, data, counted_from_1)
+        return make_machine(MACHINE, data, counted_from_1)
 
     one, other = driven(0.0), driven(10.0)
     assert disagreeing(MACHINE, other)[0] == []

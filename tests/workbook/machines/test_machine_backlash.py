@@ -11,7 +11,7 @@ from workbook.errors import InputError
 from workbook.machines.machine.exact import drives_of, judgement
 from workbook.machines.machine.studies.changes import breaks, crossings
 from workbook.machines.machine.studies.results import results
-from workbook.reading.descriptions import validated, write_machine
+from workbook.reading.descriptions import make_machine, write_machine
 
 BRAKING = (30.0, 130.0)
 MOST = 5e3  # N that resist
@@ -92,7 +92,7 @@ def test_what_cannot_be_is_refused(change, match):
     data = loose(linked(*OUT)).model_dump()
     data["axes"][0]["backlash"] |= change
     with pytest.raises(InputError, match=match):
-        validated(TEMPLATE, data, str)
+        make_machine(TEMPLATE, data, str)
     data["axes"][0] |= {"backlash": {"gap": 0.1}, "motor": None, "mechanism": None, "load": {}, "parts": []}
     with pytest.raises(InputError, match="backlash: entered for an axis without a drive"):
-        validated(TEMPLATE, data, str)
+        make_machine(TEMPLATE, data, str)

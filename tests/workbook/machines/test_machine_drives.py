@@ -8,7 +8,7 @@ from tests.workbook.machines.test_machine import RATIO, RISE, TEMPLATE, axis, de
 from workbook.errors import InputError
 from workbook.fields.paths import put, split
 from workbook.machines.machine.mechanism import MECHANISMS
-from workbook.reading.descriptions import validated
+from workbook.reading.descriptions import make_machine
 
 CRANK = {"kind": "crank-slider", "efficiency": 1.0, "crank_radius": 50.0, "rod_length": 200.0, "offset": 10.0,
          "start": 15.0}  # fmt: skip
@@ -158,7 +158,7 @@ REFUSED = [
 @pytest.mark.parametrize(("one", "words"), REFUSED, ids=lambda part: part if isinstance(part, str) else "")
 def test_a_drive_that_is_none_is_refused(one, words):
     with pytest.raises(InputError, match=words):
-        validated(TEMPLATE, described().model_dump() | {"axes": [one], "selection": {}, "clearances": []}, str)
+        make_machine(TEMPLATE, described().model_dump() | {"axes": [one], "selection": {}, "clearances": []}, str)
 
 
 @pytest.mark.parametrize("entry", ["gravity", "creep_forces", "limits", "power"])
@@ -167,7 +167,7 @@ def test_what_belongs_to_drives_is_refused_of_a_machine_without(entry):
     bare = described([axis(1, *RISE)])
     assert "power" not in TEMPLATE.declare(bare).blocks
     with pytest.raises(InputError, match=f"{entry}.*: no axis .*; expected none"):
-        validated(TEMPLATE, bare.model_dump() | {entry: given}, str)
+        make_machine(TEMPLATE, bare.model_dump() | {entry: given}, str)
 
 
 CRANKED = "the rod is not longer than crank and offset: the crank cannot turn round"
@@ -198,7 +198,7 @@ UNFINISHED = [
 def test_what_cannot_be_is_built_fails_by_row_and_amount_and_comes_back(one, entry, content, said, check):
     data = small(one).model_dump()
     put(data["axes"][0], split(entry), content)
-    machine = validated(TEMPLATE, data, str)
+    machine = make_machine(TEMPLATE, data, str)
     assert machine.design.faults[0].message.startswith(said)
     value = computed(TEMPLATE, machine, by_cells=True)
     assert value(f"drive1_{check}") == "FAIL"
@@ -222,7 +222,7 @@ def test_what_cannot_be_is_built_fails_by_row_and_amount_and_comes_back(one, ent
 def test_a_part_of_a_drive_that_cannot_be_makes_an_unfinished_design(one, entry, content, words):
     data = small(one).model_dump()
     put(data["axes"][0], split(entry), content)
-    assert [words in str(fault) for fault in validated(TEMPLATE, data, str).design.faults] == [True]
+    assert [words in str(fault) for fault in make_machine(TEMPLATE, data, str).design.faults] == [True]
 
 
 @pytest.mark.parametrize(("torque", "verdict"), [(1.001, "OK"), (0.999, "FAIL")])

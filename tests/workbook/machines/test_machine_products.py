@@ -10,7 +10,7 @@ from workbook.build import failing_checks
 from workbook.machines.machine.drive.max_rate import LIMITS as LIMITS_OF_RATE
 from workbook.machines.machine.drive_entries import UNTOLD
 from workbook.machines.machine.exact import drives_of, exact_rates
-from workbook.reading.descriptions import read_machine, validated
+from workbook.reading.descriptions import make_machine, read_machine
 from workbook.selection.catalogue_files import committed_motors, committed_reducers
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -64,14 +64,14 @@ def test_a_name_that_no_product_has_is_refused():
 def test_a_motor_neither_named_nor_entered_makes_an_unfinished_design():
     data = small([driven(*PHASES)]).model_dump()
     data["axes"][0]["motor"]["peak_torque"] = None
-    machine = validated(TEMPLATE, data, str)
+    machine = make_machine(TEMPLATE, data, str)
     assert [fault.key for fault in machine.design.faults] == ["axes.0.motor.peak_torque"]
 
 
 def test_selection_finds_a_motor_for_a_drive_that_has_none_yet():
     data = small([driven(*PHASES)]).model_dump() | {"selection": {"axis": "A1"}}
     del data["axes"][0]["motor"]
-    machine = validated(TEMPLATE, data, str)
+    machine = make_machine(TEMPLATE, data, str)
     assert {fault.message for fault in machine.design.faults} == {UNTOLD}
     value = computed(TEMPLATE, machine, by_cells=True)
     assert (value("drive1_ok_told"), value("sel_ok"), value("sel_motor") != "none") == ("FAIL", "OK", True)
@@ -110,7 +110,7 @@ def test_the_factor_of_the_catalogue_counts_beyond_a_thousand_cycles_an_hour_in_
     name = committed_reducers()[1].name
     data = small([driven(*PHASES, reducer={"name": name})]).model_dump() | {"selection": {"axis": "A1"}}
     for rate, factor in ((1000.0 / 60.0, 1.0), (1001.0 / 60.0, 2.0)):
-        value = computed(TEMPLATE, validated(TEMPLATE, data | {"master": data["master"] | {"rate": rate}}, str))
+        value = computed(TEMPLATE, make_machine(TEMPLATE, data | {"master": data["master"] | {"rate": rate}}, str))
         assert value("drive1_reducer_peak") / value("drive1_reducer_held") == factor
         assert value("sel_reducers", "fs")[:3] == [1.0, factor, factor]  # the first is none
         assert value("sel_reducers", "held")[1] == value("drive1_reducer_held")

@@ -16,7 +16,7 @@ from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.machines.machine.entries_beside import Cycle
-from workbook.reading.descriptions import counted_from_1, read_machine, validated
+from workbook.reading.descriptions import counted_from_1, make_machine, read_machine
 from workbook.templates import TEMPLATES
 from workbook.writing.archive import same_book
 
@@ -43,7 +43,7 @@ def told(*axes, cycle=0.3, **more):
 
 
 def machine(*axes, **more):
-    return validated(MACHINE, told(*axes, **more), counted_from_1)
+    return make_machine(MACHINE, told(*axes, **more), counted_from_1)
 
 
 def small(name):
@@ -177,7 +177,7 @@ def test_both_a_rate_and_a_cycle_are_refused_in_a_line():
     data = told()
     data["master"]["rate"] = 200.0
     with pytest.raises(InputError, match=r"^master\.rate: entered beside cycle; expected one of them"):
-        validated(MACHINE, data, counted_from_1)
+        make_machine(MACHINE, data, counted_from_1)
 
 
 @pytest.mark.parametrize("number", [0, *nights(6)])

@@ -10,7 +10,7 @@ from workbook.build import build, read_inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.machines.machine.exact import judgement
-from workbook.reading.descriptions import validated
+from workbook.reading.descriptions import make_machine
 
 THIRDS = (
     (0, 90, 10.0, "CIC"),
@@ -117,4 +117,4 @@ def test_what_is_no_pair_of_stops_is_refused_by_its_key(stops, key):
     data = stopped(0, 1).model_dump()
     data["axes"][0]["stops"] = stops
     with pytest.raises(InputError, match=key.replace(".", r"\.")):
-        validated(TEMPLATE, data, str)
+        make_machine(TEMPLATE, data, str)

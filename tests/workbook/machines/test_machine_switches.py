@@ -10,7 +10,7 @@ from workbook.build import build, read_inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.reading.descriptions import read_machine, validated, write_machine
+from workbook.reading.descriptions import make_machine, read_machine, write_machine
 
 ONE = [axis(1, (30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))]
 
@@ -18,7 +18,7 @@ ONE = [axis(1, (30, 90, 20.0, "CIC"), (150, 240, -20.0, "MTP"))]
 def switched(*switches, **sizes):
     """A machine with one axis and switches (name, times)."""
     data = described(ONE, phases=2, **sizes).model_dump()
-    return validated(TEMPLATE, data | {"switches": [{"name": name, "on": on} for name, on in switches]}, str)
+    return make_machine(TEMPLATE, data | {"switches": [{"name": name, "on": on} for name, on in switches]}, str)
 
 
 VALVES = (("Valve 3", [[20.0, 95.0], [200.0, 215.0]]), ("Sensor", [[345.0, 15.0]]), ("Never", []), ("On", [[0, 360]]))

@@ -22,7 +22,7 @@ from workbook.machines.machine.exact import axes_of, judgement
 from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.vibration import MOST, swings_of
 from workbook.pool import THIS_PROCESS
-from workbook.reading.descriptions import read_machine, validated, write_machine
+from workbook.reading.descriptions import make_machine, read_machine, write_machine
 from workbook.studies.design import first_design
 from workbook.studies.improve import single_gains
 from workbook.template_outputs import Column
@@ -112,14 +112,14 @@ def test_only_axes_that_ask_for_it_get_cells_and_they_come_back(tmp_path):
 def test_a_load_without_a_frequency_is_told_and_over_no_time_refused(tmp_path):
     data = swinging(LOAD).model_dump()
     data["axes"][0]["vibration"] = {"damping": 0.1}
-    untold = validated(TEMPLATE, data, str)
+    untold = make_machine(TEMPLATE, data, str)
     assert [fault.key for fault in untold.design.faults] == ["axes.0.vibration"]
     (line,) = build(untold, tmp_path / "book.xlsx")
     assert line.endswith(UNTUNED)
     assert read_inputs(tmp_path / "book.xlsx") == (untold, [])
     data["master"] = {"cycle": 300.0, "unit": "mm"}
     with pytest.raises(InputError, match="does not tell how time passes, which a vibration needs"):
-        validated(TEMPLATE, data, str)
+        make_machine(TEMPLATE, data, str)
 
 
 def test_studies_and_improve_know_it():
@@ -202,7 +202,7 @@ def test_a_law_that_cannot_be_given_out_says_why(load, entries, match, tmp_path)
 @pytest.mark.parametrize("entries", [{"shaper": "ZVD"}, {"of": "MTP"}, {"shaper": "EI", "of": "MTP", "shaped": "rate"}])
 def test_a_shaper_and_its_law_are_entered_together(entries):
     with pytest.raises(InputError, match=r"laws.SOFT"):
-        validated(TEMPLATE, swinging(LOAD).model_dump() | {"laws": {"SOFT": {"family": "OWN"} | entries}}, str)
+        make_machine(TEMPLATE, swinging(LOAD).model_dump() | {"laws": {"SOFT": {"family": "OWN"} | entries}}, str)
 
 
 def test_improve_tries_shapers_for_a_vibration():

@@ -20,7 +20,7 @@ from workbook.fields.units import MM
 from workbook.judging.verify import verify
 from workbook.machines.machine.drive.driven import linkage_of
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.drive.reach import apart
+from workbook.machines.machine.drive.reach import size_fault
 from workbook.machines.machine.mechanism import LINKED, MECHANISMS, Belted
 
 EVERY = [*dict.fromkeys([*KINDS, *MECHANISMS, *LINKAGES])]
@@ -76,7 +76,7 @@ def test_each_variation_has_other_sizes_that_reach_its_positions(kind):
     assert len({str(sizes) for sizes, *_ in made}) == 6
     for sizes, low, high in made:
         given = MECHANISMS[kind].model_validate({"kind": kind, "efficiency": 1.0} | sizes)
-        assert apart(given, "mm") == ""
+        assert size_fault(given, "mm") == ""
         linkage = linkage_of(given, MM)
         assert [y for y in (low, 0.0, high) if linkage.beyond(y / 1000)] == []
 

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.workbook.cells import computed, disagreeing
-from workbook.reading.descriptions import counted_from_1, read_machine, validated
+from workbook.reading.descriptions import counted_from_1, make_machine, read_machine
 from workbook.templates import TEMPLATES
 
 OVERLAP = TEMPLATES["indexing-overlap"]
@@ -14,7 +14,7 @@ def machine(transfer, tool):
     data["sizes"] |= {"cycle": 12, "law": 6, "margins": 4}
     data["overlap"]["transfer"] |= transfer
     data["overlap"]["tools"][0] |= tool
-    return validated(OVERLAP, data, counted_from_1)
+    return make_machine(OVERLAP, data, counted_from_1)
 
 
 MILL, DIE = "Indexing mill dwell to movement at 0°: ", "Die way in to {} at 0° after its arrival: "

@@ -11,7 +11,7 @@ from workbook.book.limits import EXPECTED
 from workbook.build import build
 from workbook.errors import InputError
 from workbook.machines.overlap.entries import MOST_TOOLS
-from workbook.reading.descriptions import counted_from_1, read_machine, validated, write_machine
+from workbook.reading.descriptions import counted_from_1, make_machine, read_machine, write_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
@@ -136,7 +136,7 @@ def test_a_bad_entry_of_the_third_tool_is_named_with_its_path(path, changed, lin
     tool = data["overlap"]["tools"][2]
     (tool["passage"] if path else tool).update(changed)
     with pytest.raises(InputError, match=line):
-        validated(TEMPLATE, data, counted_from_1)
+        make_machine(TEMPLATE, data, counted_from_1)
 
 
 @pytest.mark.parametrize("number", [0, MOST_TOOLS + 1])
@@ -144,7 +144,7 @@ def test_one_to_six_tools(number):
     data = entries()
     data["overlap"]["tools"] = data["overlap"]["tools"][:1] * number
     with pytest.raises(InputError, match=r"overlap.tools: found .*; expected a list of 1 to 6 entries"):
-        validated(TEMPLATE, data, counted_from_1)
+        make_machine(TEMPLATE, data, counted_from_1)
 
 
 @pytest.mark.parametrize("number", range(1, MOST_TOOLS + 1))

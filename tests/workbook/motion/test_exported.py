@@ -7,7 +7,7 @@ from tests.workbook.cells import computed, disagreeing, entered
 from tests.workbook.machines.test_machine import axis, described
 from workbook.build import committed_descriptions
 from workbook.errors import InputError
-from workbook.reading.descriptions import read_machine, validated
+from workbook.reading.descriptions import make_machine, read_machine
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
 
@@ -21,7 +21,7 @@ def exporting(data, which, **sizes):
     """A description whose book has the sheet, and little room for all else."""
     template = TEMPLATES[data["template"]]
     data["sizes"] |= SMALL | {"motion_pieces": None} | sizes
-    return template, validated(template, data | {"export": {"axis": which}}, str)
+    return template, make_machine(template, data | {"export": {"axis": which}}, str)
 
 
 def committed_as(name, which, **sizes):

@@ -45,11 +45,13 @@ def test_a_layout_is_the_same_whatever_is_entered_and_nothing_of_that_is_in_it(p
     template = TEMPLATES[machine.template]
     text = template.declare(machine).blocks[NAME].quantities[0].value
     empty = empty_machine(template, {k: v for k, v in json.loads(text).items() if k not in ("checksum", "inputs")})
-    assert layout_text(empty, template.finished(empty)) == text
-    assert {block.name for block in template.finished(empty).blocks.values()} == {*template.declare(machine).blocks}
+    assert layout_text(empty, template.declare_complete(empty)) == text
+    assert {block.name for block in template.declare_complete(empty).blocks.values()} == {
+        *template.declare(machine).blocks
+    }
     assert machine.title not in text
     for variation in template.variants(machine)[:2]:
-        assert layout_text(variation, template.finished(variation)) == text
+        assert layout_text(variation, template.declare_complete(variation)) == text
 
 
 @pytest.mark.parametrize(

@@ -12,11 +12,11 @@ from tests.workbook.evaluated import by_formulon
 from workbook.build import build, read_inputs
 from workbook.entries.rules import field_at
 from workbook.errors import InputError
-from workbook.fields.texts import looked_up, place_of, require_distinct
+from workbook.fields.texts import checked_name, place_of, require_distinct
 from workbook.fields.types import EntryError
 from workbook.judging.verify import verify
 from workbook.reading.contents import Contents
-from workbook.reading.descriptions import counted_from_1, read_machine, validated
+from workbook.reading.descriptions import counted_from_1, make_machine, read_machine
 from workbook.templates import TEMPLATES
 from workbook.witnesses.pycel.model import PycelModel
 
@@ -49,7 +49,7 @@ def renamed(table, *names):
         data["selection"]["axis"] = names[0]
     for row, name in zip(rows, names, strict=False):
         row["name"] = name
-    return validated(TEMPLATES[data["template"]], data, counted_from_1)
+    return make_machine(TEMPLATES[data["template"]], data, counted_from_1)
 
 
 @pytest.mark.parametrize("table", TABLES)
@@ -80,7 +80,7 @@ def test_names_that_some_program_takes_for_one_are_refused(table, name, other):
      "漢字", "'A"],
 )  # fmt: skip
 def test_other_names_are_names(name):
-    assert looked_up(name) == name
+    assert checked_name(name) == name
 
 
 def found_at(name, names):
@@ -104,7 +104,7 @@ NAMES = st.lists(st.text(LETTERS, min_size=1, max_size=3), min_size=1, max_size=
 def test_what_passes_is_found_again(names, change):
     try:
         for name in names:
-            looked_up(name)
+            checked_name(name)
         require_distinct(names, "name", "{}")
     except EntryError:
         return
@@ -126,7 +126,7 @@ def test_law_codes_and_the_axis_of_selection_are_found_without_regard_to_case(sm
     laws = [phase for axis in data["axes"] for phase in axis["phases"]]
     for phase in laws:
         phase["law"] = phase["law"].lower()
-    assert validated(cutting.TEMPLATE, data, counted_from_1).axes == small.axes
+    assert make_machine(cutting.TEMPLATE, data, counted_from_1).axes == small.axes
 
 
 def test_a_sheet_takes_a_law_and_an_axis_in_any_case(small, tmp_path):

@@ -5,7 +5,7 @@ from pathlib import Path
 from rich.console import Console
 
 from workbook.judging.report import FOLLOWS, Finding, Report
-from workbook.reports.console import MOST, differing, show_report
+from workbook.reports.console import MOST, differing_middles, show_report
 
 
 def printed(findings: list[Finding], everything: bool = False) -> str:
@@ -36,10 +36,10 @@ def test_of_two_long_formulas_the_difference_is_shown() -> None:
     said = printed([Finding("MTP", "D20", "formula", found, expected)])
     assert "…+MTP_m*MTP_d5+MTP_m*MTP_s…" in said
     assert "…+MTP_m*MTP_d4+MTP_m*MTP_s…" in said
-    assert differing(expected + "*1.001", expected) == ("…MTP_d1+MTP_d2)*1.001", "…MTP_d1+MTP_d2)")
-    assert differing("=A1+1", "=A1+2") == ("=A1+1", "=A1+2")
+    assert differing_middles(expected + "*1.001", expected) == ("…MTP_d1+MTP_d2)*1.001", "…MTP_d1+MTP_d2)")
+    assert differing_middles("=A1+1", "=A1+2") == ("=A1+1", "=A1+2")
     repeated = "=" + "+".join(["A1"] * 30)
-    assert differing(repeated + "+A1", repeated) == ("…+A1+A1+A1+A1+A1", "…+A1+A1+A1+A1")
+    assert differing_middles(repeated + "+A1", repeated) == ("…+A1+A1+A1+A1+A1", "…+A1+A1+A1+A1")
 
 
 def test_all_of_them_are_listed_where_they_are_asked_for() -> None:

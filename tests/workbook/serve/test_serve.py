@@ -17,7 +17,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.reports.cams import percent
 from workbook.reports.differences import figure
 from workbook.reports.study import figure as figure_of
-from workbook.serve.home import grouped
+from workbook.serve.home import groups_of_files
 from workbook.serve.shown import short
 from workbook.studies.plan import read_study
 
@@ -103,7 +103,7 @@ def test_books_and_studies_stand_with_their_design(tmp_path):
         with zipfile.ZipFile(tmp_path / name, "w") as book:
             book.writestr("docProps/core.xml", f"<dc:title>{title}</dc:title>")
     (tmp_path / "no.xlsx").write_bytes(b"no book")
-    groups = grouped(sorted(tmp_path.iterdir()))
+    groups = groups_of_files(sorted(tmp_path.iterdir()))
     told = [(group.title, group.design and group.design.path.name, [each.path.name for each in group.others])
             for group in groups]  # fmt: skip
     assert told == [("Gone", None, ["alone.xlsx"]), ("no", None, ["no.xlsx"]), ("Press", "a.toml", ["a-2.xlsx"]),

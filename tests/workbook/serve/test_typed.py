@@ -10,7 +10,7 @@ from workbook.errors import InputError, ReadError
 from workbook.fields.paths import get, put, split
 from workbook.serve import design as designs
 from workbook.serve.design import Edited, edited_design, figures, verdict, worked_out
-from workbook.serve.parts import changed
+from workbook.serve.parts import apply_changes
 from workbook.serve.tables import schema
 from workbook.serve.typed import number
 from workbook.template import FOLDER
@@ -39,7 +39,7 @@ def test_what_is_no_number_is_refused_in_one_sentence(text):
     with pytest.raises(InputError) as refusal:
         number(text, "mm", "a number")
     assert len(str(refusal.value).splitlines()) == 1
-    after, refused = changed(TEXT, [{"path": ["axes", 1, "motor", "peak_torque"], "value": text}])
+    after, refused = apply_changes(TEXT, [{"path": ["axes", 1, "motor", "peak_torque"], "value": text}])
     assert after == TEXT
     assert [*refused] == ["axes.1.motor.peak_torque"]
 
@@ -68,7 +68,7 @@ def places():
 
 def test_every_button_leads_to_a_valid_design_or_to_one_that_names_what_is_missing_in_its_field():
     for path, do in places():
-        text, refused = changed(TEXT, [{"path": path, "do": do}])
+        text, refused = apply_changes(TEXT, [{"path": path, "do": do}])
         if refused:
             assert text == TEXT
             continue
@@ -80,17 +80,17 @@ def test_every_button_leads_to_a_valid_design_or_to_one_that_names_what_is_missi
 
 
 def test_a_copied_axis_has_a_free_name_and_what_names_an_axis_follows_it():
-    copied, _ = changed(TEXT, [{"path": ["axes", 1], "do": "copy"}])
+    copied, _ = apply_changes(TEXT, [{"path": ["axes", 1], "do": "copy"}])
     assert [axis["name"] for axis in tomllib.loads(copied)["axes"]] == ["MC01", "MC02", "MC03", "MC04", "MC05"]
-    renamed, _ = changed(TEXT, [{"path": ["axes", 1, "name"], "value": "Punch"}])
+    renamed, _ = apply_changes(TEXT, [{"path": ["axes", 1, "name"], "value": "Punch"}])
     data = tomllib.loads(renamed)
     assert (data["clearances"][0]["first"], data["selection"]["axis"]) == ("Punch", "Punch")
-    removed, _ = changed(TEXT, [{"path": ["axes", 1], "do": "remove"}])
+    removed, _ = apply_changes(TEXT, [{"path": ["axes", 1], "do": "remove"}])
     assert Edited(removed).faults == {}
 
 
 def test_a_missing_entry_is_told_at_its_field_and_the_other_axes_go_on():
-    text, _ = changed(TEXT, [{"path": ["axes", 1, "phases", 0, "stop"], "value": ""}])
+    text, _ = apply_changes(TEXT, [{"path": ["axes", 1, "phases", 0, "stop"], "value": ""}])
     design = edited_design(text)
     assert design.faults == {"axes.1.phases.0.stop": "missing: expected a number of at least 0"}
     shown = figures(text, 0)["axes"]
@@ -99,7 +99,7 @@ def test_a_missing_entry_is_told_at_its_field_and_the_other_axes_go_on():
     assert [shown[k]["error"] for k in "023"] == [None] * 3
     lines = verdict("a.toml", text)["checks"]
     assert [line["sentence"] for line in lines] == ["MC02, phase 1, to: missing: expected a number of at least 0"]
-    drive, _ = changed(TEXT, [{"path": ["axes", 1, "motor", "peak_torque"], "value": ""}])
+    drive, _ = apply_changes(TEXT, [{"path": ["axes", 1, "motor", "peak_torque"], "value": ""}])
     one = figures(drive, 1)["axes"]["1"]
     assert (one["stale"], [chart["key"] for chart in one["charts"]]) == (True, ["v", "a", "j"])
 
@@ -137,5 +137,5 @@ def test_whatever_stands_in_the_text_is_told_or_shown(wrong, place):
     put(data, split(place), tomllib.loads(f"x = {wrong}")["x"])
     for path, do in ((["axes"], "add"), (["axes", 1], "copy"), (["axes", 1, "phases"], "add"), (["clearances"], "add")):
         with suppress(InputError, ReadError):
-            text, _ = changed(tomlkit.dumps(data), [{"path": path, "do": do}])
+            text, _ = apply_changes(tomlkit.dumps(data), [{"path": path, "do": do}])
             figures(text, 1)

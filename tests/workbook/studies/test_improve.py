@@ -17,7 +17,7 @@ from tests.workbook.studies.studied import base
 from workbook.book.quantity import OK
 from workbook.build import read_entered, write_book
 from workbook.commands import improve as command
-from workbook.description.editing import edited
+from workbook.description.editing import edit_text
 from workbook.errors import AGREES, FAILS, InputError, WriteError
 from workbook.fields.paths import table
 from workbook.fields.units import PER_MINUTE, si
@@ -351,6 +351,6 @@ def test_a_law_that_nothing_takes_any_more_is_not_written(cutting) -> None:
     first, second = ({("laws", name): {"family": "PO5"}, ("axes", "0", "phases", "0", "law"): name} for name in "AB")
     one = cutting.changed(changes.Change("", first, "law"))
     two = one.changed(changes.Change("", second, "law"))
-    text = edited(CUTTING.read_text("utf-8"), two.changes.items())
+    text = edit_text(CUTTING.read_text("utf-8"), two.changes.items())
     assert "[laws.B]" in text
     assert "[laws.A]" not in text

@@ -146,7 +146,7 @@ def test_a_book_keeps_the_timing_by_the_numbers_of_its_axes(press) -> None:
     layout = json.loads(layout_text(press, TEMPLATES["machine"].declare(press)))
     assert [row["axis"] for row in layout["timing"]["edges"]] == [2, 2, 2]
     renamed = {"axes": [{"name": "Mill"}, {"name": "Stamp"}], "timing": layout["timing"]}
-    spelled = type(press).spelled(renamed)["timing"]
+    spelled = type(press).expand_short_forms(renamed)["timing"]
     assert spelled["edges"][0] == edge("Stamp", 1, "start", 0.0, 130.0)
     assert spelled["lasting"] == [{"axis": "Stamp", "phase": 2}]
 

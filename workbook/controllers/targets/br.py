@@ -16,7 +16,7 @@ POWERS = ("A", "B", "C", "D", "E", "F", "G")
 FIELDS = (*POWERS, "X")
 
 
-def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
+def polynomial_table(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return a motion between places as polynomials of degree 5 whose coefficients, in steps, are rounded to REAL."""
     dx, dy = steps
     Table(x, x)  # says which x does not rise
@@ -55,7 +55,7 @@ def polynomials(table: Table) -> Iterator[list[float]]:
 
 def read(text: str) -> Table:
     """Return the polynomials that are assigned, in the units that the comment names."""
-    *powers, ends = texts.indexed(text, FIELDS)
+    *powers, ends = texts.by_index(text, FIELDS)
     period = texts.assigned_number(text, "MasterPeriod")
     if period is not None and period != ends[-1]:
         raise TargetError(f"the last X is {ends[-1]:g}, MasterPeriod {period:g}; expected the same")
@@ -71,6 +71,6 @@ TARGETS = (
         write=by_template("br.st", **NAMED),
         read=read,
         number=texts.DINT_IN_REAL,
-        built=built,
+        built=polynomial_table,
     ),
 )

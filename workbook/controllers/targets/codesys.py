@@ -6,7 +6,7 @@ import numpy as np
 
 from workbook.controllers.table import Table
 from workbook.controllers.target import Tappets, Target, Track, by_template, facts_of, tracks_of_rows
-from workbook.controllers.texts import grouped, pairs, points, require_count
+from workbook.controllers.texts import by_group, pairs, points, require_count
 
 FIELDS = ("dX", "dY", "dV", "dA")
 EDGES = ("fEditorMaster", "fEditorSlave", "fTableMaster", "fTableSlave")
@@ -24,7 +24,7 @@ def ends(table: Table) -> list[float]:
 
 def read_switches(text: str) -> list[Track]:
     """Return the tracks of a Structured Text."""
-    times = list(zip(*(column.tolist() for column in grouped(text, SWITCHED)), strict=True))
+    times = list(zip(*(column.tolist() for column in by_group(text, SWITCHED)), strict=True))
     require_count(text, "NoOfSwitches", len(times))
     return tracks_of_rows(text, times)
 
@@ -34,7 +34,7 @@ TARGETS = (
     Target(
         **facts_of("codesys"),
         write=by_template("codesys.st"),
-        read=lambda text: points(text, grouped(text, FIELDS), "nElements"),
+        read=lambda text: points(text, by_group(text, FIELDS), "nElements"),
         tappets=TAPPETS,
     ),
     Target(

@@ -36,7 +36,7 @@ def read(text: str) -> Table:
     return Table(np.round(whole(x) * steps[0], 12), np.round(whole(y) * steps[1], 12))
 
 
-def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
+def ratio_table(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return the ratios of a motion at equal steps: the stroke is the farthest that it goes from where it begins."""
     places = equal_steps(of, len(x))
     if places[0] != 0.0:
@@ -76,6 +76,6 @@ TARGETS = (
         number=Number("DINT, 1e-7 %", DINT.largest),
         points=(RESOLUTIONS[0] + 1, RESOLUTIONS[-1] + 1),
         counts=tuple(n + 1 for n in RESOLUTIONS),
-        built=built,
+        built=ratio_table,
     ),
 )

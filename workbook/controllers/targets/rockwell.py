@@ -28,7 +28,7 @@ def elements(table: Table) -> list[tuple[str, str, int]]:
     return [(real(x), real(y), int(not line)) for x, y, line in zip(table.x, table.y, lines, strict=True)]
 
 
-def parted(handed: SwitchExport) -> list[tuple[int, float, float]]:
+def split_at_cycle_end(handed: SwitchExport) -> list[tuple[int, float, float]]:
     """Return the times; a time past the end of the cycle as two, as left must be below right."""
     return [
         (track, low, high)
@@ -151,7 +151,7 @@ CAM = by_template(
 )
 TAPPETS = Tappets(
     **facts_of("rockwell switches"),
-    write=by_template("rockwell-switches.xml", elements=parted, real=real),
+    write=by_template("rockwell-switches.xml", elements=split_at_cycle_end, real=real),
     read=read_switches,
     number=REAL,
 )

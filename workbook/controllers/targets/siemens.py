@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from engine.cams.interpolation import HIGHEST, segmented, simple
+from engine.cams.interpolation import HIGHEST, segment_profile, simple
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 from workbook.controllers.table import Table, required_part
 from workbook.controllers.target import Target, by_template, facts_of
-from workbook.controllers.texts import indexed, points
+from workbook.controllers.texts import by_index, points
 from workbook.errors import TargetError
 
 BASIC = ("leadingValue", "followingValue", "velocityRatio", "accelerationRatio")
@@ -16,9 +16,9 @@ SEGMENT = ("xmin", "xmax", *POWERS, "sineAmplitude", "sinePeriod", "sinePhase")
 JOINT = 1e-4  # a gap that the controller pulls together
 
 
-def built(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
+def segment_table(of: CamProfile, x: Array, steps: tuple[float, float]) -> Table:
     """Return a motion between places as segments, of polynomials and a sine from each place."""
-    profile = segmented(of, x)
+    profile = segment_profile(of, x)
     return Table(x, profile.at(x).y, profile=profile)
 
 
@@ -31,7 +31,7 @@ def segments(table: Table) -> list[tuple[float, ...]]:
 
 def read_segments(text: str) -> Table:
     """Return the segments that are assigned; x counts from the begin of each."""
-    low, high, *rest = indexed(text, SEGMENT)
+    low, high, *rest = by_index(text, SEGMENT)
     c, (amplitude, omega, phase) = rest[: HIGHEST + 1], rest[HIGHEST + 1 :]
     gaps = np.abs(low[1:] - high[:-1]) > JOINT
     if gaps.any():
@@ -47,18 +47,18 @@ TARGETS = (
     Target(
         **facts_of("siemens"),
         write=by_template("siemens.scl"),
-        read=lambda text: points(text, indexed(text, BASIC)),
+        read=lambda text: points(text, by_index(text, BASIC)),
     ),
     Target(
         **facts_of("siemens-points"),
         write=by_template("siemens-points.scl"),
-        read=lambda text: points(text, indexed(text, ("x", "y"))),
+        read=lambda text: points(text, by_index(text, ("x", "y"))),
     ),
     Target(
         **facts_of("siemens-segments"),
         write=by_template("siemens-segments.scl", segments=segments, fields=SEGMENT),
         read=read_segments,
         exact=simple,
-        built=built,
+        built=segment_table,
     ),
 )

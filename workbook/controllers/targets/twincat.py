@@ -4,7 +4,7 @@ import re
 
 from workbook.controllers.table import equidistant
 from workbook.controllers.target import Tappets, Target, Track, by_template, facts_of, tracks_of_rows
-from workbook.controllers.texts import INDEXED, columns, indexed, pairs, points, without_comments
+from workbook.controllers.texts import INDEXED, by_index, columns, pairs, points, without_comments
 from workbook.errors import TargetError
 
 FIELDS = ("MasterPos", "SlavePos", "SlaveVelo", "SlaveAcc")
@@ -34,7 +34,7 @@ TARGETS = (
     Target(
         **facts_of("twincat"),
         write=by_template("twincat.st"),
-        read=lambda text: points(text, indexed(text, FIELDS), "NoOfRows"),
+        read=lambda text: points(text, by_index(text, FIELDS), "NoOfRows"),
         tappets=TAPPETS,
     ),
     Target(

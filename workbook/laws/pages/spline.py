@@ -12,7 +12,7 @@ from engine.laws.spline import EQUAL, EXAMPLE, MOST, NARROWEST, Spline, SplineTa
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
-from workbook.book.sentence import CheckSentence, figure, spelled
+from workbook.book.sentence import CheckSentence, figure, sentence_formula
 from workbook.fields.types import DesignError, Model, Number, Share
 from workbook.laws.family import BEHIND, ENTRIES, LawCheck, LawSheet, Page
 from workbook.laws.page_tables import coefficients_in
@@ -190,9 +190,9 @@ PAGE = SplinePage(
     rests=False,
     single=False,
     checks=(
-        LawCheck("@enough", "there are points", "@used>1", spelled(FEW, "@used")),
-        LawCheck("@lead", "the points lead from 0 to 1", LEADS, spelled(LEAD, *OUTER)),
-        LawCheck("@rise", "the points follow each other", "SUM([@solved.narrow])=0", spelled(RISE, *PLACES)),
+        LawCheck("@enough", "there are points", "@used>1", sentence_formula(FEW, "@used")),
+        LawCheck("@lead", "the points lead from 0 to 1", LEADS, sentence_formula(LEAD, *OUTER)),
+        LawCheck("@rise", "the points follow each other", "SUM([@solved.narrow])=0", sentence_formula(RISE, *PLACES)),
     ),
     variations=VARIATIONS,
     functions=False,

@@ -11,7 +11,7 @@ from workbook.drive import motor
 from workbook.fields.units import PER_RPM, RPM, shown
 from workbook.machines.flying.view import LOOKS, ToolDrive
 from workbook.motion.cells import PieceRows
-from workbook.motion.pieces import place_columns, sampled
+from workbook.motion.pieces import at_sample, place_columns
 
 CELLS = cell_tables(__file__)
 CHARTS = charts_beside(__file__)
@@ -163,7 +163,7 @@ def turns(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         cell("middle", middle, begin=begin, to=to),
         *place_columns(rows, "", "looked at", f"{place}-{origin}", np.array(u), pieces, "[q]"),
         *(
-            cell(name, rates[n - 1], unit=rows.at.unit(n), there=sampled(rows, n), scale=cut.size(n))
+            cell(name, rates[n - 1], unit=rows.at.unit(n), there=at_sample(rows, n), scale=cut.size(n))
             for n, name in enumerate("vaj", 1)
         ),
         cell("at", at, nearer=nearer),
@@ -209,9 +209,9 @@ def points(sheet: Sheet, view: ToolDrive, rows: PieceRows) -> None:
         cell("t", of(load.x)),
         cell("q", filled([k + 1 for k in cut_numbers], room * POINTS, len(rows.pieces))),
         *place_columns(rows, "", "within piece", "=[t]-INDEX([tool_pieces.origin],[q])", u, pieces, "[q]"),
-        cell("y", of(load.position), sampled=sampled(rows, 0)),
-        cell("v", of(load.velocity), sampled=sampled(rows, 1)),
-        cell("a", of(load.acceleration), sampled=sampled(rows, 2)),
+        cell("y", of(load.position), sampled=at_sample(rows, 0)),
+        cell("v", of(load.velocity), sampled=at_sample(rows, 1)),
+        cell("a", of(load.acceleration), sampled=at_sample(rows, 2)),
         cell("dir", of(load.direction)),
         cell("w", of(load.speed)),
         cell("al", of(load.shaft_acceleration), scale=view.turning),

@@ -55,7 +55,7 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
     sheet.row = BELOW_PRINT + 8
     cases(sheet, machine)
     sheet.heading("Workings")
-    sheet.rows(*geometry(machine), *superimposed(machine))
+    sheet.rows(*geometry(machine), *superimposed_rows(machine))
     sheet.row += 1
     cell.place(
         sheet,
@@ -180,7 +180,7 @@ def geometry(machine: CutterView) -> list[Quantity]:
     ]
 
 
-def superimposed(machine: CutterView) -> list[Quantity]:
+def superimposed_rows(machine: CutterView) -> list[Quantity]:
     """Return the motion on top of the line's: its case, time and displacement, and where the drum waits."""
     cell = CELLS["superimposed"]
     cut = machine.cut

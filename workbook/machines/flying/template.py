@@ -104,7 +104,7 @@ def judgement(given: FlyingCutter) -> ExactJudgement:
     return ExactJudgement(judged, [*deviations("Drive", drive.results, drive.exact)])
 
 
-def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
+def vary_entries(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
     k = turn % library.SIX
     entries = data["cutter"]
@@ -131,7 +131,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-VARIED = library.varying(FlyingCutter, varied, library.single_humped)
+VARIED = library.varying(FlyingCutter, vary_entries, library.single_humped)
 TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, check, axes=axes, judgement=judgement)
 
 
@@ -171,10 +171,10 @@ def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces)
     cell.sharing(steps=len(t) - 1).place(
         sheet,
         cell("t", t),
-        cell("s", shown(at.position, MM), sampled=pieces.sampled(rows, 0), source=pieces.POSITION),
-        cell("v", at.speed, sampled=pieces.sampled(rows, 1)),
-        cell("a", at.acceleration, sampled=pieces.sampled(rows, 2)),
-        cell("j", at.jerk, sampled=pieces.sampled(rows, 3)),
+        cell("s", shown(at.position, MM), sampled=pieces.at_sample(rows, 0), source=pieces.POSITION),
+        cell("v", at.speed, sampled=pieces.at_sample(rows, 1)),
+        cell("a", at.acceleration, sampled=pieces.at_sample(rows, 2)),
+        cell("j", at.jerk, sampled=pieces.at_sample(rows, 3)),
         cell("n", shown(speed, RPM)),
         cell("w", speed),
         cell("dw", acceleration),
@@ -183,7 +183,7 @@ def cycle_sheet(book: Book, machine: CutterView, rows: PieceRows, stack: Pieces)
         cell("product", shown(cut.line_speed * t, MM)),
         cell("line", machine.line),
         cell("k", list(range(len(t)))),
-        *pieces.finding(rows, "t", t),
+        *pieces.workings_at(rows, "t", t),
     )
     motion_tables(sheet, machine, rows, stack)
 

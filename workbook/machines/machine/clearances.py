@@ -13,7 +13,7 @@ from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import PAIRS, ClearanceEntry, FreePosition
 from workbook.machines.machine.gap import PARTS, PARTS_BY_PAIRS, ClearanceView, FreePositions
-from workbook.motion.pieces import finding, sampled
+from workbook.motion.pieces import at_sample, workings_at
 
 CELLS = cell_tables(__file__)
 
@@ -181,12 +181,12 @@ def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
     cells, n = [], gap.number
     for rows, mark, of, y in zip(gap.rows, MARKS, OF, gap.positions(angles), strict=True):
         axis, unshifted = rows.axis, rows.axis.unshifted(si(angles, DEGREE))
-        late, place = f"[axes_taken.late.{axis.number}]", sampled(rows.pieces, 0, mark)
+        late, place = f"[axes_taken.late.{axis.number}]", at_sample(rows.pieces, 0, mark)
         own = f"({place})*1000" if axis.given.unit == "mm" else f"DEGREES({place})"
         cells += [
             cell("n{mark}", unshifted.cycles, mark=mark, of=of, late=late),
             cell("p{mark}", shown(unshifted.x, DEGREE), mark=mark, of=of, late=late),
-            *finding(rows.pieces, f"p{mark}", unshifted.x, of, mark),
+            *workings_at(rows.pieces, f"p{mark}", unshifted.x, of, mark),
             cell("y{mark}", y, mark=mark, of=of, unit=axis.given.unit, own=own, number=axis.number),
         ]
     first = "[ya]"
@@ -215,7 +215,7 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
     cell = CELLS["points"].sharing(n=n, unit=gap.unit)
     speeds = []
     for mark, of, rows, values in zip(MARKS, OF, gap.rows, gap.velocities, strict=True):
-        place, most = sampled(rows.pieces, 1, mark), rows.axis.motion.size(1)
+        place, most = at_sample(rows.pieces, 1, mark), rows.axis.motion.size(1)
         speeds.append(cell("v{mark}", values, mark=mark, of=of, unit=rows.at.unit(1), sampled=place, scale=most))
     cell.place(
         sheet,

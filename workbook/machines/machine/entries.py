@@ -134,9 +134,9 @@ class AnyMachine(Exporting):
     sizes: MachineSizes = MachineSizes()
 
     @classmethod
-    def spelled(cls, data: Any) -> Any:
+    def expand_short_forms(cls, data: Any) -> Any:
         """Return a description whose switches tell the keys of their times, and whose clearances name their axes."""
-        return beside.expand_short_forms(super().spelled(data))
+        return beside.expand_short_forms(super().expand_short_forms(data))
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

@@ -10,7 +10,7 @@ from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
-from workbook.entries.abscissa import ANGLE, Abscissa, Unit, measured
+from workbook.entries.abscissa import ANGLE, Abscissa, Unit, length_abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.paths import Place, replaced, spread
 from workbook.fields.texts import LOOKED_UP, NO_FORMULA, place_of
@@ -280,7 +280,7 @@ class Cycle(CycleEntry):
     @property
     def over(self) -> Abscissa:
         """Seconds, or another abscissa."""
-        return measured(self.unit, self.cycle)
+        return length_abscissa(self.unit, self.cycle)
 
     @property
     def per_minute(self) -> float:

@@ -10,7 +10,7 @@ from engine.drive.motor import LimitCheck
 from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
 from engine.drive.rate_range import rate_range
 from workbook.book.checks import ZERO
-from workbook.book.sentence import rounded
+from workbook.book.sentence import as_shown
 from workbook.fields.units import PER_MINUTE, PERCENT, shown, si
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine.backlash import sides_of
@@ -119,7 +119,7 @@ def limit_of_rate(view: DriveView, limits: Sequence[JudgedLimit], rate: float) -
     sheet, truth = (
         LimitCheck(exact.name, shown(use, PERCENT), shown(1.0, PERCENT)) for use in (max(uses.values()), exact.use)
     )
-    what = f"at {rounded(rate)} cycles/min the most used limit, {exact.name},"
+    what = f"at {as_shown(rate)} cycles/min the most used limit, {exact.name},"
     return JudgedLimit(RATE_CHECK, view.driven.called, what, "%", sheet, truth, 0.0)
 
 
@@ -179,7 +179,7 @@ def extremes_of(axis: MovingAxis) -> Iterator[str]:
             ("acceleration", exact.y2_max, by_points.y2_max),
         ):
             if abs(stated - true) > MOTION * true:
-                more = rounded(100.0 * (true / stated - 1.0))
+                more = as_shown(100.0 * (true / stated - 1.0))
                 yield f"{axis.given.name} row {i}: the greatest {what} is {more} % more"
 
 
@@ -188,7 +188,7 @@ def gap_of(gap: ClearanceView) -> str:
     exact, unit = gap.exact, gap.unit
     if abs(gap.least - exact) <= (PAIRS_GAP if gap.table else GAP) * gap.change + 1e-9 * gap.size:
         return ""
-    return f"{gap.given.name}: the least gap is {rounded(exact)} {unit} exactly; its sheet says {rounded(gap.least)}"
+    return f"{gap.given.name}: the least gap is {as_shown(exact)} {unit} exactly; its sheet says {as_shown(gap.least)}"
 
 
 def results_of(view: DriveView) -> Iterator[str]:

@@ -161,7 +161,7 @@ def driven(view: DriveView, x: Array, charts: list[dict[str, Any]]) -> dict[str,
     rates = view.rates
     return {
         "charts": charts,
-        "use": [use for name, check in checks.items() if (use := used(name, check))],
+        "use": [use for name, check in checks.items() if (use := limit_use(name, check))],
         "highest": rates.high if isinstance(rates.high, float) else None,
         "reason": rates.high_limit,
         "power": {
@@ -186,7 +186,7 @@ def torque_limits(value: float, label: str, kind: str) -> Iterator[dict[str, Any
         yield from ({"value": way * value, "label": label, "kind": kind} for way in (1, -1))
 
 
-def used(name: str, check: LimitCheck) -> dict[str, Any] | None:
+def limit_use(name: str, check: LimitCheck) -> dict[str, Any] | None:
     """Return the use of a limit; None of one that is infinite."""
     if not math.isfinite(check.limit):
         return None

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from workbook.book.sentence import figure
-from workbook.entries.abscissa import Abscissa, measured
+from workbook.entries.abscissa import Abscissa, length_abscissa
 from workbook.entries.phase import TURN, TurnPhase, filling, forward
 from workbook.fields.types import ANGLE_TOLERANCE, DesignError, Model
 from workbook.fields.units import shown, si
@@ -122,7 +122,7 @@ def in_degrees(lasting: Lasting, over: Abscissa) -> Lasting:
 
 def to_units(data: dict[str, Any], unit: str, cycle: float) -> None:
     """Convert all places of a description from degrees into a unit of its cycle; what phases pass from SI by rad."""
-    over = measured(unit, cycle)
+    over = length_abscissa(unit, cycle)
     for axis in data["axes"]:
         size = over.lift(axis["unit"]).size
         axis["shift"] = over.shown(axis["shift"])

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
-from engine.cams.interpolation import FunctionValues, composed
+from engine.cams.interpolation import FunctionValues, compose_profile
 from engine.motion.profile import CamProfile, profile_of_motion
 from engine.timing import Switch
 from workbook.book.address import Address
@@ -222,7 +222,9 @@ def shaft(axis: MovingAxis, machine: AnyMachine, load: CamAxis) -> CamAxis:
     if driven.linkage is None:
         return replace(load, profile=profile(axis, shown(driven.mechanism.ratio, DEGREE)), y_unit="°")
     linkage, degrees = driven.linkage, shown(driven.reducer.ratio, DEGREE)
-    angle = composed(profile(axis, 1.0), lambda y: FunctionValues(*(degrees * each for each in linkage.shaft(y))))
+    angle = compose_profile(
+        profile(axis, 1.0), lambda y: FunctionValues(*(degrees * each for each in linkage.shaft(y)))
+    )
     return replace(load, profile=angle, y_unit="°")
 
 

@@ -20,13 +20,13 @@ from workbook.book.chart import Chart, Series
 from workbook.book.checks import ZERO
 from workbook.book.declare import Book, Sheet
 from workbook.book.rows import NOT_ZERO, constants, filled
-from workbook.book.sentence import amount, rounded
+from workbook.book.sentence import amount, as_shown
 from workbook.entries.facts import entry_cells
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import UNTUNED, Vibration
 from workbook.machines.machine.motion_tables import AxisTables
-from workbook.motion.pieces import finding, sampled
+from workbook.motion.pieces import at_sample, workings_at
 from workbook.template_outputs import JudgedLimit
 
 CELLS = cell_tables(__file__)
@@ -153,7 +153,7 @@ class Swing:
         off = abs(self.left - self.exact) - BOUND * self.lift
         if self.periods > MOST or off.max() <= 0.0:
             return ""
-        true, by_points = (rounded(float(each[off.argmax()])) for each in (self.exact, self.left))
+        true, by_points = (as_shown(float(each[off.argmax()])) for each in (self.exact, self.left))
         return f"{self.axis.given.name}: vibration of {true} {self.axis.given.unit} exactly; its sheet says {by_points}"
 
 
@@ -259,8 +259,8 @@ def workings(sheet: Sheet, swing: Swing) -> None:
         cell("k", k),
         cell("tau", tau),
         cell("theta", shown(places, DEGREE)),
-        *finding(swing.rows, "theta", places),
-        cell("v", v, slope=sampled(swing.rows, 1), scale=axis.motion.size(1)),
+        *workings_at(swing.rows, "theta", places),
+        cell("v", v, slope=at_sample(swing.rows, 1), scale=axis.motion.size(1)),
     )
     ratios = top * np.arange(1, CURVE + 1) / CURVE
     w, turning = math.tau * ratios / max(ZERO, lasts), 1j * swing.root - swing.entered.damping

@@ -72,7 +72,7 @@ class MovingAxis:
     @cached_property
     def motion(self) -> Motion:
         """The motion over a turn: m, or rad, over rad; extremes of phases that meet at speed are those at points."""
-        return measured(self.joined.motion)
+        return with_extremes(self.joined.motion)
 
     @cached_property
     def entered_rates(self) -> dict[int, Rates]:
@@ -237,7 +237,7 @@ class MeasuredMotion(Motion):
         return tuple(reaches)
 
 
-def measured(motion: Motion) -> Motion:
+def with_extremes(motion: Motion) -> Motion:
     """Return a motion with the extremes at points; itself where no phase has prescribed ends."""
     if not any(isinstance(phase, BoundaryPhase) for phase in motion.phases):
         return motion

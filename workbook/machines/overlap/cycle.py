@@ -15,7 +15,16 @@ from workbook.laws.sampling import ACCELERATION, VELOCITY, Pieces
 from workbook.machines.overlap.entries import ToolEntry, TransferEntry
 from workbook.machines.overlap.view import OverlapView, Station
 from workbook.motion.cells import Cells, PieceRows, rows_of_parts
-from workbook.motion.pieces import ABOUT, POSITION, ROOM, finding, phase_columns, pieces_in_all, pieces_table, sampled
+from workbook.motion.pieces import (
+    ABOUT,
+    POSITION,
+    ROOM,
+    at_sample,
+    phase_columns,
+    pieces_in_all,
+    pieces_table,
+    workings_at,
+)
 from workbook.motion.requirements import RequiredSmoothness
 from workbook.motion.smooth import Joints
 
@@ -49,14 +58,19 @@ class AtAngles:
         cell = CELLS["columns"]
         since, there = self.plan.since(self.angle), f"[@schedules.there.{self.row}]"
         return [
-            cell(f"y{suffix}", shown(self.travel, MM), sampled=sampled(self.rows, 0, suffix), source=POSITION),
+            cell(
+                f"y{suffix}",
+                shown(self.travel, MM),
+                sampled=at_sample(self.rows, 0, suffix),
+                source=POSITION,
+            ),
             cell("since{suffix}", shown(since, DEGREE), suffix=suffix, there=there),
-            *finding(self.rows, f"since{suffix}", since, suffix=suffix),
+            *workings_at(self.rows, f"since{suffix}", since, suffix=suffix),
         ]
 
     def rate(self, order: int, name: str, suffix: str) -> Quantity:
         """Return the column of a derivative in time."""
-        place = sampled(self.rows, order, suffix)
+        place = at_sample(self.rows, order, suffix)
         return CELLS["rates"](f"{name}{suffix}", self.rates[order - 1], sampled=place)
 
 
@@ -86,8 +100,13 @@ def transfer_columns(machine: OverlapView, theta: Array, pieces: Pieces) -> list
     cell = CELLS["transfer_columns"]
     angle, rows = si(theta, DEGREE), rows_of(TRANSFER, machine.transfer.parts, pieces)
     return [
-        cell("yt", shown(machine.transfer.travel(angle), MM), sampled=sampled(rows, 0, "t"), source=POSITION),
-        *finding(rows, "theta", angle, suffix="t"),
+        cell(
+            "yt",
+            shown(machine.transfer.travel(angle), MM),
+            sampled=at_sample(rows, 0, "t"),
+            source=POSITION,
+        ),
+        *workings_at(rows, "theta", angle, suffix="t"),
     ]
 
 

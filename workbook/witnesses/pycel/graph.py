@@ -13,12 +13,12 @@ def raised_a_little(value: Any, place: int) -> Any:
     return value * (1.01 + 1e-4 * place) + 1e-3 if is_number(value) else f"{value}?"
 
 
-def turned(value: Any, place: int) -> Any:
+def other_value(value: Any, place: int) -> Any:
     """Return a number of the other sign; 1 for a text or nothing."""
     return -value - 1.0 - 1e-4 * place if is_number(value) else 1.0
 
 
-CHANGES: tuple[Callable[[Any, int], Any], ...] = (raised_a_little, turned)
+CHANGES: tuple[Callable[[Any, int], Any], ...] = (raised_a_little, other_value)
 
 
 class Graph(NamedTuple):

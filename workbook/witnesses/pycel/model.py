@@ -13,7 +13,7 @@ from pycel.excelutil import AddressRange
 
 from workbook.book.address import Address
 from workbook.book.columns import Moved, Moving
-from workbook.book.formula import Area, Formula, FormulaError, bounded
+from workbook.book.formula import Area, Formula, FormulaError, require_bounded
 from workbook.errors import WitnessError
 from workbook.reading.contents import Cells, Contents, plain_value
 from workbook.reading.files import BookFile
@@ -263,7 +263,7 @@ class PycelModel:
             return known.get(argument.top) or self._numbers.cell(argument.first)
         number = self._numbers.other(argument)
         if number not in self._areas:
-            self._range_cells += bounded(argument, argument.a1).size
+            self._range_cells += require_bounded(argument, argument.a1).size
             if self._range_cells > MOST_RANGE_CELLS:
                 raise FormulaError("#REF!", f"the ranges of this workbook hold over {MOST_RANGE_CELLS:,} cells")
             self._areas[number] = argument

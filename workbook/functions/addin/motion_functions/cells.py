@@ -128,7 +128,7 @@ def parameters(code: str, given: Cells) -> Rows:
     return tuple(row for row in filled if any(row)) or filled[:1]
 
 
-def named(name: Cell, given: Cells) -> Law:
+def law_of_cells(name: Cell, given: Cells) -> Law:
     """Return the law of a code with the parameters in cells."""
     code = str(name).strip().upper()
     return law(code, parameters(code, given))
@@ -142,11 +142,11 @@ def motion(table: Cells) -> Motion:
     count, looked_at = len(table), 4 if dated else 3
     while count and not any(cell != "" for cell in table[count - 1][:looked_at]):
         count -= 1
-    return (rested if dated else moved)(table[:count])
+    return (resting_motion if dated else motion_of_table)(table[:count])
 
 
 @lru_cache(maxsize=128)
-def moved(table: tuple[tuple[Cell, ...], ...]) -> Motion:
+def motion_of_table(table: tuple[tuple[Cell, ...], ...]) -> Motion:
     """Return the motion of a table without blank rows at its end; a row VIA prescribes what its phases have there."""
     return Motion(
         [
@@ -157,7 +157,7 @@ def moved(table: tuple[tuple[Cell, ...], ...]) -> Motion:
 
 
 @lru_cache(maxsize=128)
-def rested(table: tuple[tuple[Cell, ...], ...]) -> Motion:
+def resting_motion(table: tuple[tuple[Cell, ...], ...]) -> Motion:
     """Return the motion of phases from, to, which rests before, between and after them."""
     if len(table[0]) < 4 or any(str(row[3]).strip().upper() == VIA for row in table):
         raise Refused(VALUE)
@@ -205,7 +205,7 @@ def pairs(one: Cells, other: Cells) -> tuple[list[float], list[float]]:
     return [value for row in first for value in row], [value for row in second for value in row]
 
 
-def reflected(inertias: Sequence[float], ratios: Sequence[float]) -> float:
+def reflected_inertia(inertias: Sequence[float], ratios: Sequence[float]) -> float:
     """Return Σ J (ω_i/ω)². Source: S1, 'Feeding group layout'."""
     if min(inertias) < 0.0:
         raise Refused(NUM)

@@ -75,7 +75,7 @@ def laws_in(text: str) -> dict[str, LawForm]:
     return laws
 
 
-def mirrored(half: Sequence[Any]) -> Sequence[Any]:
+def mirror_half(half: Sequence[Any]) -> Sequence[Any]:
     """Return the acceleration of a polynomial's second half, by powers of u: that of the first, seen from its end."""
     n = len(half)
     return [-sum(half[i] * math.comb(i, k) * (-1) ** k for i in range(k, n)) for k in range(n)]
@@ -136,7 +136,7 @@ def seven_stages(d: Sequence[float], lift: float, begin: End, end: End, straight
     require(not any(begin[1:] + end[1:]))
     v0, v1 = begin[0], end[0]
     rise, fall = pulse(d[:3], straight), pulse(d[4:], straight)
-    (s_a, m), (s_d, n) = reached(rise), reached(fall)
+    (s_a, m), (s_d, n) = end_of_pieces(rise), end_of_pieces(fall)
     first, slid = s_a / m, s_d / n
     top = (lift - v0 * (sum(d[:3]) - first) - v1 * slid) / (first + d[3] + sum(d[4:]) - slid)
     up, down = (top - v0) / m, (v1 - top) / n
@@ -153,7 +153,7 @@ def pulse(d: Sequence[float], straight: bool) -> list[Piece]:
     return [Piece(d1, (), [(1.0, up, 0.0)]), Piece(d2, (1.0,)), Piece(d3, (), [(1.0, down, math.pi / 2)])]
 
 
-def reached(pieces: Sequence[Piece]) -> tuple[float, float]:
+def end_of_pieces(pieces: Sequence[Piece]) -> tuple[float, float]:
     """Return position and velocity at the end of pieces that begin at rest."""
     s, v = 0.0, 0.0
     for piece in pieces:
@@ -164,7 +164,7 @@ def reached(pieces: Sequence[Piece]) -> tuple[float, float]:
 def polynomial(half: Sequence[float], share: float, lift: float, begin: End, end: End) -> Law:
     """Return a symmetric polynomial of a share, or, of the share ½, that between ends."""
     if begin == end == REST:
-        halves = (half, share), (mirrored(half), 1.0 - share)
+        halves = (half, share), (mirror_half(half), 1.0 - share)
         return Law([Piece(d, [2.0 * lift * c / d ** (i + 1) for i, c in enumerate(half)]) for half, d in halves])
     n = len(half) // 2 + 1
     require(share == 0.5 and not any(begin[n - 1 :] + end[n - 1 :]))

@@ -13,7 +13,7 @@ from workbook.machines.machine.drive.view import DriveView
 CELLS = cell_tables(__file__)
 
 
-def held(view: DriveView, times: str = "") -> str:
+def holding(view: DriveView, times: str = "") -> str:
     """Return the formula of 1 at a point where the brake holds the shaft, perhaps at so many times the rate, else 0.
 
     It holds in dwells long enough for it.

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
-from workbook.book.sentence import PLACES, Sentence, figure, rounded
+from workbook.book.sentence import PLACES, Sentence, as_shown, figure
 from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
 from workbook.entries.facts import entry_cells, table_of
 from workbook.fields.units import DEGREE, KG_CM2, shown
@@ -66,7 +66,7 @@ def parts_in_words(driven: Driven) -> list[str]:
     """Return count, name and inertia at its shaft of each rotating part."""
     each = zip(driven.entered.parts, driven.parts, strict=True)
     return [
-        f"{figure(part.count)} × {part.name or ''} {rounded(shown(turned.reflected, KG_CM2))}"
+        f"{figure(part.count)} × {part.name or ''} {as_shown(shown(turned.reflected, KG_CM2))}"
         if turned.reflected
         else ""
         for part, turned in each

@@ -33,7 +33,7 @@ IN_USE = formulas_by_row(__file__, "in use")
 UNITS = {"inertia": KG_CM2}  # of these cells, where not that of the figures
 
 
-def named(rows: Sequence[P], name: str) -> tuple[int, P | None]:
+def find_product(rows: Sequence[P], name: str) -> tuple[int, P | None]:
     """Return the row, from 1, of the product of a name, and the product; 0 and None where nothing is named."""
     place = place_of(name, [row.name for row in rows])
     return place + 1, rows[place] if place >= 0 else None
@@ -93,7 +93,7 @@ def motor_in_use(axis: Axis, products: Products, limits: Limits) -> MotorInUse:
     """Return the motor of an axis, its limits over their reserves. Raises ValueError where it has none."""
     if axis.motor is None:
         raise ValueError(f"{axis.name} has no motor")
-    row, found = named(products.motors, axis.motor.name)
+    row, found = find_product(products.motors, axis.motor.name)
     given, left = found or axis.motor, left_of(axis.motor)
     inertia, rated, peak, fastest = (float(getattr(given, name)) for name in NEEDED)
     lasting = left / limits.rms_reserve
@@ -108,7 +108,7 @@ def motor_in_use(axis: Axis, products: Products, limits: Limits) -> MotorInUse:
 
 def falling_of(name: str, products: Products, reserve: float) -> TorqueFall:
     """Return how the peak torque of a motor of the catalogue falls, over its reserve; of one entered, not at all."""
-    _, found = named(products.motors, name)
+    _, found = find_product(products.motors, name)
     if found is None or found.full_torque_to is None or found.end_torque is None:
         return TorqueFall()
     knee, fastest = si(found.full_torque_to, RPM), si(found.max_speed, RPM)
@@ -124,7 +124,7 @@ def left_of(motor: AxisMotor) -> float:
 
 def reducer_in_use(axis: Axis, products: Products, limits: Limits) -> ReducerInUse:
     """Return the reducer of an axis, its peak torque over the factor; one of ratio 1 where nothing is entered."""
-    row, found = named(products.reducers, axis.reducer.name)
+    row, found = find_product(products.reducers, axis.reducer.name)
     used = found or axis.reducer
     ratio, peak = (found.reduction, found.max_torque) if found else (axis.reducer.ratio, axis.reducer.peak_torque)
     return ReducerInUse(
@@ -154,7 +154,7 @@ def entries(driven: "Driven", key: str) -> list[Quantity]:
     return [*rows, *entry_cells(axis.limits, f"{key}.limits")]
 
 
-def catalogued(driven: "Driven") -> Iterator[Quantity]:
+def catalogue_figures(driven: "Driven") -> Iterator[Quantity]:
     """Yield the catalogue's figures of motor and reducer, where a product is named."""
     listed: dict[str, tuple[Sequence[MotorRow | ReducerRow], int]] = {
         "motor": (driven.products.motors, driven.motor_used.row),
@@ -189,7 +189,7 @@ def figures(driven: "Driven") -> list[Quantity]:
     used = {"motor": motor, "reducer": reducer}
     for product, name, figure in zip(*IN_USE.values(), strict=True):
         values[f"@{name}"] = shown(getattr(used[product], figure), UNITS.get(figure, 1.0))
-    return [*catalogued(driven), *(cell(name, values[name]) for name in cell)]
+    return [*catalogue_figures(driven), *(cell(name, values[name]) for name in cell)]
 
 
 HOT = 'ROUND(MAX(@temperature,@rated_at),9)&" °C; expected less than the limit, "&ROUND(@winding,9)&" °C"'

@@ -35,7 +35,7 @@ def standing(view: DriveView) -> list[Quantity]:
     columns = [
         *before,
         cell("S0", of(load.output_torque_at_rest), output=output),
-        cell("T0", of(points.standing), held=brake.held(view)),
+        cell("T0", of(points.standing), held=brake.holding(view)),
     ]
     if not view.knows_falling:
         return columns
@@ -54,7 +54,7 @@ def standing(view: DriveView) -> list[Quantity]:
     ]
 
 
-def tried(view: DriveView) -> list[Quantity]:
+def torques_tried(view: DriveView) -> list[Quantity]:
     """Return the columns of the torques at the rate that is tried."""
     return at_another_rate(view, view.search.points_tried, stages.TRIED, "[R]")
 
@@ -87,7 +87,7 @@ def at_another_rate(view: DriveView, then: DrivePoints, end: str, resists: str) 
         cell("F{end}", of(then.load.force), unit=driven_unit(view), source=source),
         *before,
         cell("S{end}", of(then.load.output_torque), output=output),
-        cell("T{end}", of(then.torque), held=brake.held(view, times), own_inertia=motor_inertia),
+        cell("T{end}", of(then.torque), held=brake.holding(view, times), own_inertia=motor_inertia),
     ]
 
 

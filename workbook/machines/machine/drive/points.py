@@ -24,7 +24,7 @@ from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.peaks import PEAK_UNITS
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive_entries import WINDOWS
-from workbook.motion.pieces import FROM_START, arguments, sampled
+from workbook.motion.pieces import FROM_START, arguments, at_sample
 
 CELLS = cell_tables(__file__)
 
@@ -43,7 +43,7 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         *chain(view, "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])"),
         cell("share", view.by_point(view.load.share, 0.0), scale=1.0),
         *other_rates.standing(view),
-        *other_rates.tried(view),
+        *other_rates.torques_tried(view),
         *other_rates.creeping(view),
         blank="[share]=0",
     )
@@ -86,7 +86,7 @@ def chain(view: DriveView, place: str | list[str]) -> list[Quantity]:
         linked = LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of)
         linked.append(cell("al", of(load.shaft_acceleration)))
     if view.varies or view.driven.by_angle:
-        at, size = sampled(view.tables.pieces, 0), axis.motion.size(0)
+        at, size = at_sample(view.tables.pieces, 0), axis.motion.size(0)
         position = [cell("y", of(load.position), unit=axis.base, sampled=at, scale=size)]
     return [
         *motion(view, place),
@@ -99,7 +99,7 @@ def chain(view: DriveView, place: str | list[str]) -> list[Quantity]:
         *before,
         cell("S", of(load.output_torque), output=output),
         *(brake.of_points(view) if view.brakes else ()),
-        cell("T", of(points.torque), held=brake.held(view), own_inertia=motor_inertia),
+        cell("T", of(points.torque), held=brake.holding(view), own_inertia=motor_inertia),
         cell("n", of(shown(points.speed, RPM)), ratio=motor_ratio),
         cell("P", of(shown(points.power, KW))),
     ]
@@ -120,8 +120,8 @@ def motion(view: DriveView, place: str | list[str]) -> list[Quantity]:
         cell("q", of(numbers + 1.0)),
         cell("u", of(local + LEAST), begins=rows.at.named("at"), not_zero=NOT_ZERO, source=FROM_START),
         *arguments(rows, "", "[q]", [of(angle) for angle in angles]),
-        cell("v", of(load.velocity), sampled=sampled(rows, 1), scale=max(axis.max_velocity, 1e-9)),
-        cell("a", of(load.acceleration), sampled=sampled(rows, 2), scale=max(axis.max_acceleration, 1e-9)),
+        cell("v", of(load.velocity), sampled=at_sample(rows, 1), scale=max(axis.max_velocity, 1e-9)),
+        cell("a", of(load.acceleration), sampled=at_sample(rows, 2), scale=max(axis.max_acceleration, 1e-9)),
     ]
 
 

@@ -6,8 +6,8 @@ from engine.drive.mechanisms.variable_ratio import Linkage
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
-from workbook.book.sentence import amount, figure, rounded
-from workbook.book.sentence import shown as rounding
+from workbook.book.sentence import amount, as_shown, figure
+from workbook.book.sentence import as_shown_formula as rounding
 from workbook.fields.types import DesignError
 from workbook.fields.units import MM, shown
 from workbook.law_sheets.library import laws
@@ -74,7 +74,7 @@ def linkage_checks(view: DriveView) -> list[Quantity]:
     ]
 
 
-def apart(given: MechanismEntry, unit: str) -> str:
+def size_fault(given: MechanismEntry, unit: str) -> str:
     """Return the fault of sizes that do not go together; of a table, the first point that does not rise."""
     if isinstance(given, Table):
         for row, (before, other) in enumerate(pairwise(given.points), 2):
@@ -98,7 +98,7 @@ def require_mechanisms(machine: AnyMachine) -> None:
         if given is None or not given.LARGE:
             continue
         where, large = f"axes.{axis.number - 1}.mechanism", given.model_dump() | given.LARGE
-        if problem := apart(given, axis.given.unit):
+        if problem := size_fault(given, axis.given.unit):
             raise DesignError(where, problem, large)
         if not given.SLIDES and (problem := beyond_reach(axis, linkage_of(given, axis.unit))):
             raise DesignError(where, problem, large)
@@ -111,5 +111,5 @@ def beyond_reach(axis: MovingAxis, linkage: Linkage) -> str:
         if errors:
             farthest, unit = max(errors, key=lambda error: error.by), axis.given.unit
             place, by = (shown(value, axis.unit) for value in (farthest.position, farthest.by))
-            return f"{axis.given.name} row {row}" + WORDS.format(figure(place), unit, rounded(by), unit, farthest.end)
+            return f"{axis.given.name} row {row}" + WORDS.format(figure(place), unit, as_shown(by), unit, farthest.end)
     return ""

@@ -8,7 +8,7 @@ import numpy as np
 from engine.drive.bounds import stated_bounds
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
-from workbook.book.sentence import CheckSentence, Sentence, amount, rounded
+from workbook.book.sentence import CheckSentence, Sentence, amount, as_shown
 from workbook.drive import motor
 from workbook.entries.facts import table_of
 from workbook.fields.texts import sheet_title
@@ -162,7 +162,7 @@ def outcome(view: DriveView) -> list[Quantity]:
         ),
         cell("@inertias", view.inertia_ratio),
         cell("@j_all", shown(driven.motor_used.inertia + view.inertia, KG_CM2)),
-        cell("@j_figures", Sentence(" + ".join(map(rounded, shown(inertias, KG_CM2))))),
+        cell("@j_figures", Sentence(" + ".join(map(as_shown, shown(inertias, KG_CM2))))),
         cell("@largest", view.peaks.size("T"), source=to(bound.peak_torque)),
         cell("@tmax", view.peaks.top("T"), source=to(bound.peak_torque) + damped, row=rows["T", 1, 2]),
         cell("@tmin", -view.peaks.top("T", -1), source=to(bound.peak_torque), row=rows["T", -1, 2]),

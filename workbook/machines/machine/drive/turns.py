@@ -6,12 +6,12 @@ from engine.drive.turning import PARTS
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import LEAST, NOT_ZERO, filled
-from workbook.book.sentence import CheckSentence, spelled
+from workbook.book.sentence import CheckSentence, sentence_formula
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown
 from workbook.machines.machine.boundary.curves import BENT_FROM, bends_name
 from workbook.machines.machine.drive.view import DriveView
-from workbook.motion.pieces import FROM_START, arguments, at_place, turned
+from workbook.motion.pieces import FROM_START, arguments, at_place, sine_arguments
 
 CELLS = cell_tables(__file__)
 
@@ -49,7 +49,7 @@ def columns(view: DriveView) -> list[Quantity]:
         cell("after", filled([turn.after for turn in turns], room), axis_turns=of),
         cell("s", filled([turn.share for turn in turns], room), axis_turns=of, half=0.5 / PARTS),
         cell("u", u + LEAST, pieces=rows.at.pieces, not_zero=NOT_ZERO, source=FROM_START),
-        *arguments(rows, "", "[q]", turned(pieces, u)),
+        *arguments(rows, "", "[q]", sine_arguments(pieces, u)),
         *(
             cell(name, values, unit=rows.at.unit(order), there=at_place(rows, order, "", "[q]"), scale=size(order))
             for order, (name, values) in enumerate((("v", v), ("a", a), ("j", j)), 1)
@@ -70,5 +70,5 @@ def turns_check(view: DriveView) -> Quantity:
     """Return the check that the drive is cut wherever it turns round."""
     cell = CELLS["turns_check"].sharing(**view.parts)
     count, cut = len(view.tables.turning.turns), view.turns_cut
-    says = CheckSentence(spelled(FULL, "@turned", "@cut"), FULL.format(count, cut))
+    says = CheckSentence(sentence_formula(FULL, "@turned", "@cut"), FULL.format(count, cut))
     return cell("@ok_turned", count == cut, says=says)

@@ -138,7 +138,7 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     cell.begin(sheet)
     cell.place(
         sheet,
-        cell("what", [named(key, " elsewhere") for key in found]),
+        cell("what", [peak_name(key, " elsewhere") for key in found]),
         cell("sign", [way for _, way, _ in found]),
         cell("most", [shown(peak.values[1], PEAK_UNITS[name]) for (name, *_), peak in found.items()]),
         cell("at", (at + 1).tolist(), beyond=last + 1),
@@ -160,7 +160,7 @@ def again_table(sheet: Sheet, view: DriveView) -> None:
     cell = CELLS["again"].sharing(row=rows, column=[name for name, *_ in first], at=at, size=size)
     cell.place(
         sheet,
-        cell("what", [named(key, " again") for key in found]),
+        cell("what", [peak_name(key, " again") for key in found]),
         cell("sign", [way for _, way, _ in found]),
         cell("off", [shown(beside[key].second_offset, DEGREE) for key in first]),
         *parabolas(cell, values, list(found.values())),
@@ -176,7 +176,7 @@ def parabolas(cell: CellTable, values: list[Array], found: list[Peak]) -> list[Q
     return [cell(name, column) for name, column in zip(PARABOLA, columns, strict=True)]
 
 
-def named(key: Key, more: str) -> str:
+def peak_name(key: Key, more: str) -> str:
     """Return the name of a row of peaks; behind rows of rank 2 stands more."""
     name, way, rank = key
     return f"{PEAK_NAMES[name]}, {'highest' if way > 0 else 'lowest'}{more * (rank - 1)}"

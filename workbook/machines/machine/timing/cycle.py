@@ -7,7 +7,7 @@ from workbook.fields.units import DEGREE, shown
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.view import MachineView
 from workbook.motion.exported import Exportable, ShiftCells
-from workbook.motion.pieces import POSITION, finding, sampled
+from workbook.motion.pieces import POSITION, at_sample, workings_at
 
 CELLS = cell_tables(__file__)
 
@@ -47,7 +47,7 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
             cell("lane", lane, earlier=EARLIER),
             *([theta] if over.measured else []),
             cell("p", shown(unshifted.x, DEGREE), scale=360.0),
-            *finding(tables.pieces, "p", unshifted.x),
+            *workings_at(tables.pieces, "p", unshifted.x),
         )
     sheet.not_printed_below()
     sheet.unprinted, sheet.widths = "workings" not in book.print_also, {FIRST: 14}
@@ -58,14 +58,14 @@ def results(tables: AxisTables) -> list[Quantity]:
     cell = CELLS["results"]
     axis, unit, over = tables.axis, tables.axis.given.unit, tables.machine.over
     timed = axis.motion.at_speed(axis.unshifted(tables.machine.samples).x, axis.speed)
-    y, lift = sampled(tables.pieces, 0), over.lift(unit).shown
+    y, lift = at_sample(tables.pieces, 0), over.lift(unit).shown
     either = f"1000*({y})" if unit == "mm" else f"DEGREES({y})"
     position = shown(axis.at(tables.machine.samples).y, axis.unit)
     table = CELLS["rates"].sharing(symbols=over.symbols, units=tuple(over.rates(unit)), lift=lift)
 
     def rate(name: str, order: int, source: str) -> Quantity:
         own = {"source": source} if over.timed else {}
-        place = sampled(tables.pieces, order)
+        place = at_sample(tables.pieces, order)
         return table(name, axis.rate(timed[order]), sampled=place, scale=axis.size(order), **own)
 
     return [

@@ -32,7 +32,7 @@ def phases_table(sheet: Sheet, tables: AxisTables, behind: int) -> None:
 
 def phase_columns(tables: AxisTables) -> list[Quantity]:
     """Return the columns of phases: entries, and what each movement comes to."""
-    return [*entered(tables), *extremes(tables)]
+    return [*entered_columns(tables), *extremes(tables)]
 
 
 def phase_workings(tables: AxisTables) -> list[Quantity]:
@@ -43,7 +43,11 @@ def phase_workings(tables: AxisTables) -> list[Quantity]:
         cell("y2", moving(tables, lambda phase: phase.y2_max), own=own(tables, "amax", ACCELERATION)),
         cell("y3", moving(tables, lambda phase: phase.y3_max), own=own(tables, "jmax", JERK)),
     ]
-    return [*faults(tables), *used(tables), *geometric]  # texts first: a number would show as ### at the print's edge
+    return [
+        *faults(tables),
+        *used_columns(tables),
+        *geometric,
+    ]  # texts first: a number would show as ### at the print's edge
 
 
 def moving(tables: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
@@ -52,17 +56,17 @@ def moving(tables: AxisTables, figure: Callable[[Phase], float]) -> list[float |
     return [finite(figure(moves[k])) if k in moves else 0.0 for k in range(tables.rows)]
 
 
-def doubled(formula: str) -> str:
+def every_second_row(formula: str) -> str:
     """Return a formula that takes a figure of the same row, of which phases stand in every second."""
     return formula.replace(",[k])", ",2*[k])")
 
 
 def own(tables: AxisTables, column: str, formula: str) -> str:
     """Return a formula of each phase: that of its own ends, if phases of the book hand over, or the law's."""
-    return doubled(tables.ends.own(column, formula)) if tables.ends else formula
+    return every_second_row(tables.ends.own(column, formula)) if tables.ends else formula
 
 
-def entered(tables: AxisTables) -> list[Quantity]:
+def entered_columns(tables: AxisTables) -> list[Quantity]:
     """Return the columns of kind and entries, of rates at the ends too if phases hand over."""
     over, axis = tables.machine.over, tables.axis
     key = f"axes.{axis.number - 1}.phases.*"
@@ -78,7 +82,7 @@ def entered(tables: AxisTables) -> list[Quantity]:
             units, symbols = over.rates(axis.given.unit)[:2], over.symbols[1:3]
         passing = rate_columns(entry("velocity"), entry("acceleration"), key, units, symbols)
     return [
-        cell("kind", sampling.kinds(axis.phases, tables.rows), formula=doubled(sampling.kind(tables.at.ends))),
+        cell("kind", sampling.kinds(axis.phases, tables.rows), formula=every_second_row(sampling.kind(tables.at.ends))),
         cell("start", entry("start"), format=over.format, upper_limit=over.upper_limit),
         cell("stop", entry("stop"), format=over.format, upper_limit=over.upper_limit),
         cell("lift", entry("lift"), unit=axis.given.unit),
@@ -107,7 +111,7 @@ def extremes(tables: AxisTables) -> list[Quantity]:
     ]
 
 
-def used(tables: AxisTables) -> list[Quantity]:
+def used_columns(tables: AxisTables) -> list[Quantity]:
     """Return law, lift and angles of each phase as the cells compute with them."""
     cell = CELLS["used"]
     n, axis, over = tables.rows, tables.axis, tables.machine.over

@@ -174,7 +174,7 @@ def axes_table(sheet: Sheet, machine: MachineView) -> None:
         cell("a", [axis.max_acceleration for axis in axes], symbol=over.symbols[2], unit=acceleration),
         *extremes_compared(machine),
     )
-    sheet.workings(table, "axes_taken", "Workings", sheet.folded + 1, *taken(machine))
+    sheet.workings(table, "axes_taken", "Workings", sheet.folded + 1, *taken_columns(machine))
 
 
 def in_units(axes: list[MovingAxis]) -> dict[str, list[Any]]:
@@ -187,7 +187,7 @@ def in_units(axes: list[MovingAxis]) -> dict[str, list[Any]]:
     }
 
 
-def taken(machine: MachineView) -> list[Quantity]:
+def taken_columns(machine: MachineView) -> list[Quantity]:
     """Return the columns of what the cells compute with: shift, begin, greatest lift, jumps of the position."""
     cell, axes, over, unit = CELLS["axes_taken"], machine.axes, machine.over, units(machine)
     lifts, parts = [axis.greatest_lift for axis in axes], in_units(axes)

@@ -36,7 +36,7 @@ def lengths(linkage: SlideLinkage, lever: str, link: str) -> list[Quantity]:
     return [cell("@r", linkage.lever, lever=lever), cell("@l", linkage.link, link=link), cell("@e", linkage.offset)]
 
 
-def begun(linkage: SlideLinkage) -> list[Quantity]:
+def begin_of_lever(linkage: SlideLinkage) -> list[Quantity]:
     """Return the rows of the lever where the motion begins, and of what is an end of the reach."""
     cell = CELLS["begun"]
     d = float(np.hypot(linkage.zero, linkage.offset))
@@ -95,7 +95,7 @@ def crank_sizes(driven: Driven) -> list[Quantity]:
         cell("@x0", linkage.zero),
         cell("@low", low),
         cell("@high", high),
-        *begun(linkage),
+        *begin_of_lever(linkage),
     ]
 
 
@@ -123,7 +123,7 @@ def rocker_sizes(driven: Driven) -> list[Quantity]:
         cell("@none", linkage.far_off),
         cell("@low", low, scale=linkage.link),
         cell("@high", high, scale=linkage.link),
-        *begun(linkage),
+        *begin_of_lever(linkage),
     ]
 
 
