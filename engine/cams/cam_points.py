@@ -162,7 +162,7 @@ class FoundPhase:
         return True
 
 
-def fit_splines(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
+def splines(of: CamPoints, rebuilt: CamProfile, slopes: tuple[float, float], most: float) -> list[FoundPhase]:
     """Return consecutive splines through few points, in succession, that keep to the others.
 
     A movement that returns is divided farthest from its begin, a movement of more than a hundred points in its middle.

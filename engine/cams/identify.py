@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, fit_splines
+from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, splines
 from engine.cams.least_squares import gauss_newton
 from engine.cams.moving_phases import phases_at_speed, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
@@ -61,7 +61,7 @@ def identify(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: flo
     if _keeps_to(of, phases):
         return IdentifiedMotion(phases, _tolerance(of))
     slopes = [of.rate_at(side)[0] if moves else 0.0 for side, moves in ((0, begins), (-1, ends))]
-    through = fit_splines(of, rebuilt, (slopes[0], slopes[1]), max(of.thinned, of.near))
+    through = splines(of, rebuilt, (slopes[0], slopes[1]), max(of.thinned, of.near))
     first, last, y, lift = (float(value) for value in (*of.x[[0, -1]], of.y[0], of.y[-1] - of.y[0]))
     line = FoundPhase(law("LIN"), first, last, y, lift, known=False)
     missed = [replace(phase, fits=False) for phase in phases or [line]]
@@ -181,7 +181,7 @@ def _by_itself(of: CamPoints, rebuilt: CamProfile) -> list[FoundPhase]:
     phases, known = phases_at_speed(of, rebuilt)
     if known or np.abs(rebuilt.at(of.x[[0, -1]]).y1).max() > AT_SPEED * of.fastest:
         return phases if known else []
-    return fit_splines(of, rebuilt, (0.0, 0.0), max(of.thinned, of.near))
+    return splines(of, rebuilt, (0.0, 0.0), max(of.thinned, of.near))
 
 
 def _identify(of: CamPoints, laws: Sequence[Law], span: tuple[int, int], turns: tuple[bool, bool]) -> FoundPhase | None:

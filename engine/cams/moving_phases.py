@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, fit_splines
+from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, splines
 from engine.cams.least_squares import gauss_newton
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array, Flags
@@ -57,7 +57,7 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
         fitted = _law_between(laws, inner, sides, near)
         laid = [fitted] if fitted else _quintics(quintic, inner, rebuilt, sides, near)
         slopes = _slope(inner, sides[0], 0), _slope(inner, sides[1], -1)
-        laid = laid or fit_splines(inner, rebuilt, slopes, max(of.thinned, near))
+        laid = laid or splines(inner, rebuilt, slopes, max(of.thinned, near))
         if not laid:
             return [], False
         known &= fitted is not None
@@ -68,7 +68,7 @@ def phases_at_speed(of: CamPoints, rebuilt: CamProfile) -> tuple[list[FoundPhase
 def _law_between(laws: Sequence[BoundaryLaw], of: CamPoints, sides: Sides, near: float) -> FoundPhase | None:
     """Return the first law that a curve between two lines follows, in their direction or from a corner, or None."""
     ends = list(product(_meeting(of, sides[0], 0), _meeting(of, sides[1], -1)))
-    fits = (_fit_moving_law(law, of, both, near) for both in ends for law in laws if of.identifies(law))
+    fits = (_fit_law_to(law, of, both, near) for both in ends for law in laws if of.identifies(law))
     return next(filter(None, fits), None)
 
 
@@ -225,7 +225,7 @@ def _law_from_to(base: BoundaryLaw, places: Sequence[float], sides: Sides) -> Fo
     return FoundPhase(bounded, begin, end, first, last - first, 0.0)
 
 
-def _fit_moving_law(base: BoundaryLaw, of: CamPoints, sides: Sides, near: float) -> FoundPhase | None:
+def _fit_law_to(base: BoundaryLaw, of: CamPoints, sides: Sides, near: float) -> FoundPhase | None:
     """Return a law whose begin and end are fitted to the points by least squares; None if it does not fit."""
     step = np.diff(of.x)[[0, -1]]
     free = np.array([not side.fixed for side in sides])

@@ -14,7 +14,7 @@ from workbook.entries.design import mend_machine
 from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.laws.named import with_laws_by_code
-from workbook.reading.descriptions import counted_from_1, make_described_machine
+from workbook.reading.descriptions import counted_from_1, parse_machine
 from workbook.templates import TEMPLATES
 
 
@@ -113,7 +113,7 @@ LISTS = {
 @pytest.mark.parametrize("what", LISTS)
 @pytest.mark.sample(1)
 def test_a_list_without_rows_is_the_same_in_the_description_and_in_its_book(what, tmp_path):
-    given = make_described_machine(TEMPLATES["machine"], description() | LISTS[what], counted_from_1)
+    given = parse_machine(TEMPLATES["machine"], description() | LISTS[what], counted_from_1)
     build(given, tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []
     back, _ = read_inputs(tmp_path / "book.xlsx")

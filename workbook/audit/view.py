@@ -101,12 +101,12 @@ class View:
     @cached_property
     def columns(self) -> dict[tuple[str, int], list[int]]:
         """The sorted rows of all figures, by sheet and column."""
-        return places_by_line((cell.sheet, cell.column, cell.row) for cell in (*self.numbers, *self.forms))
+        return by_line((cell.sheet, cell.column, cell.row) for cell in (*self.numbers, *self.forms))
 
     @cached_property
     def rows(self) -> dict[tuple[str, int], list[int]]:
         """The sorted columns of all figures, by sheet and row."""
-        return places_by_line((cell.sheet, cell.row, cell.column) for cell in (*self.numbers, *self.forms))
+        return by_line((cell.sheet, cell.row, cell.column) for cell in (*self.numbers, *self.forms))
 
     def within(self, area: Area) -> Iterator[Address]:
         """Yield the figures in an area."""
@@ -178,7 +178,7 @@ class View:
         return self.texts.get(cell._replace(column=cell.column - 1), "") if cell.column > 1 else ""
 
 
-def places_by_line(places: Iterable[tuple[str, int, int]]) -> dict[tuple[str, int], list[int]]:
+def by_line(places: Iterable[tuple[str, int, int]]) -> dict[tuple[str, int], list[int]]:
     """Return places, sorted, by sheet and line."""
     lines = defaultdict(list)
     for sheet, line, place in sorted(places):
@@ -245,7 +245,7 @@ def order_formulas(view: View) -> tuple[list[Address], list[list[Address]]]:
 
 def needs_of(view: View) -> dict[Any, set[Any]]:
     """Return the formulas that each reads; of a range the largest of the parts into which columns are halved."""
-    rows = places_by_line((cell.sheet, cell.column, cell.row) for cell in view.forms)
+    rows = by_line((cell.sheet, cell.column, cell.row) for cell in view.forms)
     needs: dict[Any, set[Any]] = {
         (line, k): {part(line, of, 2 * k), part(line, of, 2 * k + 1)}
         for line, of in rows.items()

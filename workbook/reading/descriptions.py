@@ -37,7 +37,7 @@ def read_machine(path: Path) -> Machine:
     """Read the description in a TOML file; raise ReadError or InputError, with a line for each fault."""
     data = parse_toml(read_text(path, "a machine description, a .toml file"), path)
     template = template_named(data.get("template"), f"{path}: template")
-    return make_described_machine(template, data, lambda key: f"{path}: {counted_from_1(key)}")
+    return parse_machine(template, data, lambda key: f"{path}: {counted_from_1(key)}")
 
 
 def parse_toml(text: str, path: Path) -> dict[str, Any]:
@@ -76,7 +76,7 @@ def write_machine(machine: Machine) -> str:
     return tomlkit.dumps(refer_to_catalogues(as_entered(machine)))
 
 
-def make_described_machine(template: Template[M], data: dict[str, Any], where: Where) -> M:
+def parse_machine(template: Template[M], data: dict[str, Any], where: Where) -> M:
     """Validate a description, which may name laws as the catalogue does; raise InputError as :func:`validated` does."""
     try:
         named = with_laws_by_code(data, template.laws)

@@ -31,7 +31,7 @@ async def inputs(page: Page) -> str | None:
 async def print_page(page: Page, name: str) -> str:
     """Show a description on a page to print."""
     text = read_text(page.folder.file(name), "a description")
-    return pages.report_below_bar(await page.work.in_worker(shown.sheet, name, text, slow=True))
+    return pages.with_bar(await page.work.in_worker(shown.sheet, name, text, slow=True))
 
 
 async def verify(page: Page) -> str:
@@ -52,7 +52,7 @@ async def compare(page: Page) -> str:
     old, new = page.file("old"), page.file("new")
     done, text = await page.run_with_report("diff", old, new, "--html")
     design = home.design_of(page, new, old)
-    return pages.report_below_bar(text, design=design) if text else pages.printed_page("Comparison", done.text, "")
+    return pages.with_bar(text, design=design) if text else pages.printed_page("Comparison", done.text, "")
 
 
 async def controller(page: Page, name: str) -> str:
@@ -84,7 +84,7 @@ async def export(page: Page) -> str:
             with place.open("xb") as written:
                 written.write(file.read_bytes())
             links.append(pages.link(pages.address("file", place.name), f"Download {place.name}"))
-    return pages.report_below_bar(report, *links) if report else pages.printed_page(book.name, done.text, "not written")
+    return pages.with_bar(report, *links) if report else pages.printed_page(book.name, done.text, "not written")
 
 
 async def read(page: Page) -> str:

@@ -242,7 +242,7 @@ class Page(RequestHandler):
         if not text:
             return pages.printed_page(path.name, done.text, verdict)
         store_cached(JUDGED, digest, {"verdict": verdict})
-        return pages.report_below_bar(text, *links, design=design)
+        return pages.with_bar(text, *links, design=design)
 
 
 def without_folders(text: str, paths: Iterable[str | Path]) -> str:

@@ -70,7 +70,7 @@ def was_saved(book: bytes) -> bool:
         return AS_BUILT.encode() not in file.read(CORE)
 
 
-def report_below_bar(report: str, *do: str, design: str = "") -> str:
+def with_bar(report: str, *do: str, design: str = "") -> str:
     """Return a report of a command below the bar; what it tells of entries leads to the design's."""
     return report.replace("<body>", f'<body data-design="{shown(design)}">{bar(*do)}', 1)
 

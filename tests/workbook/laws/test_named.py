@@ -136,7 +136,7 @@ def test_a_law_of_the_description_goes_before_the_catalogues_of_like_name():
 @pytest.mark.parametrize("name", ["PO5", "quintic", "modified sine", "MT"])
 def test_a_law_of_the_description_hides_none_of_the_catalogue(name):
     with pytest.raises(InputError, match=r"laws\..*of the catalogue; expected its family, or another name"):
-        descriptions.make_described_machine(MACHINE, described({name: {"family": "SCC"}}), counted_from_1)
+        descriptions.parse_machine(MACHINE, described({name: {"family": "SCC"}}), counted_from_1)
 
 
 def test_in_a_book_only_its_own_laws_have_names():

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Callable
 
 import unohelper
-from motion_functions.cells import Cells, law_of_cells, motion, pairs, reflected_inertia, root_mean_square, single
+from motion_functions.cells import Cells, law_of_cells, motion, pairs, reflected, root_mean_square, single
 from motion_functions.law import NUM, Refused
 from motion_functions.service import Service
 from motionbook import XMotionFunctions
@@ -36,7 +36,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     **{name: partial(lambda n, x, phases, shift, cycle: motion(phases).later(x, single(shift), single(cycle))[n], n)
        for n, name in enumerate(("POS", "VEL", "ACC"))},
     "XI": inverse,
-    "JRED": lambda inertias, ratios: reflected_inertia(*pairs(inertias, ratios)),
+    "JRED": lambda inertias, ratios: reflected(*pairs(inertias, ratios)),
     "RMS": lambda values, durations: root_mean_square(*pairs(values, durations)),
 }  # fmt: skip
 """the functions by the names of their methods; what they take is declared in ``functions.toml``"""

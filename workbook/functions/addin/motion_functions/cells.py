@@ -205,7 +205,7 @@ def pairs(one: Cells, other: Cells) -> tuple[list[float], list[float]]:
     return [value for row in first for value in row], [value for row in second for value in row]
 
 
-def reflected_inertia(inertias: Sequence[float], ratios: Sequence[float]) -> float:
+def reflected(inertias: Sequence[float], ratios: Sequence[float]) -> float:
     """Return Σ J (ω_i/ω)². Source: S1, 'Feeding group layout'."""
     if min(inertias) < 0.0:
         raise Refused(NUM)
