@@ -12,6 +12,7 @@ from workbook.book.address import Address
 from workbook.build import build, build_keeping, read_entered, regenerate
 from workbook.errors import InputError
 from workbook.judging.carry_over import find_additions, not_carried
+from workbook.judging.moved_cells import Moves
 from workbook.reading.files import find_places
 
 PHASES = (0, 90, 2.0, "CIC"), (180, 200, -2.0, "CIC")
@@ -111,6 +112,20 @@ def test_own_cells_and_notes_stay_beside_what_they_are_about(change, match):
     assert beside[place._replace(column=31)] == f"={place.a1}*Costs!B1"
     assert [(cell.comment.author, at) for cell, at in own.notes] == [("A. Rossi", place)]
     assert [name.attr_text.replace("$", "").replace("'", "") for name in own.names] == [str(place).replace("'", "")]
+
+
+def own_verdict(book, drive):
+    """The cell with the verdict of a drive's sheet on its own checks."""
+    sheet = book.blocks[f"{drive}_tmax"].sheet
+    block = book.blocks[f"status{book.sheets.index(sheet) + 1}_own"]
+    return Address(sheet.title, block.row, block.column)
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_formula_on_a_sheets_own_verdict_keeps_to_it(change, match):
+    fresh = TEMPLATE.declare(described(CHANGES[change]))
+    at = Moves(match, fresh, set()).cell(own_verdict(match.declared, "drive1"))
+    assert at == own_verdict(fresh, f"drive{NUMBER.get(change, 1)}")
 
 
 def test_what_formulas_have_in_place_of_what_they_had_is_told(match):
