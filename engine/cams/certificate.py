@@ -211,13 +211,13 @@ def spread(of: CamProfile, n: int, order: int, least: NDArray[np.intp], exact: F
     sizes /= max(sizes.max(), 1e-300)
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
-        low, high = (middle, high) if step_counts(sizes, middle, least).sum() + 1 <= n else (low, middle)
-    steps = step_counts(sizes, low, least)
+        low, high = (middle, high) if _steps(sizes, middle, least).sum() + 1 <= n else (low, middle)
+    steps = _steps(sizes, low, least)
     inner = [np.linspace(a, b, k, endpoint=False) for a, b, k in zip(of.edges[:-1], of.edges[1:], steps, strict=True)]
     return np.concatenate([*inner, of.edges[-1:]])
 
 
-def step_counts(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.intp]:
+def _steps(sizes: Array, level: float, least: NDArray[np.intp]) -> NDArray[np.intp]:
     """Return the number of steps of each piece at a ``level`` from 0, fewest steps, to 1."""
     share = level / max(1.0 - level, 1e-15)
     return np.maximum(np.ceil(np.minimum(sizes * share, 1e7)), least).astype(np.intp)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.laws.extremes import Curve, narrow_brackets, zeros
+from engine.laws.extremes import Curve, narrow, zeros
 
 PARTS = 16  # of a bracket, in a round
 ROUNDS = 9  # of narrowing a bracket, to an eighth each
@@ -90,7 +90,7 @@ def crossings(function: Function, u: Array) -> list[float]:
     at = np.flatnonzero(positive[1:] != positive[:-1])
     if not at.size:
         return []
-    return [float(zero) for zero in narrow_brackets(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
+    return [float(zero) for zero in narrow(lambda u: function(u) > 0.0, u[at], u[at + 1], LAST_ROUNDS)]
 
 
 # the nodes of the rule on [−1, 1], and its weights

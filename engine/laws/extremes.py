@@ -60,7 +60,7 @@ class Curve:
         return u
 
 
-def without_leading_zeros(f: Curve) -> Curve:
+def trim(f: Curve) -> Curve:
     """Return a curve without the highest powers that are 0."""
     powers = max((k for k, c in enumerate(f.c, 1) if c), default=0)
     return Curve(f.c[:powers], f.sines)
@@ -74,7 +74,7 @@ def zeros(f: Curve, d: float) -> list[float]:
     The sum of two sines is searched in cells. A value within rounding has no sign: where f only touches zero, inside
     or at an end, its last digit would decide whether there are zeros beside that place.
     """
-    f = without_leading_zeros(f)
+    f = trim(f)
     if not f.c and len(f.sines) < 2:
         return _of_sine(f.sines[0], d) if f.sines else []
     if f.c:
@@ -99,7 +99,7 @@ def _of_sine(sine: Sine, d: float) -> list[float]:
 PARTS = 256  # of a bracket, in a round
 
 
-def narrow_brackets(positive: Callable[[Array], Flags], low: Array, high: Array, rounds: int) -> Array:
+def narrow(positive: Callable[[Array], Flags], low: Array, high: Array, rounds: int) -> Array:
     """Return the points at which a condition changes within brackets.
 
     An array of 256 samples costs hardly more than a sample, and narrows a bracket as far as eight halvings. If the
@@ -141,9 +141,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)  # of Gauss and Legendre, o
 def acceleration(piece: Piece) -> Curve:
     """Return a(u) of a piece as a curve of the least degree; a sine of ω = 0 becomes part of the constant."""
     still = math.fsum(p * math.sin(phi) for p, w, phi in piece.sines if w == 0.0)
-    return without_leading_zeros(
-        Curve((piece.c[0] + still, *piece.c[1:]), tuple(sine for sine in piece.sines if sine[1]))
-    )
+    return trim(Curve((piece.c[0] + still, *piece.c[1:]), tuple(sine for sine in piece.sines if sine[1])))
 
 
 def stationary_power_points(piece: Piece, v0: float) -> list[float]:
@@ -165,7 +163,7 @@ def stationary_power_points(piece: Piece, v0: float) -> list[float]:
     grid = np.linspace(0.0, piece.duration, cells + 1)
     up = rises(grid)
     at = np.flatnonzero(up[1:] != up[:-1])
-    return [float(u) for u in narrow_brackets(rises, grid[at], grid[at + 1], ROUNDS)]
+    return [float(u) for u in narrow(rises, grid[at], grid[at + 1], ROUNDS)]
 
 
 def stationary_points(piece: Piece) -> list[float]:

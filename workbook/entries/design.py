@@ -185,15 +185,15 @@ def as_entered(machine: Machine) -> dict[str, Any]:
     data = machine.model_dump(exclude_none=True)
     for key, old in machine.design.replaced.items():
         put(data, split(key), old)
-    return dict(without_empty_entries(data))
+    return dict(without_empty(data))
 
 
-def without_empty_entries(data: Any) -> Any:
+def without_empty(data: Any) -> Any:
     """Return a description without empty entries, and without empty rows at the end of lists."""
     if isinstance(data, dict):
-        return {key: without_empty_entries(value) for key, value in data.items() if value is not None}
+        return {key: without_empty(value) for key, value in data.items() if value is not None}
     if isinstance(data, list):
-        rows = [without_empty_entries(value) for value in data]
+        rows = [without_empty(value) for value in data]
         while rows and rows[-1] in ({}, None):
             rows.pop()
         return rows

@@ -77,7 +77,7 @@ def write_machine(machine: Machine) -> str:
 
 
 def parse_machine(template: Template[M], data: dict[str, Any], where: Where) -> M:
-    """Validate a description, which may name laws as the catalogue does; raise InputError as :func:`validated` does."""
+    """Return the machine of a description, which may name laws by their codes; raise as :func:`make_machine` does."""
     try:
         named = with_laws_by_code(data, template.laws)
     except EntryError as error:
@@ -86,7 +86,7 @@ def parse_machine(template: Template[M], data: dict[str, Any], where: Where) -> 
 
 
 def make_machine(template: Template[M], data: dict[str, Any], where: Where) -> M:
-    """Validate entries; raise InputError for faults of structure or type: other ones make an unfinished design."""
+    """Return the machine of entries; raise InputError for faults of structure or type: others leave it unfinished."""
     model = template.model
     try:
         return mend_machine(model, template.check, data)

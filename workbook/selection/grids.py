@@ -104,7 +104,7 @@ def products(sheet: Sheet, view: PairSelection) -> None:
 MASSLESS = 3  # ranks that need neither mass nor cost
 
 
-def ranking_columns(view: PairSelection, table: str, room: int, mass: Any, cost: Any) -> list[Quantity]:
+def ranking(view: PairSelection, table: str, room: int, mass: Any, cost: Any) -> list[Quantity]:
     """Return the columns of mass or cost of products, as pairs are ranked by it, and of whether that is given.
 
     Where pairs are ranked by the smallest motor, of motors those that are smaller count in place of these.
@@ -142,7 +142,7 @@ def motors(sheet: Sheet, view: PairSelection) -> None:
         cell("shaft", filled(np.nan_to_num(shown(m.shaft, MM)), n)),
         cell("mass", filled(np.nan_to_num(m.size), n)),
         cell("smaller", filled(view.grid.smaller, n, 0)),
-        *ranking_columns(view, "motors", n, m.size, m.cost),
+        *ranking(view, "motors", n, m.size, m.cost),
     )
 
 
@@ -184,5 +184,5 @@ def reducers(sheet: Sheet, view: PairSelection) -> None:
         cell("unit", filled(reciprocals, n)),
         cell("mixed", filled(mixed, n), mean=MIXED.format(**own), scale=view.shaft.product),
         cell("square", filled(square, n), mean=SQUARE.format(**own), scale=view.shaft.torque**2),
-        *ranking_columns(view, "reducers", n, r.size, r.cost),
+        *ranking(view, "reducers", n, r.size, r.cost),
     )

@@ -52,7 +52,7 @@ async def compare(page: Page) -> str:
     old, new = page.file("old"), page.file("new")
     done, text = await page.run_with_report("diff", old, new, "--html")
     design = home.design_of(page, new, old)
-    return pages.with_bar(text, design=design) if text else pages.printed_page("Comparison", done.text, "")
+    return pages.with_bar(text, design=design) if text else pages.printout("Comparison", done.text, "")
 
 
 async def controller(page: Page, name: str) -> str:
@@ -84,7 +84,7 @@ async def export(page: Page) -> str:
             with place.open("xb") as written:
                 written.write(file.read_bytes())
             links.append(pages.link(pages.address("file", place.name), f"Download {place.name}"))
-    return pages.with_bar(report, *links) if report else pages.printed_page(book.name, done.text, "not written")
+    return pages.with_bar(report, *links) if report else pages.printout(book.name, done.text, "not written")
 
 
 async def read(page: Page) -> str:
@@ -93,8 +93,8 @@ async def read(page: Page) -> str:
         target = page.folder.free(table.stem, ".toml")
         done = await page.run("read", table, "--from", page.get_body_argument("target"), "-o", target)
     if done.code:
-        return pages.printed_page(table.name, done.text, "not read")
-    return pages.printed_page(table.name, done.text, "read", target)
+        return pages.printout(table.name, done.text, "not read")
+    return pages.printout(table.name, done.text, "read", target)
 
 
 @lru_cache

@@ -156,7 +156,7 @@ class Page(RequestHandler):
             if self.request.headers.get("Accept") == JSON:
                 self.finish({"error": str(error).replace(f"{self.folder.path}{os.sep}", "")})
                 return
-            self.finish(pages.printed_page("This cannot be done", str(error), ""))
+            self.finish(pages.printout("This cannot be done", str(error), ""))
         else:
             self.set_header("Content-Type", "text/plain; charset=utf-8")
             self.finish(f"{status_code}: {self._reason}\n")
@@ -222,7 +222,7 @@ class Page(RequestHandler):
         """Write a description by a command, and edit it."""
         done = await self.run(command, source, "-o", target)
         if done.code:
-            return pages.printed_page(Path(source).name, done.text, done.written)
+            return pages.printout(Path(source).name, done.text, done.written)
         self.redirect(pages.address("edit", target.name))
         return None
 
@@ -240,7 +240,7 @@ class Page(RequestHandler):
         done, text = await self.run_with_report("verify", path, "--report")
         verdict = pages.VERDICTS.get(done.code, "cannot be read")
         if not text:
-            return pages.printed_page(path.name, done.text, verdict)
+            return pages.printout(path.name, done.text, verdict)
         store_cached(JUDGED, digest, {"verdict": verdict})
         return pages.with_bar(text, *links, design=design)
 

@@ -140,7 +140,7 @@ async def build(page: Page) -> str | dict[str, Any]:
         place_in_bin(book).write_bytes(before)
     if page.request.headers.get("Accept") == JSON:
         return {"book": book.name, "code": done.code, "words": done.text, "written": done.written}
-    return pages.printed_page(path.name, done.text, done.written, path, *filter(Path.exists, [book]))
+    return pages.printout(path.name, done.text, done.written, path, *filter(Path.exists, [book]))
 
 
 def place_in_bin(path: Path) -> Path:

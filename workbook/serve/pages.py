@@ -75,7 +75,7 @@ def with_bar(report: str, *do: str, design: str = "") -> str:
     return report.replace("<body>", f'<body data-design="{shown(design)}">{bar(*do)}', 1)
 
 
-def printed_page(title: str, words: str, verdict: str, *files: Path) -> str:
+def printout(title: str, words: str, verdict: str, *files: Path) -> str:
     """Return the page of what a command printed, and what can be done with the files of it."""
     return page(title, "printed", words=words, verdict=verdict, files=files)
 

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Callable
 
 import unohelper
-from motion_functions.cells import Cells, law_of_cells, motion, pairs, reflected, root_mean_square, single
+from motion_functions.cells import Cells, as_law, motion, pairs, reflected, root_mean_square, single
 from motion_functions.law import NUM, Refused
 from motion_functions.service import Service
 from motionbook import XMotionFunctions
@@ -22,16 +22,16 @@ def failure(number: int) -> float:
 
 def inverse(law: str, s: float, parameters: Cells) -> float:
     """Return the ξ at which a law first reaches s."""
-    chosen = law_of_cells(law, parameters)
+    chosen = as_law(law, parameters)
     if chosen.coefficients.v_min < -BACKWARDS:
         raise Refused(NUM)
     return chosen.xi_at(s)
 
 
 FUNCTIONS: dict[str, Callable[..., float]] = {
-    **{name: partial(lambda n, law, xi, parameters: law_of_cells(law, parameters).at(xi)[n], n)
+    **{name: partial(lambda n, law, xi, parameters: as_law(law, parameters).at(xi)[n], n)
        for n, name in enumerate(("S", "V", "A", "J"))},
-    **{name: partial(lambda n, law, parameters: law_of_cells(law, parameters).coefficients[n], n)
+    **{name: partial(lambda n, law, parameters: as_law(law, parameters).coefficients[n], n)
        for n, name in enumerate(("CV", "CA", "CARMS", "CJ"))},  # C_j is infinite, so #NUM!, where a jumps
     **{name: partial(lambda n, x, phases, shift, cycle: motion(phases).later(x, single(shift), single(cycle))[n], n)
        for n, name in enumerate(("POS", "VEL", "ACC"))},

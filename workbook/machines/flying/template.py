@@ -104,7 +104,7 @@ def judgement(given: FlyingCutter) -> ExactJudgement:
     return ExactJudgement(judged, [*deviations("Drive", drive.results, drive.exact)])
 
 
-def vary_entries(data: dict[str, Any], turn: int) -> dict[str, Any]:
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
     k = turn % library.SIX
     entries = data["cutter"]
@@ -131,7 +131,7 @@ def vary_entries(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-VARIED = library.varying(FlyingCutter, vary_entries, library.single_humped)
+VARIED = library.varying(FlyingCutter, varied, library.single_humped)
 TEMPLATE = Template("flying-cutter", FlyingCutter, declare, VARIED, check, axes=axes, judgement=judgement)
 
 

@@ -40,7 +40,7 @@ def declare(given: MotionLaws) -> Book:
     return finish(book, ("S1", "S3"))
 
 
-def vary_entries(data: dict[str, Any], turn: int) -> dict[str, Any]:
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn: 1 to 4 curves."""
     k = turn % SIX
     vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
@@ -51,4 +51,4 @@ def vary_entries(data: dict[str, Any], turn: int) -> dict[str, Any]:
 
 
 EVERY = {page.law.name: {"family": code} for code, page in FAMILY.items() if code not in CODES}
-TEMPLATE = Template("motion-laws", MotionLaws, declare, varying(MotionLaws, vary_entries), laws=EVERY)
+TEMPLATE = Template("motion-laws", MotionLaws, declare, varying(MotionLaws, varied), laws=EVERY)

@@ -24,7 +24,7 @@ SHIFTS = (0.0, 37.5, -20.0, 360.0, 145.25, 733.0)
 def variants(machine: AnyMachine) -> list[AnyMachine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
     suited = list if any(axis.motor is None for axis in machine.axes) else suited_to("table")
-    return [type(machine).model_validate(data) for data in variations(machine, vary_entries, suited)]
+    return [type(machine).model_validate(data) for data in variations(machine, varied, suited)]
 
 
 def suited_to(kind: str | None) -> Callable[[dict[str, Any]], list[str]]:
@@ -41,7 +41,7 @@ def suited_to(kind: str | None) -> Callable[[dict[str, Any]], list[str]]:
     return suited if kind else list
 
 
-def vary_entries(data: dict[str, Any], turn: int) -> dict[str, Any]:
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn: numbers scaled each by its own factor, choices turned."""
     k, laws, sizes, master = turn % SIX, data["laws"], data["sizes"], data["master"]
     scale, pace = factors(k), next(iter(master))

@@ -108,7 +108,7 @@ def axes(machine: IndexingOverlap) -> list[CamAxis]:
     return cam_axes
 
 
-def vary_entries(data: dict[str, Any], turn: int) -> dict[str, Any]:
+def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn."""
     k, entries = turn % library.SIX, data["overlap"]
     library.vary_laws(data["laws"], k, library.factors(k), data["sizes"]["pieces"])
@@ -124,7 +124,7 @@ def vary_entries(data: dict[str, Any], turn: int) -> dict[str, Any]:
     return data
 
 
-VARIED = library.varying(IndexingOverlap, vary_entries)
+VARIED = library.varying(IndexingOverlap, varied)
 TEMPLATE = Template("indexing-overlap", IndexingOverlap, declare, VARIED, check, axes)
 
 

@@ -128,7 +128,7 @@ def parameters(code: str, given: Cells) -> Rows:
     return tuple(row for row in filled if any(row)) or filled[:1]
 
 
-def law_of_cells(name: Cell, given: Cells) -> Law:
+def as_law(name: Cell, given: Cells) -> Law:
     """Return the law of a code with the parameters in cells."""
     code = str(name).strip().upper()
     return law(code, parameters(code, given))

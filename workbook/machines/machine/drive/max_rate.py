@@ -177,12 +177,12 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
         cell("most", [max(estimate.forward, estimate.backward) for estimate in estimates]),
         cell(
             "rate",
-            [rate_or_word(estimate.high) for estimate in estimated],
+            [as_rate(estimate.high) for estimate in estimated],
             up_to=[cycles if name == CYCLES else speed if name in SPEEDS else torque for name in names],
         ),
         cell(
             "low",
-            [rate_or_word(estimate.low, NEVER_HELD) for estimate in estimated],
+            [as_rate(estimate.low, NEVER_HELD) for estimate in estimated],
             since=["0+0" if name == CYCLES else since for name in names],
         ),
     )
@@ -191,7 +191,7 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
 LEVEL = {"limit": math.inf, "forward": 0.0, "backward": 0.0, "from_forward": 0.0, "from_backward": 0.0}
 
 
-def rate_or_word(rate: float, none: str = NOT_REACHED) -> float | str:
+def as_rate(rate: float, none: str = NOT_REACHED) -> float | str:
     """Return a rate (1/s) in cycles/min, or the word for none."""
     return none if math.isinf(rate) else shown(rate, PER_MINUTE)
 

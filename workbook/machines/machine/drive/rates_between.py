@@ -27,6 +27,7 @@ from workbook.machines.machine.drive.max_rate import (
     MEETS,
     NEVER_HELD,
     NOT_REACHED,
+    as_rate,
     cubic,
     estimates_table,
     grown,
@@ -34,7 +35,6 @@ from workbook.machines.machine.drive.max_rate import (
     largest,
     means,
     names_of,
-    rate_or_word,
 )
 from workbook.machines.machine.drive.view import DriveView
 
@@ -85,7 +85,7 @@ def tried_rate(view: DriveView) -> list[Quantity]:
         cell("@to", search.way[1]),
         target(view),
         *([CELLS["curve"]("@target_curve", TARGET_CURVE)] if view.knows_falling else []),
-        *([cell("@released", rate_or_word(search.released), not_reached=NOT_REACHED)] if view.brakes else []),
+        *([cell("@released", as_rate(search.released), not_reached=NOT_REACHED)] if view.brakes else []),
     ]
 
 
@@ -132,7 +132,7 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
         head: column[: len(rows)] for head, column in formulas_by_row(__file__, "by limit", **parts, **curves).items()
     }
     cell = cell.sharing(row=rows, **by_limit)
-    meets = [rate_or_word(search.met(name)) if name in search.between else NOT_REACHED for name in names]
+    meets = [as_rate(search.met(name)) if name in search.between else NOT_REACHED for name in names]
     sheet.row += 1
     cell.place(
         sheet,
@@ -148,8 +148,8 @@ def between_table(sheet: Sheet, view: DriveView) -> None:
         cell("part", [part(search, name) for name in names], not_reached=NOT_REACHED, scale=1.0),
         *(orders(view) if has_orders(view) else []),
         cell("met", meets, formula=[met_at(view, name) for name in names]),
-        cell("high", [rate_or_word(end.high) for end in ends]),
-        cell("low", [rate_or_word(end.low, NEVER_HELD) for end in ends], scale=view.rate),
+        cell("high", [as_rate(end.high) for end in ends]),
+        cell("low", [as_rate(end.low, NEVER_HELD) for end in ends], scale=view.rate),
     )
 
 
@@ -208,8 +208,8 @@ def ends(view: DriveView) -> list[Quantity]:
     low, high = search.limits_ends
     lows, highs = zip(*(search.ends.get(name, Ends(0.0, math.inf)) for name in names_of(view)), strict=True)
     return [
-        cell("@up_to", rate_or_word(high), not_reached=NOT_REACHED, up_to=up_to),
-        cell("@down_to", rate_or_word(low, NEVER_HELD), never_held=NEVER_HELD),
+        cell("@up_to", as_rate(high), not_reached=NOT_REACHED, up_to=up_to),
+        cell("@down_to", as_rate(low, NEVER_HELD), never_held=NEVER_HELD),
         cell("@high_row", highs.index(min(highs)) + 1),
         cell("@low_row", lows.index(max(lows)) + 1, quoted=quoted(NEVER_HELD)),
         cell("@some", int(search.range.high > 0.0)),
