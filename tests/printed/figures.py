@@ -121,6 +121,15 @@ def composed_motion() -> Iterator[Figure]:
         yield Figure("Function TVP", quantity, "", printed, "", ours, cell=f"motion-composer {cell}")
 
 
+OF_DRIVE = {
+    7: ("axes.v.1", 1.0), 8: ("drive1_speed", pi / 30), 10: ("drive1_tmax", 1.0), 12: ("drive1_tmin", 1.0),
+    13: ("drive1_rms", 1.0), 14: ("drive1_derate", 1.0),
+}  # fmt: skip
+OF_SCREW = OF_DRIVE | {0: ("drive1_ask_beside", 1.0)}
+OF_CONVEYOR = OF_DRIVE | {2: ("drive1_jtot", 1e-4), 3: ("drive1_j_all", 1e-4)}  # of the screw without η
+"""the cells of figures of S4 by the numbers of these, with what turns their units into these"""
+
+
 def actuators() -> Iterator[Figure]:
     """S4, Actuator Sizing."""
     yield from lead_screw()
@@ -150,8 +159,9 @@ def lead_screw() -> Iterator[Figure]:
         ("torque, decelerating", "Nm", "-0.0805 -0.0794856", found["decelerating"], 12, 1.0, rounded),
         ("RMS torque", "Nm", "0.044 0.0437990", sizing.results.rms_torque, 13, 1.0, ""),
     ):
-        cell = f"actuator-sizing drive1_printed.here.{row}" if row else "actuator-sizing drive1_ask_beside"
-        yield Figure("Lead screw", quantity, unit, *digits.split(), ours, reason, cell, factor)
+        cell, size = OF_SCREW.get(row, ("", 1.0))
+        place = cell and f"actuator-sizing {cell}"
+        yield Figure("Lead screw", quantity, unit, *digits.split(), ours, reason, place, factor * size)
 
 
 def conveyor() -> Iterator[Figure]:
@@ -177,8 +187,9 @@ def conveyor() -> Iterator[Figure]:
         ("RMS torque", "Nm", "0.147 1.439627", sizing.results.rms_torque, 13, 1.0, misprint),
         (ratio, "", "0.966 0.9660918", derating(35), 14, 1.0, ""),
     ):
-        cell = f"actuator-sizing-conveyor drive1_printed.here.{row}" if row else ""
-        yield Figure("Conveyor", quantity, unit, *digits.split(), ours, reason, cell, factor)
+        cell, size = OF_CONVEYOR.get(row, ("", 1.0))
+        place = cell and f"actuator-sizing-conveyor {cell}"
+        yield Figure("Conveyor", quantity, unit, *digits.split(), ours, reason, place, factor * size)
 
 
 DOCUMENTS = {

@@ -19,7 +19,7 @@ from workbook.templates import TEMPLATES
 from workbook.witnesses.engines import convert
 from workbook.writing.style import BEYOND
 
-PAGES = {"machine": 12, "cutting-machine": 8, "motion-composer": 16, "flying-cutter": 10, "indexing-overlap": 8}
+PAGES = {"machine": 12, "cutting-machine": 8, "motion-composer": 16, "flying-cutter": 10, "indexing-overlap": 6}
 """sheets of A4 at most"""
 SMALLEST = 6.98  # points: 7, but for the rounding of a page's scale
 HIGH = 1.22  # of the em: the box of a word in Carlito

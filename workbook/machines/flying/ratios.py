@@ -18,7 +18,7 @@ CHARTS = charts_beside(__file__)
 POINTS = 24  # of the curves of figure 12
 LEAST, MOST = 0.001, 0.1  # of α, where they begin
 OFF = -1.0  # left of the charts' edge: where what is not drawn is
-FINE = '0.0000##;-0.0000##;"–"'
+FINE = '0.0000;-0.0000;"–"'
 FIGURE_11 = "Ratios that each motor accepts, and reducers (S5, figure 11)"
 FIGURE_12 = "Ratios against the load factor, motor in use (S5, figure 12)"
 
@@ -99,6 +99,7 @@ class RatiosSheet:
             cell("to", high),
             cell("up", high - low, scale=self.first),
             cell("best", self.drawn(ranges.tau_opt, n, ranges.accepted)),
+            blank='[motor]=""',
         )
 
     def reducers(self, sheet: Sheet) -> None:

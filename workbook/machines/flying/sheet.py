@@ -9,7 +9,7 @@ from workbook.book.cell_tables import cell_tables, charts_beside
 from workbook.book.declare import FIRST, Book, Quantity, Sheet
 from workbook.book.sentence import amount
 from workbook.entries.facts import entry_cells
-from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown, si
+from workbook.fields.units import DEGREE, MM, PER_MINUTE, RPM, shown
 from workbook.law_sheets.library import NamedLaw
 from workbook.machines.flying.entries import DRUM, SAW
 from workbook.machines.flying.lengths import IS_DRUM, cases, waits
@@ -19,20 +19,13 @@ from workbook.motion.smooth import Joints
 
 CELLS = cell_tables(__file__)
 CHARTS = charts_beside(__file__)
-OF_MOTION = (
-    "Speed of the tool over a cycle",
-    "Position of the tool and of the product",
-    "Acceleration of the tool over a cycle",
-)
-OF_LOAD = (
-    "Generalized load torque at the shaft",
-    "Torque against speed of the shaft",
-    "Load factor against product length",
-)
+OF_MOTION = ("Speed of the tool", "Position of the tool", "Acceleration of the tool")
+OF_LOAD = ("Torque at the shaft", "Torque against speed", "Load factor")
 """the charts of the tool's motion and of its shaft's load"""
 
 OF_KIND = {DRUM: ("fly_tools", "fly_radius", "fly_angle", "fly_beyond"), SAW: ("fly_saw", "fly_lead", "fly_room")}
-"""by kind of machine its own entries; those of the other kind stand below what is printed"""
+JUDGED = {DRUM: ("fly_ok_tools", "fly_ok_angle"), SAW: ("fly_ok_stroke",)}
+"""by kind of machine its own entries and checks; those of the other kind stand below what is printed"""
 WAITS = waits("fly_length", "fly_beyond")
 # the row from which the sheet is free in its whole width; that of the entries of the other kind
 BELOW_CHARTS, BELOW_PRINT = 60, 70
@@ -48,11 +41,15 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
     cycle(sheet, machine)
     kinematics(sheet, machine, stroke)
     sheet.row += 1
-    verdicts(sheet, machine, joints, stroke)
+    others = JUDGED[SAW if machine.is_drum else DRUM]
+    checks = verdicts(machine, joints, stroke)
+    sheet.checks(*(q for q in checks if q.name not in others))
     charts(sheet)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     sheet.not_printed_below()
     sheet.row = BELOW_PRINT + 8
+    sheet.heading("Checks of the other kind of machine")
+    sheet.checks(*(q for q in checks if q.name in others))
     cases(sheet, machine)
     sheet.heading("Workings")
     sheet.rows(*geometry(machine), *superimposed_rows(machine))
@@ -103,8 +100,7 @@ def kinematics(sheet: Sheet, machine: CutterView, stroke: float) -> None:
     cell = CELLS["kinematics"]
     cut, (low, high), task = machine.cut, machine.cut.speed_range, machine.task(machine.cut)
     slowest, fastest = (shown(v / machine.tool.radius, RPM) for v in cut.speed_range)
-    per, limits = "*1000/fly_r", machine.given.limits
-    line_max = cut.fastest_line(si(limits.speed, RPM), limits.acceleration)
+    per = "*1000/fly_r"
     sheet.rows(
         cell("fly_dv", cut.speed_change),
         cell("fly_domega", cut.speed_change / machine.tool.radius, per=per),
@@ -117,7 +113,7 @@ def kinematics(sheet: Sheet, machine: CutterView, stroke: float) -> None:
         cell("fly_a_rms", cut.rms_acceleration),
         cell("fly_dw_rms", cut.rms_angular_acceleration, per=per),
         cell("fly_stroke", shown(stroke, MM)),
-        cell("fly_line_max", shown(line_max, PER_MINUTE)),
+        cell("fly_line_max", machine.fastest_line),
         cell("fly_w_max", cut.max_angular_speed),
         cell("fly_n", shown(cut.max_angular_speed, RPM)),
         cell("fly_torque_rms", task.torque_rms),
@@ -126,8 +122,8 @@ def kinematics(sheet: Sheet, machine: CutterView, stroke: float) -> None:
     )
 
 
-def verdicts(sheet: Sheet, machine: CutterView, joints: Joints, by_points: float) -> None:
-    """Declare the checks."""
+def verdicts(machine: CutterView, joints: Joints, by_points: float) -> list[Quantity]:
+    """Return the checks."""
     cut, limits = machine.cut, machine.given.limits
     fastest, hardest = shown(cut.max_angular_speed, RPM), cut.max_angular_acceleration
     stroke = 0.0 if machine.is_drum else shown(by_points, MM)
@@ -141,7 +137,7 @@ def verdicts(sheet: Sheet, machine: CutterView, joints: Joints, by_points: float
     too_hard = amount("fly_dw-fly_dw_max", hardest - limits.acceleration, "", " rad/s² too much")
     too_far = amount("fly_stroke-fly_room", stroke - room, "", " mm too much")
     cell = CELLS["verdicts"].sharing(near=near, is_drum=IS_DRUM)
-    sheet.checks(
+    return [
         cell("fly_ok_speed", fastest <= limits.speed, says=too_fast),
         cell("fly_ok_acceleration", hardest <= limits.acceleration, says=too_hard),
         cell("fly_ok_stroke", machine.is_drum or stroke <= room, says=too_far),
@@ -153,7 +149,7 @@ def verdicts(sheet: Sheet, machine: CutterView, joints: Joints, by_points: float
         cell("fly_ok_pieces", True, room=ROOM),
         cell("fly_ok_angle", True),
         cell("fly_ok_law", True, law=law),
-    )
+    ]
 
 
 def geometry(machine: CutterView) -> list[Quantity]:

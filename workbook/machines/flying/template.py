@@ -54,6 +54,7 @@ def declare(given: FlyingCutter) -> Book:
         about,
         [
             cell("about_rate", shown(cut.rate, PER_MINUTE)),
+            cell("about_line", view.fastest_line),
             cell("about_n", fastest),
             cell("about_dw", cut.max_angular_acceleration),
             cell("about_beta", beta),

@@ -73,6 +73,12 @@ class CutterView:
             return 1 if self.cut.displacement else 2
         return 4 if self.cut.speed_range[0] <= SAME_LENGTH * self.line else 3
 
+    @property
+    def fastest_line(self) -> float:
+        """The highest line speed at which its shaft is within its limits (m/min)."""
+        limits = self.given.limits
+        return shown(self.cut.fastest_line(si(limits.speed, RPM), limits.acceleration), PER_MINUTE)
+
     def of(self, length: float, beyond: Beyond | None = None) -> Cut:
         """Return the cut of a product length in mm, whose drum waits where the cells find the law fastest."""
         return Cut(self.tool, si(length, MM), self.line, self.law, beyond or self.given.beyond, self.peak)

@@ -48,6 +48,7 @@ def picture_sheet(book: Book, machine: OverlapView, pieces: sampling.Pieces) -> 
     sheet = book.sheet(
         "Picture", "All parts at one angle of the master shaft: change the angle and both pictures move."
     )
+    sheet.one_page = True
     sheet.heading("Enter")
     sheet.rows(cell("overlap_view", machine.given.view))
     states = States(machine, pieces)

@@ -30,8 +30,6 @@ from workbook.template_outputs import CamAxis
 
 CELLS = cell_tables(__file__)
 
-# what S2 prints beside the first sheet's results
-PRINTED = ("S2: 4.154 m/s²", "S2: 0.804 m/s²", "S2: 5.17")
 UNITS = ("°", "mm", "mm/°", "mm/°²")
 
 
@@ -44,17 +42,15 @@ def declare(given: IndexingOverlap) -> Book:
     book.sizes = {"°": TURN}
     about = "Motions of one machine, one after the other and with overlap: how much the acceleration falls."
     which, of = ("Peak", "tool1") if view.alone else ("Largest peak", "overlap")
-    before, after, lower = PRINTED if view.alone else ("", "", "")
-    times = view.stations[0].as_set.times_lower(view.stations[0].before)
-    ratio = cell("about_ratio", times, source=lower)
+    ratio = cell("about_ratio", view.stations[0].as_set.times_lower(view.stations[0].before))
     summary_sheet(
         book,
         given,
         about,
         [
-            cell("about_a0", view.peaks[0], which=which, of=of, source=before),
-            cell("about_a1", view.peaks[1], which=which, of=of, source=after),
+            cell("about_a1", view.peaks[1], which=which, of=of),
             *([ratio] if view.alone else []),
+            cell("about_a0", view.peaks[0], which=which, of=of),
             cell("about_least", view.least, of=of),
         ],
     )
