@@ -9,7 +9,7 @@ from tests.laws import MOVING
 from tests.mutation.machines import draw, shares, vary_laws
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive_entries import AxisLoad, AxisMotor, PowerEntry, Reducer, StageEntry, lacking
-from workbook.machines.machine.entries import Closes
+from workbook.machines.machine.entries import AxisPhase, Closes, MachineSizes, rests
 from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops
 from workbook.machines.machine.mechanism import LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units
@@ -25,13 +25,14 @@ def varied(data: dict[str, Any], drawn: random.Random) -> dict[str, Any]:
     vary_laws(data["laws"], drawn, sizes["pieces"])
     pace = next(iter(data["master"]))
     data["master"][pace] = drawn.uniform(5, 600) if pace == "rate" else 10 ** drawn.uniform(-2, 4)
-    for axis in data["axes"]:
+    for i, axis in enumerate(data["axes"]):
         laws = MOVING if axis["motor"] is None else [name for name in MOVING if name in SHAPED]
         made = phases(drawn, sizes["phases"], laws)
+        room = MachineSizes(**sizes).pieces_of(i + 1) - len(rests([AxisPhase(**row) for row in made]))
         axis.update(
             closes=drawn.choice(("feed", "position")), smoothness=drawn.choice(get_args(Smoothness)),
             shift=drawn.choice((0.0, float(drawn.randint(-720, 720)), drawn.uniform(-400, 400))),
-            phases=dwells_for_room(made, data["laws"], sizes["motion_pieces"] - len(made) - 1),
+            phases=dwells_for_room(made, data["laws"], room),
         )  # fmt: skip
         if axis["motor"] is not None:
             drive(axis, drawn, sizes["rotors"], sizes["positions"])

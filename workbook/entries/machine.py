@@ -12,6 +12,11 @@ from workbook.fields.types import EntryError, Model
 from workbook.laws.entries import Laws, resolve
 from workbook.laws.pages.spline import ROOM
 
+Rows = Annotated[int, Field(ge=10, le=800)]
+AS_A_LIST = BeforeValidator(lambda rows: [rows] if isinstance(rows, int) else rows, Rows | list[Rows])
+RowsOfMotions = Annotated[list[Rows], Field(min_length=1), AS_A_LIST]
+"""the rows for pieces of each motion, the last for all that follow; a single number for all"""
+
 
 class Sizes(Model):
     """Sizes of the tables: intervals of a cycle, a law, an exported axis; rows."""
@@ -23,8 +28,13 @@ class Sizes(Model):
     rotors: Annotated[int, Field(ge=2, le=60)] = 6
     pieces: Annotated[int, Field(ge=2, le=60)] = 8
     points: Annotated[int, Field(ge=8, le=ROOM)] = 12
-    # None: a few more than the motion has
-    motion_pieces: Annotated[int, Field(ge=10, le=800)] | None = None
+    # None: a few more than each motion has
+    motion_pieces: RowsOfMotions | None = None
+
+    def pieces_of(self, number: int) -> int:
+        """Return the rows for pieces of a motion, by its number from 1: the last stated holds for all others."""
+        stated = self.motion_pieces or [0]
+        return stated[min(number, len(stated)) - 1]
 
 
 class Fault(NamedTuple):

@@ -1,5 +1,6 @@
 """Requirements of a motion: smoothness, velocity and acceleration where curved phases meet, room for its pieces."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Literal, get_args
@@ -95,19 +96,18 @@ def piece_count(law: Law) -> int:
     return len(law_pieces(law))
 
 
-def settle_room(machine: Machine, most: int, rest: int, at_once: int = 1) -> int:
-    """Settle the room for the pieces of a motion: what is stated, or a few rows more than ``most``; raise EntryError.
+def settle_room(machine: Machine, needed: Sequence[int], rest: int, at_once: int = 1) -> None:
+    """Settle the rows for pieces of each motion: what is stated, or a few more than are ``needed``; raise EntryError.
 
     At least for ``rest`` pieces and any law of the book ``at_once`` times: so many does verify try.
     """
     least = rest + at_once * max(machine.sizes.pieces, *piece_counts(machine.laws).values())
-    room = machine.sizes.motion_pieces
-    if room is None:
-        room = max(least, most + FEW)
-        object.__setattr__(machine, "sizes", machine.sizes.model_copy(update={"motion_pieces": room}))
-    if room < least:
-        raise EntryError("sizes.motion_pieces", f"{room} pieces are too few; expected at least {least}")
-    return room
+    stated = machine.sizes.motion_pieces
+    rooms = stated or [max(least, most + FEW) for most in needed]
+    if min(rooms) < least:
+        raise EntryError("sizes.motion_pieces", f"{min(rooms)} pieces are too few; expected at least {least}")
+    if stated is None:
+        object.__setattr__(machine, "sizes", machine.sizes.model_copy(update={"motion_pieces": rooms}))
 
 
 def dwells_for_room(phases: list[dict[str, Any]], given: dict[str, Any], room: int) -> list[dict[str, Any]]:

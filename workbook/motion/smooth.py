@@ -78,11 +78,14 @@ class Joints:
         """Declare the table of what jumps at the begin of each piece, and rows on the first jump that is too much."""
         pieces = filled(self.rows.pieces, room, replace(self.rows.pieces[-1], duration=0.0))
         joints = filled(self.joints, room, self.joints[-1]._replace(before=-1, jump=Rates(), order=0))
+        cell = CELLS["lasting"].sharing(at=self.rows.at)
         sheet.table(
             self.name,
             title,
             room,
-            *self._lasting(pieces, joints),
+            cell("r", list(range(1, room + 1))),
+            cell("n", [joint.piece_count for joint in joints]),
+            cell("of", [joint.phase + 1 for joint in joints]),
             *self._ends(pieces),
             *self._rates(pieces, joints),
             *self._jumps(pieces, joints),
@@ -90,29 +93,17 @@ class Joints:
         )
         sheet.rows(*self._first())
 
-    def _lasting(self, pieces: list[MotionPiece], joints: list[Joint]) -> list[Quantity]:
-        """Return the columns of the pieces that last, and of the phases that meet where they begin."""
-        cell = CELLS["lasting"].sharing(at=self.rows.at, joints=self.name)
-        return [
-            cell("r", list(range(1, len(pieces) + 1))),
-            cell("d", [piece.duration for piece in pieces], scale=self.rows.end),
-            cell("p", [piece.phase + 1 for piece in pieces]),
-            cell("n", [joint.piece_count for joint in joints]),
-            cell("of", [joint.phase + 1 for joint in joints]),
-            cell("from", [joint.before + 1 for joint in joints]),
-        ]
-
     def _ends(self, pieces: list[MotionPiece]) -> list[Quantity]:
         """Return the columns of each piece's end, with its powers; of its begin if a motion opens within."""
         at, room = self.rows.at, len(pieces)
         if not at.opens:
             durations = np.array([piece.duration for piece in pieces])
-            return place_columns(self.rows, "1", "end", "=[d]", durations, pieces)
+            return place_columns(self.rows, "1", "end", f"=[{at.pieces}.d.same]", durations, pieces)
         nexts = filled((piece.begin for piece in self.rows.pieces[1:]), room, self.rows.end)
         ends = [after - piece.origin if piece.duration else 0.0 for piece, after in zip(pieces, nexts, strict=True)]
         begins, begin = [opening(piece) for piece in pieces], f"[{at.pieces}.begin.same]"
         after = f"IF([r]<{room},INDEX([{at.pieces}.begin],MIN([r]+1,{room})),{at.end})"
-        from_origin = f"=IF([d]>0,{{}}-[{at.pieces}.origin.same],0)"
+        from_origin = f"=IF([{at.pieces}.d.same]>0,{{}}-[{at.pieces}.origin.same],0)"
         return [
             *place_columns(self.rows, "0", "begin", from_origin.format(begin), np.array(begins), pieces),
             *place_columns(self.rows, "1", "end", from_origin.format(after), np.array(ends), pieces),
@@ -120,7 +111,7 @@ class Joints:
 
     def _rates(self, pieces: list[MotionPiece], joints: list[Joint]) -> list[Quantity]:
         """Return y', y'' and y''' at both ends of each piece."""
-        cell, rows = CELLS["rates"], self.rows
+        cell, rows = CELLS["rates"].sharing(at=self.rows.at), self.rows
         at_begins = [np.array(opening(piece)) for piece in pieces]
 
         def begun(name: str, n: int) -> Quantity:
@@ -143,7 +134,7 @@ class Joints:
             (k if joint.piece_count > 1 else wrapped) * (piece.duration > 0.0)
             for k, (joint, piece) in enumerate(zip(joints, pieces, strict=True))
         ]
-        cell = CELLS["jumps"].sharing(joints=self.name, order=self.required.order)
+        cell = CELLS["jumps"].sharing(joints=self.name, order=self.required.order, at=self.rows.at)
         scales = self.scales
         return [
             cell("met", met, last=last),
@@ -151,7 +142,6 @@ class Joints:
             cell("da", [joint.jump.a for joint in joints], scale=scales.a),
             cell("dj", [joint.jump.j for joint in joints], scale=scales.j),
             cell("order", [joint.order for joint in joints]),
-            cell("size", [joint.size for joint in joints], scale=max(scales)),
         ]
 
     @property
@@ -164,7 +154,7 @@ class Joints:
         """Return the rows of the first joint that is less smooth than asked: its piece, place, size and sentence."""
         required, order, words = self.required, self.required.order, self._words()
         at, asked, named = self.rows.at, self.rows.at.required, bool(self.required.names)
-        cell = CELLS["first"].sharing(order=order, joints=self.name, phases=at.phases, asked=asked)
+        cell = CELLS["first"].sharing(order=order, joints=self.name, phases=at.phases, asked=asked, at=at)
 
         def row(name: str, **parts: str) -> Quantity:
             return cell(name, words[name.removeprefix("{order}_")], **parts)
@@ -175,8 +165,9 @@ class Joints:
         def slope_of(end: str) -> str:
             return jump_formulas(required, "", f"INDEX([{asked}.slope],{order}_{end})", "1")[1]
 
-        begin, jump = of_piece(f"{at.pieces}.begin"), f"ABS({of_piece(f'{self.name}.size')})"
-        place, size = jump_formulas(required, begin, jump, of_piece(f"{self.name}.order"))
+        begin, what = of_piece(f"{at.pieces}.begin"), of_piece(f"{self.name}.order")
+        jump = f"ABS(INDEX([{self.name}.dv:dj],{order}_piece,{what}))"
+        place, size = jump_formulas(required, begin, jump, what)
         phases = [row("{order}_before"), row("{order}_after"), row("{order}_other")]
         straight = [
             row("{order}_straight"),

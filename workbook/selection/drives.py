@@ -71,17 +71,15 @@ def points_table(sheet: Sheet, view: PairSelection) -> None:
     cell.place(
         sheet,
         cell("k", rows),
-        *([cell("at", [min(k, shaft.rows * POINTS) for k in rows])] if view.is_ragged else []),
         *named_figure(view, "dir", view.load.load.direction),
         *named_figure(view, "al", load.acceleration, "@turns*{}", scale=shaft.turning),
         *named_figure(view, "S", load.driving + load.driven, "{}*(1-@brake*([dir]=0))", scale=shaft.torque),
         *named_figure(view, "n", speed, shaft.rpm, scale=max(float(speed.max()), 1e-3)),
         cell("driving", of(load.driving), scale=shaft.torque),
-        cell("driven", of(load.driven), scale=shaft.torque),
     )
-    names = {in_scope(f"@{name}", sheet.scope): name for name in ("dir", "al", "n")}
-    names |= {in_scope("@out", sheet.scope): "driving", in_scope("@back", sheet.scope): "driven"}
-    sheet.book.name(in_scope("@points", sheet.scope), **names)
+    names = {"dir": "dir", "al": "al", "n": "n", "out": "driving", "all": "S"}
+    scoped = {in_scope(f"@{name}", sheet.scope): column for name, column in names.items()}
+    sheet.book.name(in_scope("@points", sheet.scope), **scoped)
 
 
 GROUP = 5  # drives among which a single formula chooses
@@ -92,18 +90,18 @@ def named_figure(
 ) -> list[Quantity]:
     """Return the column of a figure, within ``whole``, of the named drive; of many, a column for each group before."""
     cell = CELLS["points"]
-    row = "[at]" if view.is_ragged else "[k]"
-    names = [f"INDEX({shaft.columns}_{name},{row})" for shaft in view.shafts]
-    column = view.by_point(values)
+    names = [f"INDEX({shaft.columns}_{name},[k])" for shaft in view.shafts]
+    column, has_point = view.by_point(values), ",[k]<=@last" * view.is_ragged
     if len(names) <= GROUP:
-        choice = f"CHOOSE(@no,{','.join(names)})" if len(names) > 1 else names[0]
-        return [cell(name, column, figure=whole.format(choice), scale=scale)]
+        figure = whole.format(f"CHOOSE(@no,{','.join(names)})" if len(names) > 1 else names[0])
+        figure = f"IF([k]<=@last,{figure},0)" if view.is_ragged else figure
+        return [cell(name, column, figure=figure, scale=scale)]
     groups = []
     for first in range(0, len(names), GROUP):
         chosen = names[first : first + GROUP]
         last = first + len(chosen)
         choice = whole.format(f"CHOOSE(@no-{first},{','.join(chosen)})")
-        figure = f"IF(AND(@no>{first},@no<={last}),{choice},0)"
+        figure = f"IF(AND(@no>{first},@no<={last}{has_point}),{choice},0)"
         group = cell(name, column if first <= view.number < last else 0.0, figure=figure, scale=scale)
         label = f"{group.label}, drives {first + 1} to {last}"
         groups.append(group._replace(name=f"{name}{first + 1}", label=label))

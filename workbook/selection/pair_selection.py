@@ -103,7 +103,7 @@ class Shaft:
 
 def torque_of(inertia: str, ratio: str, out: str, back: str, own: str) -> str:
     """Return the formula of the torques of a motor at the points of the cycle; ``out`` is 1/(η i), ``back`` η/i."""
-    return f"{inertia}*{ratio}*@al+{out}*@out+{back}*@back+{own}*@dir"
+    return f"{inertia}*{ratio}*@al+{out}*@out+{back}*(@all-@out)+{own}*@dir"
 
 
 def rms_of(inertia: str, ratio: str, mixed: str, square: str) -> str:
@@ -203,9 +203,9 @@ class PairSelection:
         self.ranked = self.grid.best(given.rank)  # motor and reducer, best first
 
     def by_point(self, values: Array) -> list[float]:
-        """Return values of the points as a column; spare rows have that of the last."""
+        """Return values of the points as a column; spare intervals have that of the last, rows beyond them 0."""
         flat = values.ravel()
-        return filled(flat, self.point_rows, float(flat[-1]))
+        return filled(filled(flat, self.shaft.rows * POINTS, float(flat[-1])), self.point_rows)
 
     def in_use(self, name: str) -> float:
         """Return a figure of the pair that the shaft has."""

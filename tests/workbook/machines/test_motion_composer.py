@@ -51,14 +51,12 @@ def test_dwells_told_as_phases_are_the_rests_between_them():
     assert value("overall") == "OK"
 
 
-# --- Junctions and closure ------------------------------------------------------------------------
-
-
 def test_junctions_tell_the_jumps():
     """Constant acceleration 0 → 10 in 2, then −10 in 4: y'' falls from −10 to −2.5 at the top."""
     machine = composed((("ACS", 10.0, 2.0), ("ACS", -10.0, 4.0)), smoothness="velocity")
     value = computed(MACHINE, machine)
-    pairs = list(zip(value("axis1_joints", "from"), value("axis1_joints", "p"), strict=True))
+    steps, met = value("axis1_joints", "of"), value("axis1_joints", "met")
+    pairs = [(steps[row - 1] if row else 0, step) for row, step in zip(met, value("axis1_pieces", "p"), strict=True)]
     joint, wrap = pairs.index((2, 4)), pairs.index((4, 2))  # steps: rests between them last nothing
     per = math.degrees(1.0) * value("omega") ** 2
     assert value("axis1_joints", "da")[joint] * per == pytest.approx(-2.5 + 10, rel=1e-12)
@@ -94,9 +92,6 @@ def test_a_law_that_does_not_reach_its_lift_jumps_in_position():
     assert value("axis1_taken", "lack")[0] == pytest.approx(math.radians(2.5))
 
 
-# --- Units, entries -------------------------------------------------------------------------------
-
-
 def test_axis_titles_follow_the_units_entered(tmp_path):
     build(composed(over="s", unit="mm"), tmp_path / "time.xlsx")
     build(composed(over="mm"), tmp_path / "travel.xlsx")
@@ -108,9 +103,6 @@ def test_axis_titles_follow_the_units_entered(tmp_path):
         ends = [axis.title for chart in charts for axis in (chart, chart.x_axis, chart.y_axis) if axis.title]
         titles = {"".join(run.t for part in title.tx.rich.p for run in part.r or []) for title in ends}
         assert titles == expected
-
-
-# --- The committed files --------------------------------------------------------------------------
 
 
 def test_every_committed_description_has_its_digest_and_six_books_are_in_git():

@@ -4,13 +4,15 @@ import openpyxl
 import pytest
 
 from tests.workbook.cells import computed, disagreeing
-from tests.workbook.composed import MACHINE
+from tests.workbook.composed import MACHINE, description, placed
 from tests.workbook.composed import composed as one_axis
 from workbook.book.quantity import SAYS
 from workbook.build import build
+from workbook.errors import InputError
 from workbook.judging.verify import verify
 from workbook.laws.entries import Laws
 from workbook.motion.requirements import dwells_for_room, piece_counts
+from workbook.reading.descriptions import counted_from_1, make_machine
 
 
 def composed(phases, **axis):
@@ -64,12 +66,23 @@ def test_pieces_more_than_there_is_room_for_fail_in_words(tmp_path):
     assert report.findings == []
     failing, *_ = [check for check in report.checks if check.found == "FAIL"]  # what has no room makes others fail too
     assert failing.what == "Axis 1: the table of pieces has room for all"
-    assert failing.says.startswith("168 pieces do not fit into 57 rows")
+    assert failing.says.startswith("168 pieces do not fit into 56 rows")
 
 
 def test_the_room_is_a_few_rows_more_than_are_used():
     machine = composed([("MTP", 5.0, 15.0) for _ in range(24)])
-    assert machine.sizes.motion_pieces == 24 * 7 + 8
+    assert machine.sizes.motion_pieces == [24 * 7 + 8]
+
+
+def test_each_axis_has_the_rows_that_it_needs_or_those_stated_of_which_the_last_holds_for_all_others():
+    data = description(sizes={"phases": 8}, name="short")
+    data["axes"].append(data["axes"][0] | {"name": "long", "phases": placed([("MTP", 5.0, 15.0)] * 8)[0]})
+    for stated, rows in ((None, [22, 65]), (70, [70, 70]), ([19, 60], [19, 60]), ([60, 61, 25], [60, 61])):
+        data["sizes"]["motion_pieces"] = stated
+        book = MACHINE.declare(make_machine(MACHINE, data, counted_from_1))
+        assert [book.blocks[f"axis{number}_pieces"].size for number in (1, 2)] == rows
+    with pytest.raises(InputError, match="18 pieces are too few; expected at least 19"):
+        make_machine(MACHINE, description(sizes={"phases": 8, "motion_pieces": [18]}), counted_from_1)
 
 
 @pytest.mark.parametrize("room", range(4, 24))

@@ -113,5 +113,5 @@ class FlyingCutter(Exporting):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         require_room(self.selection, self.sizes)
-        settle_room(self, MORE, MORE)
+        settle_room(self, [MORE], MORE)
         return self

@@ -59,7 +59,7 @@ class CutterView:
         self.load = Load(si(load.inertia, KG_CM2) + load.mass * self.tool.radius**2, load.torque)
         self.peak = fastest(self.law)
         self.cut = self.of(self.given.product_length)
-        self.room = self.sizes.motion_pieces or 0  # rows of the table of the motion's pieces
+        self.room = self.sizes.pieces_of(1)  # rows of the table of the motion's pieces
         self.times = np.linspace(0.0, self.cut.cycle_time, self.sizes.cycle + 1)  # s
         # compared, in mm
         self.lengths = np.linspace(lengths.shortest, lengths.longest, self.sizes.lengths + 1)

@@ -27,8 +27,8 @@ INNER = np.array([SHARES[1:HALF], SHARES[HALF + 1 : -1]]) * 2.0 - [[0.0], [1.0]]
 SHORT = 1e-3  # degrees: the line of a shorter half is level
 
 
-ACTS = "([bus_cuts.from]<[at])*([at]<[bus_cuts.to])+([at]+360<[bus_cuts.to])"
-SINCE = "([at]-[bus_cuts.from]+360*([bus_cuts.from]>[at]))"
+BEGUN = "[at]-[bus_cuts.from]+360*([bus_cuts.from]>[at])"
+ACTS, SINCE = f"({BEGUN}<[bus_cuts.len])", f"({BEGUN})"
 """in cells: whether a half acts behind a cut, and how far it has come there"""
 
 BOUNDS = (
@@ -68,7 +68,7 @@ def half_lines(view: DriveView) -> HalfLines:
 class BusCuts:
     """Bounds of the power on the bus between the ``cuts`` of all its drives, the begins of halves of their intervals.
 
-    ``begin`` and ``end`` of these halves are in degrees of the master shaft. There a drive takes from the bus at most
+    The ``begin`` of these halves is in degrees of the master shaft. There a drive takes from the bus at most
     ``most``, ``climbs`` more a degree, and at least ``least``, ``grows`` more a degree (W, W/°); less than 0 comes
     back. From each cut to the next all take at most ``sum_most``, ``sum_climbs`` more at the next, and at least
     ``sum_least``, ``sum_grows`` more. ``shares`` are the ``peaks`` of each drive, on the mains and in its resistor (W),
@@ -97,12 +97,12 @@ class BusCuts:
 
         at = lines.begin + np.repeat([view.driven.axis.given.shift for view in drives], counts)
         self.begin = at - TURN * np.floor((at + near) / TURN)
-        self.end = self.begin + lines.length
         self.cuts = np.sort(self.begin) + near / 2.0
         self.span = np.diff(self.cuts, append=self.cuts[0] + TURN)
         here = self.cuts[:, None]
-        acts = ((self.begin < here) & (here < self.end)) | (here + TURN < self.end)
-        since = acts * (here - self.begin + TURN * (self.begin > here))
+        since = here - self.begin + TURN * (self.begin > here)
+        acts = since < lines.length
+        since *= acts
         self.sum_most = acts @ self.most + since @ self.climbs
         self.sum_least = acts @ self.least + since @ self.grows
         self.sum_climbs = self.span * (acts @ self.climbs)
@@ -156,7 +156,7 @@ def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
         cell("k", first),
         *(cell(f"s{n}", shares.tolist()) for n, shares in enumerate(cuts.inner.T, 1)),
         cell("from", cuts.begin, n=number, scale=TURN),
-        cell("to", cuts.end, n=number, scale=TURN),
+        cell("len", lines.length, n=number, scale=TURN),
         cell("first", kw(lines.first), n=number),
         cell("rise", kw(lines.rise), n=number, short=SHORT),
         cell("above", kw(lines.above), n=number),

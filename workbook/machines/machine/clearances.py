@@ -176,18 +176,18 @@ MARKS, OF = "ab", ("first axis: ", "second axis: ")
 
 
 def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
-    """Return the columns of both axes at angles of the column theta: cycles begun, piece, u, position; and the gap."""
+    """Return the columns of both axes at angles of the column theta: piece, u, position; and the gap."""
     cell = CELLS["at_angles"].sharing(size=gap.size)
     cells, n = [], gap.number
     for rows, mark, of, y in zip(gap.rows, MARKS, OF, gap.positions(angles), strict=True):
         axis, unshifted = rows.axis, rows.axis.unshifted(si(angles, DEGREE))
         late, place = f"[axes_taken.late.{axis.number}]", at_sample(rows.pieces, 0, mark)
         own = f"({place})*1000" if axis.given.unit == "mm" else f"DEGREES({place})"
+        each = cell.sharing(mark=mark, of=of, late=late, number=axis.number)
         cells += [
-            cell("n{mark}", unshifted.cycles, mark=mark, of=of, late=late),
-            cell("p{mark}", shown(unshifted.x, DEGREE), mark=mark, of=of, late=late),
+            each("p{mark}", shown(unshifted.x, DEGREE)),
             *workings_at(rows.pieces, f"p{mark}", unshifted.x, of, mark),
-            cell("y{mark}", y, mark=mark, of=of, unit=axis.given.unit, own=own, number=axis.number),
+            each("y{mark}", y, unit=axis.given.unit, own=own),
         ]
     first = "[ya]"
     if gap.table:
@@ -198,11 +198,12 @@ def at_angles(gap: ClearanceView, angles: Array) -> list[Quantity]:
 
 def least(sheet: Sheet, gap: ClearanceView) -> None:
     """Declare the positions of both axes, and the gap, at the lowest of the points and at that of the parabolas."""
-    cell = CELLS["least"]
-    cell.sharing(number=gap.number).place(
+    cell = CELLS["least"].sharing(n=gap.number, angle=gap.over.angle, column=["gap", "low"])
+    cell.place(
         sheet,
         cell("k", [1, 2]),
-        cell("theta", gap.lowest_at, angle=gap.over.angle, n=gap.number, scale=TURN),
+        cell("point", [row + 1 for row in gap.lowest_rows]),
+        cell("theta", gap.lowest_at, scale=TURN),
         *at_angles(gap, gap.lowest_at),
     )
 
@@ -224,12 +225,8 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
         *speeds,
         cell("slope", gap.slopes, of_first=of_first, scale=float(np.abs(gap.slopes).max())),
         cell("fall", low.fall, scale=size),
-        cell("rise", low.rise, scale=size),
         cell("share", low.share),
         cell("low", low.gap, scale=size),
-        cell("nearest", gap.near(gap.gaps(angles))),
-        cell("near", gap.near(low.gap)),
-        cell("angle", low.angle, scale=TURN),
     )
 
 
@@ -240,9 +237,11 @@ def cuts(sheet: Sheet, gap: ClearanceView) -> None:
     names = PARTS_OF[gap.parts]
     for end, (rows, mark, of) in enumerate(zip(gap.rows, MARKS, OF, strict=True)):
         i = rows.axis.number
-        places = [f"INDEX([axis{i}_pieces.begin],[r])+[axes_taken.late.{i}]"]
-        span = f"DEGREES(INDEX([axis{i}_pieces.d],[r])"
-        places += [f"[begin{mark}]+{span}*{k}/{gap.parts})" for k in range(1, gap.parts)]
+        begin, span = (f"INDEX([axis{i}_pieces.{name}],[r])" for name in ("begin", "d"))
+        if rows.room < len(gap.cuts(end)[0]):
+            begin, span = f"IF([r]>{rows.room},360,{begin})", f"IF([r]>{rows.room},0,{span})"
+        places = [f"{begin}+[axes_taken.late.{i}]"]
+        places += [f"[begin{mark}]+DEGREES({span}*{k}/{gap.parts})" for k in range(1, gap.parts)]
         cells += [
             cell("{name}{mark}", values, name=name, mark=mark, of=of, words=words, place=place)
             for (name, words), place, values in zip(names, places, gap.cuts(end), strict=True)

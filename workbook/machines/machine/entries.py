@@ -196,10 +196,10 @@ class AnyMachine(Exporting):
             sum(number[p.law] for p in axis.phases) + len(rests(axis.phases, self.over)) + 2 * len(axis.load.windows)
             for axis in self.axes
         ]
-        # for the pieces of an axis
-        space = settle_room(self, max(needed), 2 * self.sizes.phases + 1)
+        # a piece for every row of phases, and rests: so many does verify try, also with all process forces
+        settle_room(self, needed, self.sizes.phases + self.sizes.phases // 3 + 1)
         for i, (axis, count) in enumerate(zip(self.axes, needed, strict=True)):
-            if count > space:
+            if count > (space := self.sizes.pieces_of(i + 1)):
                 still = [phase.model_dump() | AT_REST for phase in axis.phases]
                 faults.append(DesignError(f"axes.{i}.phases", CROWDED.format(count, space), still))
         if faults:

@@ -18,10 +18,9 @@ from workbook.machines.machine.motion_tables import AxisTables
 
 
 class Lowest(NamedTuple):
-    """Per point, of the parabola from the point before: how far it falls by its slope and rises; its lowest point."""
+    """Per point, of the parabola from the point before: how far it falls by its slope; its lowest point."""
 
     fall: Array
-    rise: Array
     share: Array
     gap: Array
     angle: Array
@@ -125,8 +124,8 @@ class ClearanceView:
 
     def cuts(self, end: int) -> list[list[float]]:
         """Return where each piece of an axis begins, and each further part; spare pieces as the end of the turn."""
-        axis = self.rows[end]
-        room, near, pieces = axis.machine.room, axis.machine.near, axis.pieces.pieces
+        axis, room = self.rows[end], max(row.room for row in self.rows)
+        near, pieces = axis.machine.near, axis.pieces.pieces
         begins = filled([shown(piece.begin, DEGREE) for piece in pieces], room, TURN)
         first = [place_in_cycle(begin + axis.axis.given.shift, TURN, near) for begin in begins]
         spans = filled([shown(piece.duration, DEGREE) for piece in pieces], room)
@@ -172,22 +171,27 @@ class ClearanceView:
         inside = (fall < -FLAT * self.size) & (fall < 2.0 * rise)
         share = np.where(inside, fall / np.where(inside, 2.0 * (fall - rise), 1.0), 1.0)
         low = np.where(inside, gaps - rise + 0.5 * fall * share, gaps)
-        return Lowest(fall, rise, share, low, angles - (1.0 - share) * steps)
+        return Lowest(fall, share, low, angles - (1.0 - share) * steps)
 
-    def near(self, gaps: Array) -> list[int]:
-        """Return whether each gap is as low as any, but for rounding."""
-        return [int(gaps.min() >= gap - ZERO * self.size) for gap in gaps.tolist()]
+    def first_lowest(self, gaps: Array) -> int:
+        """Return the number, from 0, of the first gap that is as low as any, but for rounding."""
+        return int((gaps <= gaps.min() + ZERO * self.size).argmax())
+
+    @cached_property
+    def lowest_rows(self) -> list[int]:
+        """The numbers, from 0, of the first of the lowest points, and of the first with the lowest parabola."""
+        return [self.first_lowest(gaps) for gaps in (self.gaps(self.angles), self.lowest.gap)]
 
     @cached_property
     def lowest_at(self) -> Array:
-        """The first of the lowest points, and the first of the lowest points of parabolas."""
-        each = ((self.angles, self.gaps(self.angles)), (self.lowest.angle, self.lowest.gap))
-        return np.array([angles[self.near(gaps).index(1)] for angles, gaps in each])
+        """The angles of the lowest point, and of the lowest parabola's."""
+        point, parabola = self.lowest_rows
+        return np.array([self.angles[point], self.lowest.angle[parabola]])
 
     @property
     def place(self) -> float:
         """The angle of the least gap: of two alike that of the points."""
-        return float(self.lowest_at[self.near(self.gaps(self.lowest_at)).index(1)])
+        return float(self.lowest_at[self.first_lowest(self.gaps(self.lowest_at))])
 
     @cached_property
     def least(self) -> float:

@@ -32,17 +32,18 @@ class AxisTables:
     """An axis at its place in a book: its pieces in cells, and their joints.
 
     With its ``name``, that of the table of phases, all its tables begin; the table of phases has ``rows`` rows, and
-    its workings beside it are called ``taken``.
+    its workings beside it are called ``taken``; ``room`` are the rows of its pieces.
     """
 
     def __init__(self, machine: MachineView, axis: MovingAxis, stack: Pieces) -> None:
         self.axis, self.machine, self.name = axis, machine, f"axis{axis.number}"
         self.taken, self.rows = f"{self.name}_taken", machine.given.sizes.phases
         self.steps = self.rows + self.rows + 1
+        self.room = machine.given.sizes.pieces_of(axis.number)
         self.pieces = rows_of(self.at, axis.motion, stack, axis.places, self.steps)
         self.joints = Joints.of(self.pieces, axis.motion, self.required)
         self.ends = AxisHandover(self.pieces, axis, machine.over) if machine.hands_over else None
-        self.turning = AxisTurns(self.pieces, axis, self.ends, machine.room)
+        self.turning = AxisTurns(self.pieces, axis, self.ends, self.room)
 
     @property
     def at(self) -> Cells:
@@ -90,7 +91,7 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
         title = STEPS.format(axis.axis.number)
         steps = [*step_columns(axis), *phase_columns(axis.pieces), *(fastest(axis) if axis.ends else [])]
         sheet.table(f"{axis.name}_steps", title, axis.steps, *steps)
-        room, ends = axis.machine.room, axis.ends
+        room, ends = axis.room, axis.ends
         columns, halves = (pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
         title, size = f"Pieces of axis {axis.axis.number}", axis.axis.motion.size
         pieces_table(sheet, title, axis.pieces, room, size, *columns, taken=halves)

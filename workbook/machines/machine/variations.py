@@ -9,7 +9,7 @@ from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing,
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.entries import AnyMachine, AxisPhase, MachineSizes, rests
 from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops, Vibration
 from workbook.machines.machine.mechanism import MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units
@@ -53,12 +53,14 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         kind = axis["mechanism"]["kind"] if axis["motor"] else None
         rows = phases(i, turn, sizes["phases"], suited_to(kind)(laws))
         cuts = 2 * len(forces(i, k, 1.0)) if kind else 0
+        resting = len(rests([AxisPhase(**row) for row in rows]))
+        room = MachineSizes(**sizes).pieces_of(i + 1) - resting - cuts
         axis |= {
             "closes": "feed" if (i + k) % 2 else "position",
             "smoothness": smoothness_for(turn + i),
             "shift": SHIFTS[(i + k) % SIX],
             "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
-            "phases": dwells_for_room(rows, laws, sizes["motion_pieces"] - len(rows) - 1 - cuts),
+            "phases": dwells_for_room(rows, laws, room),
         }
         if kind:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]

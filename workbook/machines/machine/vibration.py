@@ -275,7 +275,7 @@ def workings(sheet: Sheet, swing: Swing) -> None:
 
 def pieces_table(sheet: Sheet, swing: Swing) -> None:
     """Declare which pieces move, the move of each, and what it adds to both parts of the integral."""
-    room, rows, name = swing.tables.machine.room, swing.rows, swing.rows.at.named
+    room, rows, name = swing.tables.room, swing.rows, swing.rows.at.named
     factors, powers = (constants(range(least, rows.powers - 1 + least)) for least in (1, 0))
     velocity = {"": f"INDEX({name('c1')},[r],0)*{factors}*([d]*vib_x{NOT_ZERO})^{powers}"}
     for mark in rows.marks:

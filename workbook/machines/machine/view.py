@@ -161,7 +161,7 @@ class MachineView:
     """The engine's view of a machine.
 
     A turn lasts its ``time`` (s), at the ``speed`` of the master shaft (rad/s), over an abscissa that tells no time by
-    its unit. ``room`` are the rows of an axis' pieces. A machine that ``hands_over`` velocity between phases has a
+    its unit. A machine that ``hands_over`` velocity between phases has a
     straight line in its book. ``angles`` are the samples of the master shaft in degrees, ``samples`` in rad.
     """
 
@@ -169,7 +169,6 @@ class MachineView:
         self.given, self.over, rate = machine, machine.over, si(machine.per_minute, PER_MINUTE)
         self.time = turn_time(rate)
         self.speed = shaft_speed(rate)
-        self.room = machine.sizes.motion_pieces or 0
         self.hands_over = bool(machine.laws.of("LIN"))
         self.angles = np.linspace(0.0, TURN, machine.sizes.cycle + 1)
         self.samples: Array = si(self.angles, DEGREE)

@@ -101,5 +101,5 @@ class IndexingOverlap(Exporting):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        settle_room(self, REST, REST, at_once=2)
+        settle_room(self, [REST], REST, at_once=2)
         return self

@@ -36,7 +36,7 @@ class OverlapView:
         peaks = [max(station.peaks[schedule] for station in self.stations) for schedule in (0, 2)]
         self.peaks = peaks[0], peaks[1]  # the largest of any tool in m/s², in sequence and as set
         self.alone = len(self.stations) == 1  # its book has no sheets for each tool then
-        self.room = self.sizes.motion_pieces or 0  # rows of the tables of pieces
+        self.room = self.sizes.pieces_of(1)  # rows of the tables of pieces
         # of the master shaft at the samples, in degrees
         self.angles = np.linspace(0.0, TURN, self.sizes.cycle + 1)
         self.scene = Scene([station.engine for station in self.stations])  # as drawn

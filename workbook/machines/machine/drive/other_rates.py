@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from engine.drive.drive_points import DrivePoints
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity
 from workbook.machines.machine.drive import brake, by_angle, stages
@@ -30,7 +29,7 @@ def behind(view: DriveView) -> str:
 def standing(view: DriveView) -> list[Quantity]:
     """Return the columns for the highest rate: torques without motion, what of the curve grows with the rate."""
     points, load, of, driven = view.points, view.load, view.by_point, view.driven
-    before, output = stages.output(view, behind(view), "", "[R]", stages.REST)
+    before, output = stages.output(view, load.shaft_torques_at_rest, behind(view), "", "[R]", stages.REST)
     cell = CELLS["standing"].sharing(**view.parts)
     columns = [
         *before,
@@ -54,33 +53,21 @@ def standing(view: DriveView) -> list[Quantity]:
     ]
 
 
-def torques_tried(view: DriveView) -> list[Quantity]:
-    """Return the columns of the torques at the rate that is tried."""
-    return at_another_rate(view, view.search.points_tried, stages.TRIED, "[R]")
-
-
-def creeping(view: DriveView) -> list[Quantity]:
-    """Return the columns of the torques while the drive creeps: with its process forces, or empty."""
-    resists = by_angle.resisting(view, "@steady", "@rub")
-    if view.varies:  # a sheet with the columns of a ratio that changes has no room for another
-        return at_another_rate(view, view.creeping, stages.CREEPING, f'IF(creep_forces="on",[R],{resists})')
-    resisting, unit = view.by_point(view.creeping.load.resisting), driven_unit(view)
-    force = CELLS["creeping"]("RC", resisting, unit=unit, resists=resists, scale=view.scales.force)
-    return [force, *at_another_rate(view, view.creeping, stages.CREEPING, "[RC]")]
-
-
-def at_another_rate(view: DriveView, then: DrivePoints, end: str, resists: str) -> list[Quantity]:
+def at_another_rate(view: DriveView, end: str) -> list[Quantity]:
     """Return the columns of the torques at another rate: forces of inertia grow with its square.
 
-    Their names end in ``end``, by :data:`stages.OTHER_RATES`; ``resists`` is the formula of the resisting force there.
+    Their names end in ``end``, by :data:`stages.OTHER_RATES`. A drive creeps with its process forces, or empty.
     """
-    rate, times = stages.OTHER_RATES[end]
+    (rate, times), creeps = stages.OTHER_RATES[end], end == stages.CREEPING
+    then = view.creeping if creeps else view.search.points_tried
+    empty = by_angle.resisting(view, "@steady", "@rub")
+    resists = f'IF(creep_forces="on",[R],{empty})' if creeps else "[R]"
     of, driven = view.by_point, view.driven
     inertia, motor_inertia = by_inertia(view)
     speed, viscous = "[dx]*[vs]" if view.slides else "[v]", driven.entered.load.viscous is not None
     resisted = f"+@viscous*{speed}*({times}-{times}^2)" if viscous else ""
     source = "F_r + (F − F_r − c ẏ) x + c ẏ √x" if viscous else "F_r + (F − F_r) x"
-    before, output = stages.output(view, behind(view), inertia, f"[F{end}]", end)
+    before, output = stages.output(view, then.load.shaft_torques, behind(view), inertia, f"[F{end}]", end)
     own = {"times": times, "end": end, "rate": rate, "resists": resists, "resisted": resisted}
     cell = CELLS["at another rate"].sharing(**view.parts, **own)
     return [

@@ -43,8 +43,8 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         *chain(view, "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])"),
         cell("share", view.by_point(view.load.share, 0.0), scale=1.0),
         *other_rates.standing(view),
-        *other_rates.torques_tried(view),
-        *other_rates.creeping(view),
+        *other_rates.at_another_rate(view, stages.TRIED),
+        *other_rates.at_another_rate(view, stages.CREEPING),
         blank="[share]=0",
     )
 
@@ -79,7 +79,7 @@ def chain(view: DriveView, place: str | list[str]) -> list[Quantity]:
     (resists, without), (drives, equation) = by_angle.forces(view)
     between = stages.between(view.driven)
     motor_ratio, (inertia, motor_inertia) = f"@i1{between}*[g]" if view.varies else "@i", other_rates.by_inertia(view)
-    before, output = stages.output(view, other_rates.behind(view), inertia)
+    before, output = stages.output(view, load.shaft_torques, other_rates.behind(view), inertia)
     of, axis, unit = view.by_point, view.driven.axis, other_rates.driven_unit(view)
     linked, position = list[Quantity](), list[Quantity]()
     if view.varies:
@@ -203,7 +203,7 @@ def samples_table(sheet: Sheet, view: DriveView) -> None:
     cell = CELLS["cycle"].sharing(**view.parts)
     i, (torque, power) = view.driven.number, view.sampled
     at = f"[cycle{i}.p.same]"
-    speed = "[n]*PI()/30000" if view.varies else f"@i*@faster*[cycle{i}.v.same]/1000"
+    speed = "[n]*PI()/30000" if view.varies else f"@spin*[cycle{i}.v.same]"
     shaft = list[Quantity]()
     if linkage := view.driven.linkage:
         angle = linkage.shaft(view.load.position).angle

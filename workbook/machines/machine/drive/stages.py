@@ -7,6 +7,7 @@ Only the sheet of a drive whose description has stages has these.
 import numpy as np
 
 from engine.drive.chain import held_factor
+from engine.laws.base import Array
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity
 from workbook.entries.facts import entry_cells
@@ -77,8 +78,10 @@ def own(driven: Driven) -> str:
     return f"+@s{count(driven)}_j_driven/10000" if count(driven) else ""
 
 
-def output(view: DriveView, behind: str, inertia: str, force: str = "[F]", end: str = "") -> tuple[list[Quantity], str]:
-    """Return the columns of torques on the shafts behind the stages, and the formula, without =, of that before them.
+def output(
+    view: DriveView, torques: list[Array], behind: str, inertia: str, force: str = "[F]", end: str = ""
+) -> tuple[list[Quantity], str]:
+    """Return the columns of ``torques`` on the shafts behind the stages, and the formula, without =, before them.
 
     ``behind`` is the formula of what the mechanism takes of a force, ``inertia`` that of the torque of its shaft's
     inertia. The columns' names end in ``end``: 0 of torques without inertia, else by :data:`OTHER_RATES`.
@@ -87,12 +90,6 @@ def output(view: DriveView, behind: str, inertia: str, force: str = "[F]", end: 
     rate, grows = OTHER_RATES.get(end) or {"": ("", ""), REST: (", without inertia", "")}[end]
     cell = CELLS["torques"].sharing(end=end, mark=SYMBOLS[end], rate=rate)
     grows = f"*{grows}^2" if grows else ""
-    torques = {
-        "": lambda: view.load.shaft_torques,
-        REST: lambda: view.load.shaft_torques_at_rest,
-        TRIED: lambda: view.search.points_tried.load.shaft_torques,
-        CREEPING: lambda: view.creeping.load.shaft_torques,
-    }[end]()
     formula = behind.format(force) + ("" if end == REST else f"+{inertia}{grows}")
     columns = list[Quantity]()
     for n in range(last, 0, -1):

@@ -81,7 +81,7 @@ class DriveView:
     def __init__(self, tables: AxisTables, driven: Driven, like: "DriveView | None" = None) -> None:
         self.tables, self.driven, machine = tables, driven, tables.machine.given
         own = driven.entered.rate
-        self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, tables.machine.room
+        self.steps, self.room = driven.by_angle.steps if driven.by_angle else 1, tables.room
         self.rows = self.room + self.steps - 1
         self.slides, self.varies = driven.given.SLIDES, driven.linkage is not None
         self.brakes = driven.entered.motor is not None and driven.entered.motor.brake is not None

@@ -15,7 +15,7 @@ from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import CellTable, cell_tables
 from workbook.book.declare import Quantity, Sheet
-from workbook.fields.units import DEGREE, shown
+from workbook.fields.units import DEGREE, KW, shown
 from workbook.machines.machine.drive import brake, stages
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.peaks import PEAK_UNITS, Key
@@ -36,7 +36,7 @@ def losses(view: DriveView) -> list[Quantity]:
     back = 1.0 / mechanism.efficiency if document else driven.back_efficiency
     held = 1.0 / mechanism.efficiency if document else held_factor(mechanism.efficiency, driven.back_efficiency)
     entered = "2-1/@eta2" if driven.given.kind in SCREWS else "@eta2"  # where none is
-    base, i2 = driven.axis.base, mechanism.ratio
+    base, i2, faster = driven.axis.base, mechanism.ratio, driven.axis.speed / view.tables.axis.speed
     force, unit = ("N", "m") if base == "m" else ("Nm", "")
     by_force = (
         []
@@ -47,6 +47,7 @@ def losses(view: DriveView) -> list[Quantity]:
             cell("@held2", held / i2, unit=unit),
             cell("@j1i2", driven.mechanism.on_shaft(driven.mechanism.last - 1) * i2, base=base),
             cell("@j0i", driven.at_motor * driven.mechanism.ratio, base=base),
+            cell("@spin", shown(driven.mechanism.ratio * faster, KW), base=base),
         ]
     )
     return [
