@@ -11,7 +11,7 @@ from workbook.book.address import Address
 from workbook.book.columns import Node, tree
 from workbook.book.formula import FormulaError
 from workbook.errors import quoted
-from workbook.reading.files import MOST_READ, cells_read
+from workbook.reading.files import MOST_READ
 from workbook.witnesses.calibration import QUICK, Evaluators, present
 from workbook.witnesses.pycel.model import PycelModel, require_working
 
@@ -151,7 +151,7 @@ def hidden(lines: Lines) -> Iterator[Finding]:
 def stale(lines: Lines) -> Iterator[Finding]:
     """Yield saved values that are not what the formula gives, as two evaluators compute it."""
     file, view = lines.view.file, lines.view
-    if not file.has_results or cells_read(file.contents.patterns) > MOST_READ:
+    if not file.has_results or file.contents.cells_read > MOST_READ:
         return
     require_working()
     evaluators = Evaluators(file, PycelModel(file.contents), present(QUICK), {})

@@ -25,7 +25,7 @@ from workbook.judging.verify import check_results
 from workbook.reading.cells import TEXTS, cell_content, saved_values
 from workbook.reading.contents import Cells, plain_value
 from workbook.reading.entries import Entries
-from workbook.reading.files import BookFile, book_of, find_places, require_little_work
+from workbook.reading.files import BookFile, book_of, require_little_work
 from workbook.reading.guard import Inspected, Scans, guard
 from workbook.reading.rows import RawCell, tag
 from workbook.witnesses.agreement import agreed_values
@@ -68,7 +68,7 @@ class WarmBook:
         if file is None or cells is None:
             file, entered, self._model = book_of(path, inspected), Cells(), None
         else:
-            file, entered = enter_cells(file, inspected, cells)
+            entered = enter_cells(file, inspected, cells)
         # of unchanged formulas no cell was cut
         entries = Entries(file, agreed_values, refuse_cut_cells if self._model is None else None)
         if file.torn or file.inserted:
@@ -128,8 +128,8 @@ def naming(inspected: Inspected) -> list[Any]:
     return [(e.tag, e.attrib, e.text) for e in inspected.book.iter() if tag(e) in NAMING]
 
 
-def enter_cells(file: BookFile, inspected: Inspected, cells: dict[Address, RawCell]) -> tuple[BookFile, Cells]:
-    """Return a file as another save of it has these cells, and what of their contents is new."""
+def enter_cells(file: BookFile, inspected: Inspected, cells: dict[Address, RawCell]) -> Cells:
+    """Enter what another save of a file has in these cells; return what of their contents is new."""
     has_texts = any(cell.kind == "s" for cell in cells.values())
     texts = list(map(str, read_string_table(io.BytesIO(tostring(inspected.strings))))) if has_texts else []
     contents, entered = file.contents, Cells()
@@ -143,7 +143,5 @@ def enter_cells(file: BookFile, inspected: Inspected, cells: dict[Address, RawCe
         entered[address] = plain_value(content, file.workbook.epoch)
         if content is not None:
             contents.constants[address] = entered[address]
-    places, saved = find_places(file.workbook), saved_values(inspected)
-    later = BookFile(file.path, file.workbook, places, inspected.notes, saved, inspected=inspected)
-    later.__dict__["contents"] = contents  # the formulas are the same
-    return later, entered
+    file.notes, file.saved, file.inspected = inspected.notes, saved_values(inspected), inspected
+    return entered

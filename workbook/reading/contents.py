@@ -119,6 +119,16 @@ class Contents:
         """The patterns of all formulas."""
         return grouped_by_pattern(self.formulas.values())
 
+    @cached_property
+    def cells_read(self) -> int:
+        """The number of cells that formulas read together, each as often as it is read: running sums grow."""
+        return sum(area.size * times for area, times in areas_read(self.patterns))
+
+    @cached_property
+    def columns_read(self) -> int:
+        """The number of columns that formulas read together."""
+        return sum(len(area.columns) * times for area, times in areas_read(self.patterns))
+
     def needed(self, cells: Collection[Address], by: Collection[Address]) -> set[Address]:
         """Return those of the formula ``cells`` on which those ``by`` depend; all if any of these cannot be parsed."""
         left, needed, last = set(cells), set[Address](), set(by)
@@ -230,6 +240,18 @@ def grouped_by_pattern(formulas: Iterable[Formula | Moved]) -> Patterns:
         else:
             others.append(formula)
     return list(patterns.values()), others
+
+
+def areas_read(formulas: Patterns) -> Iterator[tuple[Area, int]]:
+    """Yield the areas that formulas read, each with how often it is read, or an area of its size."""
+    patterns, others = formulas
+    yield from ((a, 1) for formula in others for a in formula.arguments if isinstance(a, Area))
+    for pattern, rows in patterns:
+        for a in pattern.arguments:
+            if isinstance(a, Moving) and (a.top is None) != (a.bottom is None) and not a.area.single:
+                yield from ((a.at(row), 1) for row in rows)
+            elif not isinstance(a, str):
+                yield a.area if isinstance(a, Moving) else a, len(rows)
 
 
 def name_texts(workbook: Workbook) -> dict[tuple[str | None, str], str]:

@@ -3,7 +3,6 @@
 import io
 import re
 import warnings
-from collections.abc import Iterator
 from contextlib import redirect_stdout
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -19,11 +18,9 @@ from openpyxl.reader.excel import ExcelReader
 from openpyxl.utils.cell import range_boundaries
 
 from workbook.book.address import Address, Place
-from workbook.book.columns import Moving
-from workbook.book.formula import Area
 from workbook.errors import ReadError, quoted
 from workbook.reading.cells import fill_sheet, saved_values
-from workbook.reading.contents import Cells, Contents, Patterns, plain_value
+from workbook.reading.contents import Cells, Contents, plain_value
 from workbook.reading.guard import Inspected, guard
 from workbook.reading.package import StrippedArchive
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW, SAVE_AS, tag
@@ -220,36 +217,15 @@ MOST_COLUMNS = 50_000_000
 
 def require_narrow(file: BookFile) -> None:
     """Raise ReadError, in a line, where it would be much work to tell what the formulas of a file depend on."""
-    read = sum(len(area.columns) * times for area, times in areas_read(file.contents.patterns))
-    if read > MOST_COLUMNS:
-        raise ReadError(
-            f"{file.path}: its formulas read {read:,} columns together; at most {MOST_COLUMNS:,} are "
-            "expected: make their ranges narrower"
-        )
+    refuse_more(file.path, file.contents.columns_read, MOST_COLUMNS, "columns", "make their ranges narrower")
 
 
 def require_little_work(file: BookFile, path: Path) -> None:
     """Raise ReadError where formulas of ``file``, the copy of ``path`` that is evaluated, read more than any book's."""
-    read = cells_read(file.contents.patterns)
-    if read > MOST_READ:
-        raise ReadError(
-            f"{path}: its formulas read {read:,} cells together; at most {MOST_READ:,} are expected: "
-            "shorten their ranges"
-        )
+    refuse_more(path, file.contents.cells_read, MOST_READ, "cells", "shorten their ranges")
 
 
-def cells_read(formulas: Patterns) -> int:
-    """Return how many cells formulas read together, a cell counted as often as it is read: running sums grow."""
-    return sum(area.size * times for area, times in areas_read(formulas))
-
-
-def areas_read(formulas: Patterns) -> Iterator[tuple[Area, int]]:
-    """Yield the areas that formulas read, each with how often it is read, or an area of its size."""
-    patterns, others = formulas
-    yield from ((a, 1) for formula in others for a in formula.arguments if isinstance(a, Area))
-    for pattern, rows in patterns:
-        for a in pattern.arguments:
-            if isinstance(a, Moving) and (a.top is None) != (a.bottom is None) and not a.area.single:
-                yield from ((a.at(row), 1) for row in rows)
-            elif not isinstance(a, str):
-                yield a.area if isinstance(a, Moving) else a, len(rows)
+def refuse_more(path: Path, read: int, most: int, kind: str, advice: str) -> None:
+    """Raise ReadError where formulas read more of a kind together than expected."""
+    if read > most:
+        raise ReadError(f"{path}: its formulas read {read:,} {kind} together; at most {most:,} are expected: {advice}")

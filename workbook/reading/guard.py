@@ -30,6 +30,8 @@ NOTES = {
     "xl/connections.xml": "holds data connections; they were not opened",
     "xl/embeddings/": "holds embedded files; they were not opened",
 }
+# the parts of a save, by name, size and the checksum that the zip has of each
+Scans = dict[tuple[str, int, int], Scan]
 
 
 class Inspected(NamedTuple):
@@ -48,7 +50,7 @@ class Inspected(NamedTuple):
     program: str  # that says to have saved the file (ISO/IEC 29500-1, 22.2.2.1)
 
 
-def guard(path: Path, known: "Scans | None" = None) -> Inspected:
+def guard(path: Path, known: Scans | None = None) -> Inspected:
     """Check a file before it is parsed; raise ReadError where it is no zip of XML, too large, or has two readings.
 
     ``known`` are parts that were read of an earlier save: those that are the same are not read again.
@@ -65,7 +67,7 @@ def guard(path: Path, known: "Scans | None" = None) -> Inspected:
         raise ReadError(f"{path}: damaged: {message}; expected a workbook; {SAVE_AS}") from error
 
 
-def inspect(file: IO[bytes], size: int, known: "Scans | None" = None) -> Inspected:
+def inspect(file: IO[bytes], size: int, known: Scans | None = None) -> Inspected:
     """Check an open file; raise Refusal for what cannot be a workbook of this kind."""
     if size > MOST_PACKED:
         raise Refusal(f"{size:,} bytes; a workbook of at most {MOST_PACKED:,} bytes is expected")
@@ -107,21 +109,13 @@ def rows_of(scan: Scan | None, title: str) -> Rows:
     return scan.rows
 
 
-class Scans:
-    """The parts of an earlier save, by name, size and the checksum that the zip has of each; those of the latest."""
-
-    def __init__(self) -> None:
-        self.by_checksum: dict[tuple[str, int, int], Scan] = {}
-
-
 def scan_parts(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo], known: Scans | None = None) -> dict[str, Scan]:
     """Read every part once that is XML, or may be read as such; return what was read by name."""
-    count, scans = Totals(), dict[str, Scan]()
-    earlier, latest = known.by_checksum if known else {}, dict[tuple[str, int, int], Scan]()
+    count, scans, latest = Totals(), dict[str, Scan](), Scans()
     for info in infos:
         key = info.filename, info.file_size, info.CRC
-        if key in earlier:
-            scans[info.filename] = latest[key] = earlier[key]
+        if known and key in known:
+            scans[info.filename] = latest[key] = known[key]
             continue
         data = unpack(archive, info)
         start = data[:200].lstrip(b"\xef\xbb\xbf\xff\xfe\0 \t\r\n")
@@ -130,8 +124,9 @@ def scan_parts(archive: zipfile.ZipFile, infos: list[zipfile.ZipInfo], known: Sc
         scans[info.filename] = Scan(info.filename, count)
         scans[info.filename].read(without_cached_points(info.filename, data))
         latest[key] = scans[info.filename]
-    if known:
-        known.by_checksum = latest
+    if known is not None:
+        known.clear()
+        known |= latest
     return scans
 
 

@@ -69,7 +69,7 @@ def test_own_cells_are_no_finding(filled):
 
 def test_running_sums_of_ones_own_are_not_counted_as_work(press, tmp_path, monkeypatch):
     """Of 60,000 rows they read 1,800,000,000 cells; nobody evaluates them. Where an entry reads them they count."""
-    monkeypatch.setattr(files, "MOST_READ", 10 * files.cells_read(press.file.contents.patterns))
+    monkeypatch.setattr(files, "MOST_READ", 10 * press.file.contents.cells_read)
     opened = press.opened()
     mine = opened.create_sheet("Mine")
     for row in range(1, 1_001):

@@ -415,13 +415,15 @@ STRAIGHT = [
     "=SUMPRODUCT((D1:D5=3)*1)", "=SUMPRODUCT(SIGN(D1:D5-{})*D1:D5^2)", "=SUMPRODUCT(D1:D5*D1:D5,D1:D5-{})",
     "=IF({}=2,D1:D5*2,1)", "=SUMPRODUCT(LN(D1:D5-2),D1:D5)", "=SUMPRODUCT(SIN(D1:D5)*COS(D1:D5)+EXP(0-D1:D5))",
     "=SUM((D1:D5>{})+(D1:D5<4))", "=SUMPRODUCT((D1:D5>2)*(D1:D5<={}))", "=COUNT(D1:D5*{})", '=D1:D5&"x"',
+    "=SMALL(D1:D5,{})", "=SMALL(D1:E5,{}+1)", "=MATCH({},D1:D5)", "=MATCH({},E1:E5,1)", "=MATCH(2,D1:E1,{})",
+    "=MATCH({},A1:E1,1)", "=SUM(INDEX(A1:B2,{},0))", "=SUMPRODUCT(INDEX(D1:E5,{},0),{{3,4}},2^{{0,1}})",
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize("value", [0, 1, 2, 3, -1, 0.5, 2.0, True, "x", "2", None, "#N/A"])
 def test_the_straight_ways_of_functions_lead_where_pycels_own_lead(value: Any, monkeypatch: Any) -> None:
     cells = {"A1": 5, "A2": 6, "B1": 7, "B2": 8, "C1": value, "A3": "–", "B3": '=""', "C3": 3}
-    cells |= {"D1": 1, "D2": 2.5, "D3": 3, "D4": 4.25, "D5": 6}
+    cells |= {"D1": 1, "D2": 2.5, "D3": 3, "D4": 4.25, "D5": 6, "E1": 3, "E2": 1.5, "E3": 2, "E4": 2, "E5": -1}
     cells |= {f"Z{row}": formula.format("C1") for row, formula in enumerate(STRAIGHT, 1)}
     kept = {"__builtins__", "_C_", "_R_", "_REF_", "pi", "chosen"}
     shortened = PycelModel(book(cells)).evaluate()

@@ -1,6 +1,7 @@
 """Cells of a file and of a fresh build as a reader sees them: style, sight, conditional formats, validation."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
@@ -29,6 +30,7 @@ from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Report
 from workbook.reading.contents import Cells
 from workbook.reading.package import Anchor
+from workbook.reading.rows import LAST_ROW
 from workbook.writing import archive
 from workbook.writing.archive import Strings
 from workbook.writing.write import make_workbook
@@ -209,12 +211,17 @@ def hidden_by(fresh: BookLooks, held: BookLooks, spot: Spot, is_wrong: bool) -> 
 
 def compare_rules(match: Match, fresh: BookLooks, held: BookLooks, differences: Differences) -> None:
     """Enter conditional formats of declared cells that a fresh build has not, and those that are gone."""
+
+    @cache  # tables beneath each other share columns
+    def rules_in(looks: BookLooks, sheet: str, column: int) -> list[Overlay]:
+        return [rule for rule in looks.rules[sheet] if rule.covers(column, LAST_ROW, 1)]
+
     for pairs in match.columns:
         cell, first, last = pairs[0].cell, pairs[0].address, pairs[-1].address
-        ours = fresh.rules[cell.block.sheet.title]
+        ours = rules_in(fresh, cell.block.sheet.title, cell.column)
         declared = {rule.words: rule.rule for rule in ours if rule.covers(cell.column, cell.row, cell.row)}
         missing = set(declared)
-        for rule in held.rules[first.sheet]:
+        for rule in rules_in(held, first.sheet, first.column):
             if not rule.covers(first.column, last.row, first.row):  # any of the cells
                 continue
             if rule.words not in declared or not is_same_condition(match, declared[rule.words], rule, cell.block):

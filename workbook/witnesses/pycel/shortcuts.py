@@ -2,6 +2,7 @@
 
 import functools
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from itertools import repeat
@@ -19,7 +20,6 @@ COMPARED = {"Lt": np.less, "LtE": np.less_equal, "Gt": np.greater, "GtE": np.gre
 SUMS = {"Add": np.add, "Sub": np.subtract, "Mult": np.multiply}
 SIMPLE = {name: OPERATORS[name] for name in (*SUMS, *COMPARED)}
 POWERS = frozenset((2, 3, 4))
-SMALLEST = 4  # cells of a range for which an array is worth its making
 
 
 class Range(tuple[tuple[Any, ...], ...]):
@@ -28,12 +28,22 @@ class Range(tuple[tuple[Any, ...], ...]):
     @functools.cached_property
     def cells(self) -> NDArray[Any] | None:
         """The numbers, as an array once for all formulas that read the range."""
-        if len(self) * len(self[0]) < SMALLEST or not all(NUMBERS.issuperset(map(type, row)) for row in self):
+        if not all(NUMBERS.issuperset(map(type, row)) for row in self):
             return None
         try:
             return np.array(self, dtype=float)
         except OverflowError:
             return None
+
+    @functools.cached_property
+    def numbers(self) -> list[float]:
+        """The numbers, row by row; none of a range that holds something else."""
+        return [] if self.cells is None else self.cells.ravel().tolist()
+
+    @functools.cached_property
+    def sorted(self) -> list[float]:
+        """The numbers from the smallest on, sorted once for all formulas that ask for any of them."""
+        return sorted(self.numbers)
 
 
 class Array:
@@ -114,7 +124,7 @@ def array_operation(a: Any, operator: str, b: Any) -> NDArray[Any] | None:
     if len(kinds) == 2 and a.shape != b.shape:
         return None
     if operator in SUMS:
-        return if_finite(SUMS[operator](*(map(as_numbers, (a, b)) if bool in kinds else (a, b))))
+        return if_finite(SUMS[operator](a, b, dtype=float))
     if bool in kinds:
         return None
     if operator in COMPARED:
@@ -131,11 +141,6 @@ def has_plain_powers(a: Any, b: Any) -> bool:
     return (type(b) in NUMBERS and b in POWERS) or (type(a) in NUMBERS and a > 0)
 
 
-def as_numbers(value: Any) -> NDArray[Any]:
-    """Return an array of truth values as numbers."""
-    return np.asarray(value, dtype=float)
-
-
 def if_finite(cells: NDArray[Any]) -> NDArray[Any] | None:
     """Return an array whose numbers are all finite; None for any other."""
     return cells if np.isfinite(cells).all() else None
@@ -148,8 +153,25 @@ def index(array: Any, row: Any, column: Any = None) -> Any:
     if isinstance(array, tuple) and type(row) is int:
         if column is None and 0 < row <= len(array) and len(array[0]) == 1:
             return array[row - 1][0]
+        if column == 0 and 0 < row <= len(array) > 1 < len(array[0]):
+            return (array[row - 1],)
         if column is None or type(column) is int:
             return lookup.index(array, row, column)
+    return None
+
+
+def match(wanted: Any, array: Any, kind: Any = 1) -> int | None:
+    """Return MATCH of a number among those of a row or column from the smallest on, sought by halves as pycel does."""
+    if type(array) is Range and type(wanted) in NUMBERS and type(kind) is int and kind == 1:
+        return bisect_right(array.numbers, wanted) or None if 1 in (len(array), len(array[0])) else None
+    return None
+
+
+def small(array: Any, place: Any) -> float | None:
+    """Return SMALL of a range of numbers, a whole one without decimals as pycel has it."""
+    if type(array) is Range and type(place) in NUMBERS and 1 <= place <= len(array.sorted):
+        value = array.sorted[math.ceil(place) - 1]
+        return int(value) if value.is_integer() else value
     return None
 
 
@@ -195,7 +217,7 @@ SHORTCUTS: dict[str, Function] = {
     **{name: functools.partial(of_number, getattr(math, name), getattr(np, name)) for name in ELEMENTARY},
     "ln": functools.partial(of_number, math.log, np.log), "abs_": functools.partial(of_number, abs, np.abs),
     **{f"{body.__name__}_": functools.partial(of_numbers, body) for body in (min, max, sum)},
-    "sumproduct": product_sum, "index": index,
+    "sumproduct": product_sum, "index": index, "match": match, "small": small,
 }  # fmt: skip
 """shortcuts of pycel's functions, by their names there; each returns None for arguments that it does not take"""
 COUNTED: dict[str, Function] = {"if_": cross}
