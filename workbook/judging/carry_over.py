@@ -75,7 +75,7 @@ def taken_places(own: Additions) -> set[tuple[str, str]]:
 def sheet_additions(match: Match, declared: Sheet, title: str) -> dict[str, list[str]]:
     """Return the cells of what was added to a sheet, by its kind in words."""
     sheet, constants = match.file.workbook[title], match.file.contents.constants.items()
-    known = {rule_words(mark.rule) for block in declared.blocks for mark in conditional_formats(block)}
+    known = {rule_words(mark.rule) for b in declared.blocks for mark in conditional_formats(b)}
     charts, wide = list(read_charts(match, title)), widths(declared, PossibleTexts(match.declared))
     drawn = [draw(chart, match.declared, *chart_size(declared, wide, *place)) for chart, *place in declared.charts]
     ours = {id(chart) for *_, chart in pair_charts(match, declared, drawn, charts)}
@@ -177,7 +177,7 @@ def with_sheet(own: Additions, sheet: Worksheet) -> Additions:
     title = sheet.title
     if any(each.title == title and each["A1"].value != sheet["A1"].value for each in own.sheets):
         raise WriteError(f"the sheet {title!r} is your own; expected another title of it")
-    cells = ((cell, Address.parse(cell.coordinate, title)) for row in sheet.iter_rows() for cell in row)
+    cells = ((c, Address.parse(c.coordinate, title)) for row in sheet.iter_rows() for c in row)
     return own._replace(
         sheets=(*(each for each in own.sheets if each.title != title), sheet),
         cells=(

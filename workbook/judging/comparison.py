@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from pydantic import ValidationError
@@ -78,8 +78,8 @@ class Comparison:
         self.match, self.bare, self.single, self.model = match, bare, single, model
         self.report = report
         self.right = ExpectedValues(match, match.declared)
-        formulas = set(match.file.contents.formula_cells)
-        self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in formulas}
+        cells = set(match.file.contents.formula_cells)
+        self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in cells}
         self.values: Cells = {}  # of the first witness that computed any
         self._first_wrong: set[Address] = set()  # by that witness
         report.cells |= Counter(pair.address.sheet for pair in match.pairs if pair.declared_formula)
@@ -120,8 +120,8 @@ class Comparison:
         places = [pair.address for pair, _ in wrong]
         self._first_wrong = self._first_wrong if self.values else set(places)
         at_fault = self._at_fault(places)
-        explained = bool(at_fault) or any(finding.kind in CAUSES for finding in self.report.findings)
-        problems: Mapping[Address, str] = self.model.problems if ran.name == self.single.name else {}
+        explained = bool(at_fault) or any(f.kind in CAUSES for f in self.report.findings)
+        problems = self.model.problems if ran.name == self.single.name else {}
         for pair, deviation in wrong:
             value = values.get(pair.address)
             own = pair.address in at_fault or not explained or pair.address not in self._first_wrong
@@ -168,7 +168,7 @@ class Comparison:
             self.report.notes.append("the values entered leave no room for other ones: compared at these alone")
             return
         known = {(f.sheet, f.cell) for f in self.report.findings}
-        pairs = {a: pair for a, pair in self.pairs.items() if a in self.match.file.contents.formulas}
+        pairs = {a: p for a, p in self.pairs.items() if a in self.match.file.contents.formulas}
         for k, (turn, varied) in enumerate(zip(by_variation(pairs, suspects, len(machines)), machines, strict=True), 1):
             right = ExpectedValues(self.match, template.declare(varied))
             by = f"{self.single.name}, at variation {k} of the inputs"
@@ -180,10 +180,10 @@ class Comparison:
                     self.report.add(self.pairs[a], "value", value, right.get(a), deviation, by)
 
 
-def differs(right: ExpectedValues, address: Address, value: Any) -> bool:
+def differs(right: ExpectedValues, at: Address, value: Any) -> bool:
     """Whether a value is not the engine's, where the engine has any."""
-    expected = right.get(address)
-    return expected is not None and not difference(value, expected, right.peak(address)) <= TOLERANCE
+    expected = right.get(at)
+    return expected is not None and not difference(value, expected, right.peak(at)) <= TOLERANCE
 
 
 def by_variation(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -> list[list[Address]]:

@@ -128,7 +128,7 @@ class Moves:
 
     def beside(self, at: Address) -> Address:
         """Return where a cell of the engineer's own goes: with what stands in its row, else with what is above it."""
-        known = ((block, self.match.file.places.get(name)) for name, block in self.old.blocks.items())
+        known = ((b, self.match.file.places.get(name)) for name, b in self.old.blocks.items())
         places = [(block, place) for block, place in known if place and place.sheet == at.sheet]
         level = [(b, p) for b, p in places if p.row - (ABOVE if b.is_table else 0) <= at.row < p.row + p.rows]
         level.sort(key=lambda pair: (pair[1].column > at.column, abs(at.column - pair[1].column)))
@@ -161,7 +161,7 @@ class Moves:
         ends = area.first, Address(area.sheet, area.bottom, area.right)
         first, last = self.cell(ends[0]), self.cell(ends[1])
         if whole := self._whole_columns(area):
-            first, last = (end._replace(row=row) for end, row in zip((first, last), whole, strict=True))
+            first, last = (end._replace(row=r) for end, r in zip((first, last), whole, strict=True))
         spans = last.row - first.row, last.column - first.column
         rows = {self.cell(Address(area.sheet, r, area.left)).row - r for r in range(area.top, area.bottom + 1)}
         if first.sheet != last.sheet or spans[1] != area.right - area.left or (not whole and len(rows) > 1):
@@ -256,7 +256,7 @@ def part_names(book: Book, table: str) -> list[str]:
     """Return the names of the parts in a table; of a table that a book lacks, none."""
     block = book.blocks.get(table)
     q = next((q for q in block.quantities if q.name == "name"), None) if block else None
-    return [str(name) for name in as_rows(q.value, block.size, table) if name] if q and block else []
+    return [*map(str, filter(None, as_rows(q.value, block.size, table)))] if q and block else []
 
 
 def pair_names(old: Sequence[str], new: Sequence[str]) -> dict[int, int]:
@@ -265,7 +265,7 @@ def pair_names(old: Sequence[str], new: Sequence[str]) -> dict[int, int]:
     Where as many are there as before, those of unknown names are taken to be renamed, in their order.
     """
     places = {lookup_key(name): j for j, name in enumerate(new, 1)}
-    pairs = {i: places[lookup_key(name)] for i, name in enumerate(old, 1) if lookup_key(name) in places}
+    pairs = {i: places[key] for i, key in enumerate(map(lookup_key, old), 1) if key in places}
     if len(old) == len(new):
         left = [[i for i in range(1, len(old) + 1) if i not in known] for known in (pairs.keys(), pairs.values())]
         pairs |= dict(zip(*left, strict=True))

@@ -118,8 +118,8 @@ def count_own_cells(match: Match, report: Report, given: Collection[Address]) ->
     contents = match.file.contents
     if not (own := {a for a in contents.formula_cells if a not in match.numbers}):
         return own
-    declared = [p.address for p in match.pairs if p.declared_formula and p.address in contents.formulas]
-    aside = own - contents.needed(own, declared)
+    ours = [p.address for p in match.pairs if p.declared_formula and p.address in contents.formulas]
+    aside = own - contents.needed(own, ours)
     report.own = sorted(map(str, own))
     report.not_evaluated = len(aside - contents.needed(aside, given) if given else aside)
     return aside

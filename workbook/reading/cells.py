@@ -85,10 +85,10 @@ def cell_formula(held: RawCell, shared: dict[str, Translator]) -> Any:
 def saved_values(inspected: Inspected) -> Cells:
     """Return the saved value of each formula cell of a file: a number, a text, True or False, an error; or None."""
     cells = [(title, held) for title, rows in inspected.sheets.items() for held in rows.written if held.how is not None]
-    shared = inspected.strings.iter(f"{MAIN}si") if any(held.kind == "s" for _, held in cells) else ()
+    shared = inspected.strings.iter(f"{MAIN}si") if any(c.kind == "s" for _, c in cells) else ()
     text_of: Any = Text.from_tree
     texts = [str(text_of(shared_text).content) for shared_text in shared]
-    return {Address(title, held.row, held.column): saved_value(held, texts) for title, held in cells}
+    return {Address(title, c.row, c.column): saved_value(c, texts) for title, c in cells}
 
 
 def saved_value(held: RawCell, texts: list[str]) -> Any:

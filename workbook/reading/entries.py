@@ -164,8 +164,8 @@ class Entries:
 
     def _is_stand_in(self, table: str) -> bool:
         """Whether the layout has a stand-in for the rows of a table."""
-        constraints = rules.field_at(self.template.model, table)[1] if has_key(self.data, table) else []
-        return any(isinstance(c, MakesCells) and c.stand_in is not None for c in constraints)
+        limits = rules.field_at(self.template.model, table)[1] if has_key(self.data, table) else []
+        return any(isinstance(c, MakesCells) and c.stand_in is not None for c in limits)
 
     def _must_be_there(self, key: str) -> bool:
         """Whether an empty cell of an entry is not what a description without it means."""

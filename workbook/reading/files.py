@@ -39,9 +39,9 @@ class LiteralText(str):
     __slots__ = ()
 
 
-def is_formula(content: Any) -> bool:
+def is_formula(held: Any) -> bool:
     """Whether what a cell holds is computed, not entered; a text that looks like a formula is none."""
-    return isinstance(content, str) and content.startswith("=") and not isinstance(content, LiteralText)
+    return isinstance(held, str) and held.startswith("=") and not isinstance(held, LiteralText)
 
 
 @dataclass

@@ -58,13 +58,13 @@ def content_types(root: Element, names: set[str]) -> dict[str, str]:
     ]
     defaults = [(e.get("Extension", "").lower(), e.get("ContentType", "")) for e in root if tag(e) == "Default"]
     refuse_twice("declares the content type of {} twice", (name.lower() for name, _ in overrides))
-    refuse_twice("declares the content type of the ending {} twice", (ending for ending, _ in defaults))
-    by_ending, known = dict(defaults), dict(overrides)
+    refuse_twice("declares the content type of the ending {} twice", (end for end, _ in defaults))
+    endings, known = dict(defaults), dict(overrides)
     lower = {name.lower() for name in names}
     for name in known.keys() - names:
         if name.lower() in lower:
             raise Refusal(f"declares the content type of {short(name)}, a part that is written otherwise; {SAVE_AS}")
-    return {name: known.get(name, by_ending.get(name.rpartition(".")[2].lower(), "")) for name in names}
+    return {name: known.get(name, endings.get(name.rpartition(".")[2].lower(), "")) for name in names}
 
 
 def relationships(parts: Mapping[str, Element], of: str) -> list[Relationship]:
@@ -88,7 +88,7 @@ def optional_part(what: str, relations: list[Relationship], kind: str, typed_so:
 def only_part(what: str, targets: list[str], typed_so: list[str], names: set[str]) -> str:
     """Return the only part that both relationship and content type call by a name; raise Refusal for all else."""
     if len(targets) != 1 or typed_so != targets or targets[0] not in names:
-        listed = ", ".join(short(name) for name in dict.fromkeys([*targets, *typed_so])) or "no part"
+        listed = ", ".join(map(short, dict.fromkeys([*targets, *typed_so]))) or "no part"
         raise Refusal(f"{listed} could be its {what} by relationship or content type; expected one by both; {SAVE_AS}")
     return targets[0]
 
@@ -107,7 +107,7 @@ def sheet_parts(root: Element, relations: list[Relationship], types: Mapping[str
     by_id = {link.id: link for link in relations}
     led = {}
     for title, e in ((e.get("name", ""), e) for e in listed):
-        link = by_id.get(next((value for key, value in e.attrib.items() if key.endswith("}id")), ""))
+        link = by_id.get(next((v for key, v in e.attrib.items() if key.endswith("}id")), ""))
         if link is None or link.kind not in SHEETS or not types.get(link.target, "").endswith(SHEETS[link.kind]):
             message = "leads to no part that is one by relationship and content type"
             raise Refusal(f"its sheet {short(title)} {message}; {SAVE_AS}")

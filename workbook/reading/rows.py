@@ -191,11 +191,11 @@ class Rows:
         text = None if value is None else text_of(value, "v", self.name)
         if written is not None:
             text = self._text(written, text)
-        formula, attributes = ("", None) if how is None else (self._formula(how), how.attrib)
+        formula, given = ("", None) if how is None else (self._formula(how), how.attrib)
         rule = WRITTEN.get(kind)
         if rule and text and not rule.fullmatch(text):
             raise self._damaged(f"{short(text)} as the value of a cell of the kind {kind!r}")
-        self.written.append(RawCell(self.row, self.column, int(style), kind, text, attributes, formula))
+        self.written.append(RawCell(self.row, self.column, int(style), kind, text, given, formula))
 
     def require_within(self, element: Element) -> None:
         """Refuse what no element of a row may hold."""

@@ -135,7 +135,7 @@ def pair_charts(
         has_title = differences.is_same("title", ours[1].looks["title"], theirs.looks["title"])
         return 2 * shared + has_title - 0.1 * abs(len(lines) - len(theirs.lines))
 
-    return [(*ours, theirs) for ours, theirs in pair_alike(fresh, held, likeness) if ours is not None]
+    return [(*ours, other) for ours, other in pair_alike(fresh, held, likeness) if ours is not None]
 
 
 def pair_alike(

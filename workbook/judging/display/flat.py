@@ -95,7 +95,7 @@ def flatten(
                 flat[place] = text
             elif not (len(child) or child.attrib or name in EMPTY):
                 flat[f"{place} val"] = "1"  # as an element alone switches on what it is named after
-    return {key: value for key, value in flat.items() if not UNTOLD.fullmatch(key.rpartition(" ")[2])}
+    return {key: text for key, text in flat.items() if not UNTOLD.fullmatch(key.rpartition(" ")[2])}
 
 
 def colour_name(held: Mapping[str, str]) -> str:

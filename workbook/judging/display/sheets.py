@@ -60,7 +60,7 @@ class Lengths:
     def __init__(self, given: Mapping[int, float], usual: float) -> None:
         self._given, self._usual = given, usual
         self._numbers = sorted(given)
-        self._more = list(accumulate((given[number] - usual for number in self._numbers), initial=0.0))
+        self._more = list(accumulate((given[n] - usual for n in self._numbers), initial=0.0))
 
     def __getitem__(self, number: int) -> float:
         """Return the length of a row or column."""
@@ -165,7 +165,7 @@ def settings(part: Iterable[Element]) -> Flat:
 
 def additions(page: Element) -> Flat:
     """Return the elements of a sheet's part that may show what no fresh build shows."""
-    names = {tag(element) for part in (page, *page.iterfind("{*}extLst/{*}ext")) for element in part}
+    names = {tag(e) for part in (page, *page.iterfind("{*}extLst/{*}ext")) for e in part}
     return {name: "added" for name in names if not QUIET.fullmatch(name)}
 
 
