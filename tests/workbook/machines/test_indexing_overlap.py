@@ -85,4 +85,3 @@ def test_the_picture_moves_with_the_angle():
     assert value("outline", "x") != other("outline", "x")
     assert min(value("tool1_punch", "yb")) == pytest.approx(50, abs=1e-12)
     assert min(other("tool1_punch", "yb")) == min(other("tool1_punch", "ya")) == pytest.approx(0, abs=1e-9)
-    assert max(value("view_line", "theta")) == 60

@@ -92,7 +92,6 @@ def test_each_motion_has_a_lane_of_its_own_in_the_diagrams(three):
             assert i <= min(heights)
             assert max(heights) == pytest.approx(i + 0.8, abs=1e-9)
     assert max(three("tool1_motions", "lane_t")) <= 0.8
-    assert max(three("view_line", "height")) == 3.8
 
 
 def test_the_stations_stand_apart_in_the_picture(three):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from engine.overlap.picture import BODY, FRAME, LANE_SHARE, PLATE, PUNCH, STEP, WALLS, WIDTH
+from engine.overlap.picture import BODY, FRAME, PLATE, PUNCH, STEP, WALLS, WIDTH
 from engine.overlap.plan import colliding
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
@@ -139,11 +139,6 @@ def workings(sheet: Sheet, machine: OverlapView, states: States, pieces: samplin
                 *before.columns("b"),
                 *after.columns("a"),
             )
-    top = len(machine.stations)
-    cell = CELLS["view_line"]
-    cell.place(
-        sheet, cell("end", [0, 1]), cell("theta", machine.given.view), cell("height", [0.0, top + LANE_SHARE], top=top)
-    )
 
 
 def outlines(sheet: Sheet, machine: OverlapView, states: States) -> None:

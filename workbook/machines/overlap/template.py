@@ -221,9 +221,8 @@ def timing_diagrams(sheet: Sheet, machine: OverlapView, column: int) -> None:
     top, x = len(machine.stations) + 1, "master angle θ [°]"
     for left, way, lane in ((column, "with overlap", "lane_a"), (column + WIDE, "one after the other", "lane_b")):
         moved = Series("=overlap_transfer", "[tool1_motions.theta]", "[tool1_motions.lane_t]")
-        line = Series("angle of the picture", "[view_line.theta]", "[view_line.height]", dashed=True, color="7F7F7F")
         about = f"Timing diagram of transfer and tools over one turn of the master shaft: {way}"
-        lines = (moved, *lines_of(machine, lane), line)
+        lines = (moved, *lines_of(machine, lane))
         chart = Chart(f"Timing {way}", x, "", lines, about, (0, 360, 60), (0, top, 1), lanes=True)
         sheet.chart(chart, left, 5, WIDE, 18)
 

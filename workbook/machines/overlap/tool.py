@@ -57,16 +57,9 @@ def declare(
         corners_table(sheet, station, pieces)
 
 
-def quoting(station: Station, *quantities: Quantity) -> list[Quantity]:
-    """Return quantities with S2's figures beside the first tool only: another is not S2's."""
-    if station.number == 1:
-        return list(quantities)
-    return [q._replace(source=q.source.partition("S2")[0].rstrip("; ")) for q in quantities]
-
-
 def entries(sheet: Sheet, station: Station) -> None:
     """Declare what the engineer enters."""
-    sheet.rows(*quoting(station, *entry_cells(station.given, station.key)))
+    sheet.rows(*entry_cells(station.given, station.key))
 
 
 def outcome(sheet: Sheet, station: Station) -> None:
@@ -76,18 +69,15 @@ def outcome(sheet: Sheet, station: Station) -> None:
     way_in, way_out = station.angles_set
     sheet.heading("Results")
     sheet.rows(
-        *quoting(
-            station,
-            cell("@new_in", way_in),
-            cell("@new_out", way_out),
-            cell("@a0", before),
-            cell("@a1", after),
-            cell("@ratio", station.as_set.times_lower(station.before)),
-            cell("@least", station.least),
-            cell("@limit", station.longest.limit),
-        )
+        cell("@new_in", way_in),
+        cell("@new_out", way_out),
+        cell("@a0", before),
+        cell("@a1", after),
+        cell("@ratio", station.as_set.times_lower(station.before)),
+        cell("@least", station.least),
+        cell("@limit", station.longest.limit),
     )
-    sheet.checks(*quoting(station, *checks(station)))
+    sheet.checks(*checks(station))
 
 
 def checks(station: Station) -> tuple[Quantity, ...]:
@@ -163,20 +153,17 @@ def steps(sheet: Sheet, station: Station) -> None:
     begin, end, free_in, free_out, both = (shown(angle, DEGREE) for angle in left)
     rest_in, rest_out = station.engine.remaining_shares(np.array(station.passage.margin))
     sheet.rows(
-        *quoting(
-            station,
-            cell("@free0", shown(before.angle_in + before.angle_out, DEGREE)),
-            cell("@begin", begin, first=first),
-            cell("@end", end, last=last),
-            cell("@effective", shown(left.end - left.begin, DEGREE)),
-            cell("@free_in", free_in),
-            cell("@free_out", free_out),
-            cell("@rest_in", float(rest_in)),
-            cell("@rest_out", float(rest_out)),
-            cell("@room", both),
-            cell("@least_left", shown(shorter - station.passage.allowance, DEGREE)),
-            cell("@least_way", LEAST),
-        )
+        cell("@free0", shown(before.angle_in + before.angle_out, DEGREE)),
+        cell("@begin", begin, first=first),
+        cell("@end", end, last=last),
+        cell("@effective", shown(left.end - left.begin, DEGREE)),
+        cell("@free_in", free_in),
+        cell("@free_out", free_out),
+        cell("@rest_in", float(rest_in)),
+        cell("@rest_out", float(rest_out)),
+        cell("@room", both),
+        cell("@least_left", shown(shorter - station.passage.allowance, DEGREE)),
+        cell("@least_way", LEAST),
     )
 
 
