@@ -54,11 +54,6 @@ class Switch:
         return np.asarray(state, dtype=np.float64)
 
     @property
-    def share(self) -> float:
-        """Share of the cycle in which it is on."""
-        return self.total / self.cycle
-
-    @property
     def total(self) -> float:
         """Time for which it is on in a cycle, in the unit of the cycle."""
         return math.fsum(self.spans)
@@ -67,15 +62,6 @@ class Switch:
     def spans(self) -> list[float]:
         """Duration of each interval in which it is on."""
         return [self._time(begin, end) for begin, end in self.on]
-
-    @property
-    def bars(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
-        """Begin and end of two bars for each interval in a diagram: up to the cycle's end, and from its begin."""
-        bars = []
-        for (begin, _), span in zip(self.on, self.spans, strict=True):
-            end = begin + span
-            bars.append(((begin, min(end, self.cycle)), (0.0, max(0.0, end - self.cycle))))
-        return bars
 
     def _time(self, begin: float, end: float) -> float:
         return self.cycle if end - begin == self.cycle else (end - begin) % self.cycle

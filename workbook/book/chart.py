@@ -21,7 +21,9 @@ def in_scope(text: str, scope: str) -> str:
 class Series:
     """One line of a chart; columns are written as ``[samples.xi]``."""
 
-    name: str  # beside it; ``=tool1_name`` shows the cell of that name
+    # beside it; ``=tool1_name`` shows that cell, ``=tool1_name:tool1_unit`` the cells from it to another,
+    # ``[table.c0:c1.3]`` those of a table's row
+    name: str
     x: str
     y: str
     dashed: bool = False
@@ -30,6 +32,8 @@ class Series:
     marker: Literal["none", "circle", "diamond", "dash"] = "none"  # at each point
     up: str = ""  # the lengths of strokes up from each point
     right: str = ""  # and to the right
+    thick: bool = False  # as bars are
+    is_note: bool = False  # only its name is shown, at its point
 
     def within(self, scope: str) -> Self:
         """Return the line with ``scope`` for each ``@`` in its references."""
@@ -51,6 +55,7 @@ class Chart:
     y_range: tuple[float, float | None, float | None] | None = None
     # each line in a lane of its own, named where it begins; heights have no figures
     lanes: bool = False
+    notes: tuple[Series, ...] = ()  # beside the lines where it is large, on the first sheet
     is_lane: bool = False  # low, one of several below each other: its title beside it, places without figures
     log_y: bool = False
     legend: bool = True  # whether several lines have their names beside them; else the title says what they are

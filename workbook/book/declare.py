@@ -102,17 +102,26 @@ class Book:
         return REFERENCE.sub(reference, text)
 
     def range(self, text: str) -> str:
-        """Return the range that ``[table.column]`` means, with its sheet: for charts and names."""
-        table, column = text.strip("[]").split(".")
+        """Return the range that ``[table.column]``, ``[table.c0:c1.3]`` or ``=first:last`` means, with its sheet."""
+        if text.startswith("="):
+            cells = [self.blocks[name] for name in text[1:].split(":")]
+            title, area = cells[0].sheet.title, ":".join(cell.span for cell in cells)
+            return f"{quote_sheetname(title)}!{area}"
+        table, column, *row = text.strip("[]").split(".")
         block = self.blocks[table]
-        return f"{quote_sheetname(block.sheet.title)}!{block.reference(column)}"
+        end = f".{row[0]}" if row else ""
+        return f"{quote_sheetname(block.sheet.title)}!{block.reference(column, end)}"
 
     def values(self, text: str) -> list[Any]:
-        """Return the values of ``[table.column]``: what is entered, or the engine's value of a formula."""
-        table, column = text.strip("[]").split(".")
+        """Return the values of such a range: what is entered, or the engine's value of a formula."""
+        if text.startswith("="):
+            return [self.blocks[name].quantities[0].value for name in text[1:].split(":")]
+        table, column, *row = text.strip("[]").split(".")
         block = self.blocks[table]
-        quantity = next(q for q in block.quantities if q.name == column)
-        return as_rows(quantity.value, block.size, text)
+        first, last = block.ends(column)
+        columns = [q for q in block.quantities if first <= block.columns[q.name] <= last]
+        each = [as_rows(q.value, block.size, text) for q in columns]
+        return [values[int(row[0]) - 1] for values in each] if row else each[0]
 
     def areas(self) -> dict[str, Area]:
         """Return the meaning of each defined name, a block or a named column; and of each sheet, ``title!``, a cell."""

@@ -130,7 +130,8 @@ def close_summary(book: Book, sources: tuple[str, ...], says: CheckSentence = NO
     sheet.put(cell("about_verdict", verdict, formula="&".join(filter(None, [IN_ONE, says.says]))), SENTENCE, FIRST)
     drawn = [chart for other in book.sheets[1:] for chart, *_ in other.charts]
     for picture in drawn[:1]:
-        sheet.charts.append((replace(picture, title=""), PICTURE_ROW, FIRST, LAST - FIRST + 1, PICTURE_ROWS))
+        large = replace(picture, title="", series=picture.series + picture.notes)
+        sheet.charts.append((large, PICTURE_ROW, FIRST, LAST - FIRST + 1, PICTURE_ROWS))
     stamp, today = stamp_quantities(book)
     sheet.put(today, STAMP, FIRST)
     failing_table(sheet, "mend", "To mend", sheet.print_rows - MENDING)

@@ -9,7 +9,7 @@ from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, MM, Real
 
 Range = tuple[float, float | None, float | None]
-TAKEN = "timing_taken"  # the cell by which places become degrees: a file that has it does not hold degrees
+TAKEN = "timing_taken"  # the cell by which places become degrees
 Unit = Literal["s", "°", "rad", "mm"]
 PLACE = "° or the cycle's unit"  # of entries that are places of a cycle
 UNITS: tuple[Unit, ...] = get_args(Unit)  # what a cycle can be entered in that has a length
@@ -117,7 +117,6 @@ NAMED = {  # how each is written behind a figure, its symbol and name
 }  # fmt: skip
 # symbols of a position and its rates by another abscissa than time
 BY_X = ("y", "y'", "y''", "y'''")
-MARKS = {"s": "s", "°": "deg", "rad": "rad", "mm": "mm"}
 
 
 def length_abscissa(unit: str, length: float) -> Abscissa:
@@ -142,8 +141,3 @@ def length_abscissa(unit: str, length: float) -> Abscissa:
         timed=timed,
     )
     return abscissa if timed else replace(abscissa, symbols=BY_X, extremes=(*BY_X[1:], BY_X[2]))
-
-
-def unit_cell_name(unit: str) -> str:
-    """Return the name of the cell with the unit of the abscissa; from the name alone a file's layout is known."""
-    return f"timing_in_{MARKS[unit]}"

@@ -1,6 +1,7 @@
 """Pages of HTML from templates; pictures of SVG: lines over an abscissa, each with its name, the front of a study."""
 
 import math
+import re
 from collections.abc import Container, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,6 +28,7 @@ POINT = "#1f5fa8"
 RADIUS, GAP = 4.0, 7.0
 MARGIN = 0.08  # of an axis, beside the outermost points
 LETTER, LINE = 6.4, 13.0  # width and height of a letter
+BREAK = re.compile(r" ?[0-9.]+,nan ?")
 ROOM = 24  # beside the front, to the right
 Box = tuple[float, float, float, float]  # left, top, right and bottom of what is taken
 
@@ -67,7 +69,7 @@ PAGES = Loader(FOLDER, autoescape="shown", namespace={"shown": shown, "table": t
 
 
 class Line(NamedTuple):
-    """A line: its name, and the points that it goes through; ``points`` are shown by themselves."""
+    """A line: its name, and the points that it goes through, with gaps at nan; ``points`` are shown by themselves."""
 
     name: str
     x: Array
@@ -114,7 +116,7 @@ class Scale:
 
 def scale(values: Array, begin: float, end: float, powers: bool) -> Scale:
     """Return the axis of numbers: whole powers of ten, or from the lowest to the highest."""
-    low, high = float(values.min()), float(values.max())
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
     if powers:
         low, high = (10.0 ** f(math.log10(value)) for f, value in ((math.floor, low), (math.ceil, high)))
     if high <= low:
@@ -135,7 +137,12 @@ def plot(title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tup
         labels,
         across,
         up,
-        curves=[(path(across.at(line.x), up.at(line.y)), colour) for line, colour in drawn if not line.points],
+        curves=[
+            (part, colour)
+            for line, colour in drawn
+            if not line.points
+            for part in BREAK.split(path(across.at(line.x), up.at(line.y)))
+        ],
         points=[
             (*place, 3, colour, "")
             for line, colour in drawn

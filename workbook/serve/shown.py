@@ -34,9 +34,9 @@ class ShownDesign(Design):
         """The charts of its book that have lines, each once: first the timing diagram."""
         every = dict[tuple[Series, ...], Chart]()
         for chart in (chart for sheet in self.book.sheets for chart, *_ in sheet.charts):
-            every[chart.series] = chart  # in short on the first sheet, whole on its own
-        drawn = [(chart, [curve for series in chart.series if (curve := line(self.book, chart, series)).x.size])
-                 for chart in every.values()]  # fmt: skip
+            every[tuple(line for line in chart.series if not line.is_note)] = chart  # whole on its own sheet
+        drawn = [(chart, [curve for series in lines if (curve := line(self.book, chart, series)).x.size])
+                 for lines, chart in every.items()]  # fmt: skip
         return sorted(((chart, lines) for chart, lines in drawn if lines), key=lambda drawn: not drawn[0].lanes)
 
     @cached_property
@@ -81,15 +81,13 @@ def pictures(shown: ShownDesign, most: int) -> list[str]:
 
 
 def line(book: Book, chart: Chart, series: Series) -> Line:
-    """Return a line of a chart: the points of which both figures are numbers, on an axis of powers above 0."""
-    columns = [book.values(series.x), book.values(series.y)]
+    """Return a line of a chart: points with numbers, on an axis of powers above 0, and gaps between bars."""
     x, y = (
-        np.array([value if isinstance(value, int | float | np.number) else np.nan for value in column], dtype=float)
-        for column in columns
+        np.array([value if is_number(value) else np.nan for value in book.values(text)])
+        for text in (series.x, series.y)
     )
-    shown = np.isfinite(x) & np.isfinite(y) & ((y > 0.0) | (not chart.log_y))
-    block = book.blocks.get(series.name.removeprefix("="))
-    name = str(block.quantities[0].value) if block is not None and series.name.startswith("=") else series.name
+    shown = np.isfinite(x) & (np.isfinite(y) | series.thick) & ((y > 0.0) | (not chart.log_y))
+    name = str(book.values(series.name)[0]) if series.name.startswith(("=", "[")) else series.name
     return Line(name, x[shown], y[shown], series.points)
 
 

@@ -21,7 +21,6 @@ from openpyxl.chart.text import Text as ChartText
 from openpyxl.chart.title import Title
 from openpyxl.drawing.line import LineProperties
 from openpyxl.drawing.text import CharacterProperties, Paragraph, ParagraphProperties, RegularTextRun
-from openpyxl.utils import quote_sheetname
 
 from workbook.book.chart import COLOURS, Chart, Series
 from workbook.book.declare import Book
@@ -30,6 +29,7 @@ from workbook.writing.archive import value_xml
 from workbook.writing.style import GRID
 
 WIDTH = 19050  # of a line: 1.5 points
+BAR = 88900  # of a thick one: 7 points
 LOG_BASE = 10
 SIGNS = {"circle": 7, "dash": 7, "diamond": 11}  # points high
 BELOW = 1.5  # cm for the labels of the abscissa and its title
@@ -53,50 +53,50 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     for i, series in enumerate(chart.series):
         ink = series.color or COLOURS[i % len(COLOURS)]
         drawn.series.append(line(series, book, ink))
-        if chart.lanes:
-            last = len(book.values(series.x)) - 1  # of a line that crosses the lanes
-            drawn.series[-1].dLbls = name_at(last, "r", ink) if series.dashed else name_at(0, "l", ink)
-        elif chart.legend and len(chart.series) > 1:
-            values = book.values(series.y)
-            inner = range(edge := len(values) // BESIDE, len(values) - edge)  # off the figures of the axis
-            largest = max(inner, key=lambda k: abs(values[k]) if is_number(values[k]) else -1.0)
-            drawn.series[-1].dLbls = name_at(largest, "r" if series.points else "t", ink)
+        if chart.lanes or (chart.legend and len(chart.series) > 1):
+            drawn.series[-1].dLbls = name_at(*find_name_place(series, chart, book), ink)
     drawn.graphical_properties = NO_LINE  # no frame
-    drawn.visible_cells_only = not any(is_folded(series.y, book) for series in chart.series)
+    drawn.visible_cells_only = False  # folded workings are drawn too
     drawn.legend = None
     axes(drawn, chart, book)
     return drawn
 
 
-def is_folded(text: str, book: Book) -> bool:
-    """Whether the column ``[table.column]`` is folded away on its sheet; programs draw no such cells unless told."""
-    table, column = text.strip("[]").split(".")
-    block = book.blocks[table]
-    sheet = block.sheet
-    return 0 < sheet.folded <= block.columns[column] or 0 < sheet.folded_rows <= block.row
+def find_name_place(series: Series, chart: Chart, book: Book) -> tuple[int, Literal["l", "r", "t", "ctr"]]:
+    """Return the point of a line that its name stands at, and on which side."""
+    values = book.values(series.y)
+    if series.is_note:
+        return 0, "ctr"
+    if chart.lanes:
+        return (len(values) - 1, "r") if series.dashed else (0, "l")  # a dashed line crosses the lanes
+    inner = range(edge := len(values) // BESIDE, len(values) - edge)  # off the figures of the axis
+    largest = max(inner, key=lambda k: abs(values[k]) if is_number(values[k]) else -1.0)
+    return largest, "r" if series.points else "t"
 
 
 def heading(text: str, look: ParagraphProperties, book: Book, beside: bool = False) -> Title:
-    """Return a title, over or ``beside`` the chart; ``=name`` shows a cell: it follows units as entered."""
-    if text.startswith("="):
+    """Return a title, over or ``beside`` the chart; ``=name`` or ``[table.column.3]`` shows a cell."""
+    if text.startswith(("=", "[")):
         plain = RichText(p=[Paragraph(pPr=look)])
-        return Title(tx=ChartText(strRef=str_ref(text[1:], book)), overlay=False, txPr=plain)
+        return Title(tx=ChartText(strRef=str_ref(text, book)), overlay=False, txPr=plain)
     paragraph = Paragraph(pPr=look, r=[RegularTextRun(rPr=look.defRPr, t=text)])
     place = Layout(ManualLayout(xMode="edge", yMode="edge", x=0.04, y=0.25)) if beside else None
     return Title(tx=ChartText(rich=RichText(p=[paragraph])), overlay=beside, layout=place)
 
 
 def str_ref(name: str, book: Book) -> StrRef:
-    """Return a reference to the cell of this name, with the text that it shows."""
-    block = book.blocks[name]
-    shown = StrData(ptCount=1, pt=[StrVal(idx=0, v=str(block.quantities[0].value))])
-    return StrRef(f=f"{quote_sheetname(block.sheet.title)}!{block.span}", strCache=shown)
+    """Return a reference to the cells of a name, with what they show."""
+    values = [value for value in book.values(name) if value is not None]
+    texts = [f"{value:.15g}" if is_number(value) else str(value) for value in values]
+    shown = StrData(ptCount=len(texts), pt=[StrVal(idx=i, v=text) for i, text in enumerate(texts)])
+    return StrRef(f=book.range(name), strCache=shown)
 
 
 def line(series: Series, book: Book, ink: str) -> XYSeries:
     """Return a line between the points, never a spline, which would bend a step backwards."""
     x, y = (NumRef(f=book.range(column)) for column in (series.x, series.y))
-    stroke = LineProperties(solidFill=ink, w=WIDTH, prstDash="dash" if series.dashed else None)
+    width = BAR if series.thick else WIDTH
+    stroke = LineProperties(solidFill=ink, w=width, prstDash="dash" if series.dashed else None)
     marker = Marker("none")
     if series.marker != "none":
         look = GraphicalProperties(solidFill=ink, ln=LineProperties(solidFill=ink))
@@ -111,8 +111,11 @@ def line(series: Series, book: Book, ink: str) -> XYSeries:
             plus=NumDataSource(numRef=NumRef(f=book.range(lengths))),
             spPr=GraphicalProperties(ln=stroke),
         )
+    name = SeriesLabel(v=series.name)
+    if series.name.startswith(("=", "[")):
+        name = SeriesLabel(strRef=str_ref(series.name, book))
     return XYSeries(
-        tx=SeriesLabel(strRef=str_ref(series.name[1:], book)) if series.name[:1] == "=" else SeriesLabel(v=series.name),
+        tx=name,
         xVal=AxDataSource(numRef=x),
         yVal=NumDataSource(numRef=y),
         smooth=False,
@@ -148,9 +151,9 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=top, w=0.95 - left, h=room))
 
 
-def name_at(point: int, side: Literal["l", "r", "t"], ink: str) -> DataLabelList:
+def name_at(point: int, side: Literal["l", "r", "t", "ctr"], ink: str) -> DataLabelList:
     """Return the labels of a line: its name, on a side of one of its points, in its colour."""
-    text = CharacterProperties(sz=1000, b=True, solidFill=ink)
+    text = CharacterProperties(sz=1000, b=side != "ctr", solidFill=ink)
     look = RichText(p=[Paragraph(pPr=ParagraphProperties(defRPr=text), endParaRPr=text)])
     shown = dict.fromkeys(("showLegendKey", "showVal", "showCatName", "showPercent", "showBubbleSize"), False)
     label = DataLabel(idx=point, dLblPos=side, txPr=look, showSerName=True, **shown)

@@ -69,8 +69,8 @@ def test_gaps_that_cannot_be_are_refused():
 def test_a_switch_is_on_from_its_begin_to_its_end():
     valve = Switch("Valve 3", ((20.0, 95.0), (200.0, 215.0), (350.0, 10.0)), 360.0)
     assert list(valve.at(np.array([0.0, 10.0, 20.0, 94.9, 95.0, 214.0, 215.0, 355.0]))) == [1, 0, 1, 1, 0, 1, 0, 1]
-    assert valve.share == pytest.approx(110 / 360)
-    assert Switch("always", ((0.0, 360.0),), 360.0).share == 1.0
+    assert valve.total == pytest.approx(110.0)
+    assert Switch("always", ((0.0, 360.0),), 360.0).total == 360.0
     assert Switch("never", (), 360.0).at(np.array([1.0])) == 0.0
 
 

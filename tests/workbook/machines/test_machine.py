@@ -78,7 +78,7 @@ def test_a_feed_goes_on_from_where_its_cycle_ends():
     y = value("cycle1", "y")
     assert (y[0], y[6], y[-1]) == pytest.approx((150.0, 300.0, 450.0))
     assert min(value("cycle1", "lane")) >= 0.0
-    assert max(value("cycle1", "lane")) <= 0.8 + 1e-12
+    assert max(value("cycle1", "lane")) <= 0.94 + 1e-12
 
 
 def test_axes_are_told_apart_whatever_the_case_of_their_names():

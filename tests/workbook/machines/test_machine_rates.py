@@ -161,14 +161,14 @@ def test_a_rate_is_told_where_the_sheet_has_none_for_it_is_beyond_rounding(rate,
     (view,) = drives_of(small([driven(*RISE, load={"mass": 20.0, "friction": 0.1}) | {"rate": rate}]))
     found = list(rate_of(view))
     assert len(found) == lines
-    assert all("holds from 0 to 420.9 cycles/min exactly; its sheet says no limit" in line for line in found)
+    assert all("holds from 0 to 420.908 cycles/min exactly; its sheet says no limit" in line for line in found)
 
 
 def test_ranges_that_differ_behind_their_rounded_digits_are_told_with_more(monkeypatch):
     (view,) = drives_of(machine(100.0, {"peak_torque": 40.0}, {}))
     monkeypatch.setattr(exact, "ends_exactly", lambda _: False)
     monkeypatch.setattr(exact, "agree", lambda *_: False)
-    monkeypatch.setattr(exact, "exact_rates", lambda _: view.rates._replace(high=view.rates.high * (1 - 1e-5)))
+    monkeypatch.setattr(exact, "exact_rates", lambda _: view.rates._replace(high=view.rates.high * (1 - 1e-7)))
     (line,) = rate_of(view)
     first, second = (float(words.split()[0]) for words in line.split("holds up to ")[1:])
     assert first < second

@@ -2,7 +2,7 @@
 
 import openpyxl
 import pytest
-from openpyxl.utils import get_column_letter, range_boundaries
+from openpyxl.utils import get_column_letter
 
 from workbook.build import build, committed_descriptions
 from workbook.reading.descriptions import read_machine
@@ -27,9 +27,7 @@ def test_what_is_folded_is_workings_alone(name, tmp_path):
         assert (first.hidden, first.outlineLevel) == (True, 1)
         assert first.max >= max(max(block.columns.values()) for block in sheet.blocks)
         assert not pages[sheet.title].column_dimensions[get_column_letter(sheet.folded - 1)].hidden
-        for chart in pages[sheet.title]._charts:  # a program draws no folded column, unless told so
-            columns = [range_boundaries(series.yVal.numRef.f.partition("!")[2])[0] for series in chart.series]
-            assert chart.visible_cells_only == all(column < sheet.folded for column in columns)
+        assert not any(chart.visible_cells_only for chart in pages[sheet.title]._charts)
 
 
 MACHINES = [path for path in committed_descriptions() if path.stem.startswith("machine")]

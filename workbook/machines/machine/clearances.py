@@ -1,5 +1,7 @@
 """The sheet Clearances: axes that must stay apart, their gap over the cycle, and where it is least."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from engine.laws.base import Array
@@ -8,6 +10,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, amount
+from workbook.drive.motor import PEAK
 from workbook.entries.facts import table_of
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
@@ -44,9 +47,10 @@ def clearances_sheet(book: Book, gaps: list[ClearanceView]) -> None:
         if gap.table:
             pairs(sheet, gap, gap.table)
     sheet.checks(*map(clearance_check, gaps), *(covered_check(gap, gap.table) for gap in gaps if gap.table))
-    sheet.heading("The gap over the cycle")
+    sheet.heading("The gap over the cycle", "With a dot where it is least; dashed what must be left.")
     for k in range(0, len(gaps), 2):
-        sheet.chart_row(*map(gap_chart, gaps[k : k + 2]), width=PRINTED // 2)
+        drawn = [*map(gap_chart, gaps[k : k + 2])]
+        sheet.chart_row(*drawn, width=PRINTED // len(drawn))
     sheet.not_printed_below()
     for gap in gaps:
         sheet.heading(f"Workings: clearance {gap.number}", ABOUT)
@@ -88,7 +92,6 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
         in_si("k1", gaps, 0),
         in_si("k2", gaps, 1),
     )
-    sheet.rows(*(CELLS["names"]("{name}", gap.given.name, name=gap.name, n=gap.number) for gap in gaps))
 
 
 def axis_name(column: str, gaps: list[ClearanceView], end: int) -> Quantity:
@@ -113,13 +116,18 @@ def size_formula(gap: ClearanceView) -> str:
 
 
 def gap_chart(gap: ClearanceView) -> Chart:
-    """Return the chart of a gap at its points over the turn, with the gap to be left."""
-    at, least = f"clear{gap.number}_points", f"clear{gap.number}_least"
-    over = Series(f"={gap.name}", f"[{at}.theta]", f"[{at}.gap]")
-    lines = over, Series("least gap", f"[{least}.theta]", f"[{least}.gap]", points=True, marker="circle")
-    title = f"Clearance {gap.number}"
-    about = f"{title} at the points of the sheet over the turn, and where it is least"
-    return Chart(title, f"{gap.over.angle} θ [°]", f"gap [{gap.unit}]", lines, about, (0, TURN, 60))
+    """Return the chart of a gap at its points over the turn, where it is least, and the gap to be left."""
+    n, at, low = gap.number, f"clear{gap.number}_points", f"clear{gap.number}_least"
+    first, last = f"[{at}.theta.1]", f"[{at}.theta.{len(gap.angles)}]"
+    limit = Series("gap to be left", first, f"[clearances.least.{n}]", points=True, right=last)
+    lines = (
+        Series("gap", f"[{at}.theta]", f"[{at}.gap]"),
+        Series("least gap", f"[{low}.theta]", f"[{low}.gap]", points=True, marker="circle"),
+        replace(limit, dashed=True, color=PEAK),
+    )
+    about = f"Clearance {n} at the points of the sheet over the turn, where it is least, and the gap to be left"
+    axes = f"{gap.over.angle} θ [°]", f"gap [{gap.unit}]"
+    return Chart(f"[clearances.name.{n}]", *axes, lines, about, (0, TURN, 60), legend=False)
 
 
 def pairs(sheet: Sheet, gap: ClearanceView, table: FreePositions) -> None:

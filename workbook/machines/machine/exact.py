@@ -55,7 +55,7 @@ def rate_of(view: DriveView) -> Iterator[str]:
     if not agree(view.rates, exact):
         ranges = [range_in_words(rates, "").text for rates in (exact, view.rates)]
         if ranges[0] == ranges[1]:  # so near that their rounded ends are equal
-            ranges = [f"holds up to {rates.high:.6g} cycles/min" for rates in (exact, view.rates)]
+            ranges = [f"holds up to {rates.high:.12g} cycles/min" for rates in (exact, view.rates)]
         yield f"{view.driven.called}: {ranges[0]} exactly; its sheet says {ranges[1]}"
 
 

@@ -67,8 +67,8 @@ class FreePositions(NamedTuple):
 class ClearanceView:
     """A clearance: its gap over the cycle, in the unit of its axis; angles in degrees of the master shaft.
 
-    ``name`` is that of the cell that tells what it is called, and of which axes it is; ``scales`` are what a position
-    of each axis in m or rad is multiplied by, ``terms`` these with the motions, ``size`` how large the gap grows.
+    ``scales`` are what a position of each axis in m or rad is multiplied by, ``terms`` these with the motions, ``size``
+    how large the gap grows.
     """
 
     def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisTables]) -> None:
@@ -81,7 +81,6 @@ class ClearanceView:
         self.table = FreePositions(*pairs.T) if given.pairs else None
         self.over = self.rows[0].machine.over
         self.unit = self.rows[1 if self.table else 0].axis.given.unit
-        self.name = "_".join([f"clear{number}", *(str(row.axis.number) for row in self.rows)])
         self.factors = (given.first_factor, given.second_factor)
         self.scales = [shown(factor, row.axis.unit) for factor, row in zip(self.factors, self.rows, strict=True)]
         self.terms = [(scale, row.axis.shifted) for scale, row in zip(self.scales, self.rows, strict=True)]

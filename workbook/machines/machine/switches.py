@@ -1,4 +1,4 @@
-"""Switches over the cycle: the sheet, with checks, and the corners of their lanes in the timing diagram."""
+"""Switches over the cycle: the sheet, with checks, and their bars in the timing diagram."""
 
 from collections.abc import Iterable
 from functools import cached_property
@@ -7,27 +7,27 @@ from typing import Any
 
 from engine.timing import Switch
 from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import Book, Quantity, Sheet
+from workbook.book.chart import Chart, Series
+from workbook.book.declare import FIRST, Book, Quantity, Sheet
 from workbook.book.rows import filled, spread
 from workbook.entries.abscissa import Abscissa
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
 from workbook.machines.machine.places import in_degrees
-from workbook.machines.machine.timing.cycle import LANE_SHARE
 from workbook.machines.machine.timing.phases import going_beyond, no_fault
 from workbook.machines.machine.view import MachineView
 
 CELLS = cell_tables(__file__)
 
+PRINTED = 17  # columns
 NUMBERS = range(1, TIMES + 1)
 NEXT = (
     "SUMPRODUCT(MIN({0}.begin]-[begin]-360*({0}.begin]>=[begin]+360)+360*({0}.begin]<[begin])"
     "+360*({0}.t]=[t])+360*({0}.used]=0)))"
 )
 """from the begin of a time to the next begin of its switch: a turn where there is no other"""
-UPS = (0, 1, 1, 0)
-NONE = ((0.0, 0.0), (0.0, 0.0))  # the bars of a time that is not entered
+SWITCH, MIDDLE = "6B7280", 0.4  # the colour of bars, and their height in a lane
 
 
 class Lane:
@@ -50,6 +50,11 @@ class Lane:
         return spread(values, self.entered, TIMES, spare)
 
     @property
+    def spans(self) -> list[float]:
+        """Duration of each time (degrees)."""
+        return self.each(shown(span, DEGREE) for span in self.switch.spans)
+
+    @property
     def until_next(self) -> list[float]:
         """From the begin of each time to the next begin of the switch (degrees); a turn where there is no other."""
         begins = {k: start for k, (start, _) in self.entered.items()}
@@ -57,14 +62,13 @@ class Lane:
             min(((b - a) % TURN for j, b in begins.items() if j != k), default=TURN) for k, a in begins.items()
         )
 
-    def outline(self, floor: int, near: float) -> list[tuple[float, float]]:
-        """Return the corners of its lane: angle (degrees) and height; a bar no wider than ``near`` is none."""
-        corners = [(0.0, float(floor))]
-        for bar in chain.from_iterable(self.each(self.switch.bars, NONE)):
-            low, high = (shown(end, DEGREE) for end in bar)
-            top = floor + (LANE_SHARE if high - low > near else 0.0)
-            corners += [(low, floor), (low, top), (high, top), (high, floor)]
-        return [*corners, (TURN, floor)]
+    @property
+    def ends(self) -> list[float]:
+        """The ends of its bars (degrees): of what is past the end of the turn, then of each time, a gap before it."""
+        begins = [time.start or 0.0 for time in self.times]
+        ends = [begin + span for begin, span in zip(begins, self.spans, strict=True)]
+        bars = [(begin, begin, min(end, TURN)) for begin, end in zip(begins, ends, strict=True)]
+        return [0.0, max(0.0, max(ends) - TURN), *chain.from_iterable(bars)]
 
 
 def switches_sheet(book: Book, machine: MachineView) -> None:
@@ -83,12 +87,15 @@ def switches_sheet(book: Book, machine: MachineView) -> None:
             texts, called = f"[switch{i}_times.{column}]", f'[switches.name.{i}]&" time "'
             name_and_label = f"switch{i}_{name}", f"Switch {i}: {condition}"
             sheet.checks(no_fault(*name_and_label, texts, called))
+    sheet.heading(f"Over the {over.period}")
+    sheet.chart(draw_switches(lanes, over), FIRST, sheet.row, PRINTED - FIRST + 1, 6 + 2 * len(lanes))
+    sheet.row += 6 + 2 * len(lanes)
     sheet.not_printed_below()
     sheet.heading("Workings: the times of each switch")
     for lane in lanes:
         times_of(sheet, lane, over)
-    corners(sheet, lanes, over, machine.near)
-    sheet.print_columns = 17
+    corners(sheet, lanes, over)
+    sheet.print_columns = PRINTED
 
 
 def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
@@ -102,14 +109,13 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
         return cell("{name}{t}", values, name=name, t=t, t_before=t - 1, label=label, **own)
 
     times = [column(*end, t) for t in NUMBERS for end in (("start", "on from"), ("stop", "to"))]
-    on = cell(
-        "on", [shown(lane.switch.total, DEGREE) for lane in lanes], number=[*range(1, len(lanes) + 1)], limit=TURN
-    )
-    lasts, factor, look = [lane.switch.total / machine.speed for lane in lanes], "", {}
-    if not over.measured:
-        lasts, factor, look = [1000.0 * time for time in lasts], "1000*", {"unit": "ms", "source": "at the rate"}
-    time = cell("time", lasts, symbol=over.lasting, factor=factor, **look)
-    lasting = [time._replace(source="in all"), on._replace(role="calculation")] if over.measured else [on, time]
+    degrees = [shown(lane.switch.total, DEGREE) for lane in lanes]
+    on = cell("on", degrees, number=[lane.number for lane in lanes], limit=TURN)
+    seconds = [lane.switch.total / machine.speed for lane in lanes]
+    lasting = [on, cell("ms", [1000.0 * time for time in seconds], source="at the rate")._replace(name="time")]
+    if over.measured:
+        time = cell("time", seconds, symbol=over.lasting, source="in all")
+        lasting = [time, on._replace(role="calculation")]
     CELLS["switches"].place(
         sheet,
         CELLS["switches"]("name", [lane.given.name for lane in lanes]),
@@ -118,8 +124,6 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
         *lasting,
         rules=[HALF],
     )
-    cell = CELLS["switches"]
-    sheet.rows(*(cell("switch{i}_name", lane.given.name, i=lane.number) for lane in lanes))
 
 
 def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
@@ -139,41 +143,41 @@ def times_of(sheet: Sheet, lane: Lane, over: Abscissa) -> None:
         cell("used", lane.each([1] * len(lane.entered), 0), start=start, stop=stop),
         cell("begin", [time.start or 0.0 for time in times], since=over.degrees_formula(start)),
         cell("end", [time.stop or 0.0 for time in times], to=over.degrees_formula(stop)),
-        cell("span", lane.each(shown(span, DEGREE) for span in lane.switch.spans)),
+        cell("span", lane.spans),
         cell("next", lane.until_next, next=NEXT.format(f"[{name}")),
         cell("wrong", "", wrong=wrong),
         *([late] if over.measured else []),
     )
 
 
-def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa, near: float) -> None:
-    """Declare the corners of each lane: where it begins, two bars of four corners for each time, where it ends."""
-    about = f"A bar for each time, and another for what of it lies behind the end of the {over.period}."
-    sheet.heading("Workings: lanes of the timing diagram", about)
-    ups = [0, *UPS * 2 * TIMES, 0]
-    columns: list[Quantity] = []
-    first, last = (f"=[cycle1.{over.column}.{end}]" for end in ("first", "last"))
-    for i, lane in enumerate(lanes, 1):
-        floor, angles, widths = len(lanes) - i, [first], ["[cycle1.theta.last]"]
+def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa) -> None:
+    """Declare the ends of the bars of each lane: what lies behind the end of the cycle, then of each time the rest."""
+    sheet.heading("Workings: bars of the timing diagram", "An empty height parts two bars.")
+    cell, columns = CELLS["corners"].sharing(unit=over.unit), list[Quantity]()
+    for lane in lanes:
+        i, of = lane.number, f"[switch{lane.number}_times."
+        past = over.shown_formula(f"MAX(0,SUMPRODUCT(MAX({of}begin]+{of}span]))-360)")
+        ends = [f"=[cycle1.{over.column}.first]", f"={past}"]
         for t in NUMBERS:
-            start, span = (f"[switch{i}_times.{name}.{t}]" for name in ("begin", "span"))
-            begin, end = f"[switches.start{t}.{i}]", over.shown_formula(f"MIN({start}+{span},360)")
-            rest = over.shown_formula(f"MAX({start}+{span}-360,0)")
-            begin, end, rest = (f"=IF({span}>0,{place},0)" for place in (begin, end, rest))
-            angles += [begin, begin, end, end, first, first, rest, rest]
-            widths += [width for width in (f"MIN({span},360-{start})", f"({start}+{span}-360)") for _ in UPS]
-        heights = [f"={floor}+[up]*IF({width}>eps,timing_lane,0)" for width in (*widths, widths[0])]
-        places = lane.outline(floor, near)
+            begin, span = f"{of}begin.{t}]", f"{of}span.{t}]"
+            begins = f"={over.shown_formula(begin)}"
+            ends += [begins, begins, f"={over.shown_formula(f'MIN({begin}+{span},360)')}"]
+        height, places = len(lanes) - i + MIDDLE, [over.shown(x) for x in lane.ends]
         columns += [
-            CELLS["corners"](
-                "x{i}",
-                [over.shown(x) for x, _ in places],
-                i=i,
-                place="time" if over.measured else "angle",
-                unit=over.unit,
-                formula=[*angles, last],
-                format=over.format,
-            ),
-            CELLS["corners"]("y{i}", [y for _, y in places], i=i, formula=heights),
+            cell("x{i}", places, i=i, formula=ends, format=over.format, scale=over.length),
+            cell("y{i}", [height, height, *(None, height, height) * TIMES], i=i),
         ]
-    CELLS["switch_lanes"].place(sheet, CELLS["switch_lanes"]("up", ups), *columns)
+    CELLS["switch_lanes"].place(sheet, *columns)
+
+
+def draw_switch(number: int) -> Series:
+    """Return the bars of a switch over the cycle."""
+    x, y = (f"[switch_lanes.{letter}{number}]" for letter in "xy")
+    return Series(f"[switches.name.{number}]", x, y, color=SWITCH, thick=True)
+
+
+def draw_switches(lanes: list[Lane], over: Abscissa) -> Chart:
+    """Return the chart of all switches over the cycle."""
+    bars = [draw_switch(lane.number) for lane in lanes]
+    about, heights = f"When each switch is on over {over.cycle}", (0, len(lanes), 1)
+    return Chart("", over.title, "", tuple(bars), about, over.axis(30), heights, lanes=True)

@@ -38,9 +38,9 @@ ABOUT = (
 )
 MEETS = (PEAK_TORQUE, REDUCER_TORQUE, CYCLES)  # the limits of torques at points
 RATE_LOOK = "0.0##;-0.0##;0"
-"""the format of a lowest rate: from standstill on it is 0"""
+"""the format of an end of a range: from standstill on it is 0"""
 RANGE_END = 0.0499
-"""what is taken off an end of a range, before it is rounded: a whole amount such as 200 lies at no edge"""
+"""what is added to the low end of a range, before it is rounded: a whole amount such as 200 lies at no edge"""
 
 
 def grown(begin: str, end: str, limit: str, forward: bool) -> str:
@@ -202,7 +202,7 @@ def range_results(view: DriveView) -> Sequence[Quantity]:
     found, rates = view.rates, "[@between.high]"
     none = f'IF(@some=0,"{AT_NO_RATE}"'
     return [
-        cell("@highest", found.high, none=none, none_binds=NONE_BINDS),
+        cell("@highest", found.high, none=none, none_binds=NONE_BINDS, format=RATE_LOOK),
         cell("@binds", found.high_limit, rates=rates, none_binds=NONE_BINDS),
         cell("@lowest", found.low, none=none, format=RATE_LOOK),
         cell("@binds_low", found.low_limit, none=none, none_binds=NONE_BINDS),
@@ -237,12 +237,12 @@ def range_in_words(found: Rates, scope: str, holds: str = "holds") -> CheckSente
     """Return the sentence on a range of rates that cells with these beginnings of names have; drives ``hold``."""
     low, high = f"{scope}lowest", f"{scope}highest"
     says = (
-        f'IF(ISNUMBER({high}),"{holds} from "&ROUND({low}+{RANGE_END},1)&" to "&ROUND({high}-{RANGE_END},1)'
+        f'IF(ISNUMBER({high}),"{holds} from "&ROUND({low}+{RANGE_END},1)&" to "&ROUND({high},3)'
         f'&" cycles/min",IF({high}="{NONE_BINDS}","no limit","{holds} "&{high}))'
     )
     if isinstance(found.high, str) or isinstance(found.low, str):
         return CheckSentence(says, "no limit" if found.high == NONE_BINDS else f"{holds} {found.high}")
-    ends = (round(end, 1) + 0.0 for end in (found.low + RANGE_END, found.high - RANGE_END))
+    ends = round(found.low + RANGE_END, 1) + 0.0, round(found.high, 3)
     return CheckSentence(says, "{} from {:.15g} to {:.15g} cycles/min".format(holds, *ends))
 
 

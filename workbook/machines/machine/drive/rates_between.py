@@ -36,7 +36,7 @@ from workbook.machines.machine.drive.max_rate import (
     means,
     names_of,
 )
-from workbook.machines.machine.drive.view import DriveView
+from workbook.machines.machine.drive.view import DriveView, count_steps
 
 CELLS = cell_tables(__file__)
 
@@ -213,4 +213,5 @@ def ends(view: DriveView) -> list[Quantity]:
         cell("@high_row", highs.index(min(highs)) + 1),
         cell("@low_row", lows.index(max(lows)) + 1, quoted=quoted(NEVER_HELD)),
         cell("@some", int(search.range.high > 0.0)),
+        cell("@steps", count_steps(shown(high, PER_MINUTE)) if 0.0 < search.range.high < math.inf else 1.0),
     ]

@@ -18,6 +18,7 @@ from engine.drive.rate_estimates import RateRange
 from engine.drive.results import Energy
 from engine.laws.base import Array
 from engine.laws.points import POINTS
+from workbook.book.checks import ZERO
 from workbook.book.rows import filled
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, PER_HOUR, PER_MINUTE, RPM, shown, si
@@ -54,6 +55,16 @@ class Rates(NamedTuple):
             found.low_limit or NONE_BINDS,
             found.high_limit or NONE_BINDS,
         )
+
+
+def count_steps(rate: float) -> float:
+    """Return the steps of a cycle/min that a highest rate is rounded down to: of four digits."""
+    return 10.0 ** (3 - math.floor(math.log(rate * (1.0 + ZERO)) / math.log(10.0)))
+
+
+def round_down(rate: float) -> float:
+    """Return a highest rate (cycles/min) as sheets state it: never above it but by a rounding."""
+    return math.floor(rate * count_steps(rate) * (1.0 + ZERO)) / count_steps(rate)
 
 
 class Scales(NamedTuple):
@@ -229,8 +240,11 @@ class DriveView:
 
     @cached_property
     def rates(self) -> Rates:
-        """The range of rates of the sheet."""
-        return Rates.of(self.search.range)
+        """The range of rates of the sheet, whose upper end is rounded down, but not below a rate that is held."""
+        rates = Rates.of(self.search.range)
+        if isinstance(rates.high, str):
+            return rates
+        return rates._replace(high=max(self.rate * self.search.holds, round_down(rates.high)))
 
     @property
     def spare(self) -> float:

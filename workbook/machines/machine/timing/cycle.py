@@ -11,10 +11,9 @@ from workbook.motion.pieces import POSITION, at_sample, workings_at
 
 CELLS = cell_tables(__file__)
 
-LANE_SHARE = 0.8  # of the height of a lane that an axis takes. Source: S1, 'Timing diagram for a cutting machine'
+LANE_SHARE, BELOW, NOTE = 0.54, 0.4, 0.17  # of a lane's height: of an axis, what is below it, where its texts stand
 CURVES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
 """the rates of a sampled axis by their columns, and what they are called"""
-EARLIER = "([theta]-@late-[p])*@lap"  # the travel of the turns that its phases have ended before
 
 
 def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int) -> None:
@@ -27,15 +26,16 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
     unit, lowest, highest = axis.given.unit, f"[axes.low.{i}]", f"[axes.high.{i}]"
     low, high = (shown(end, axis.unit) for end in axis.motion.reach)
     by_lift = LANE_SHARE / (high - low) if high > low else 0.0
-    lane = floor + by_lift * (shown(axis.motion.at(unshifted.x).y, axis.unit) - low)
+    low_end = floor + BELOW
+    lane = low_end + by_lift * (shown(axis.motion.at(unshifted.x).y, axis.unit) - low)
     cell = CELLS["cycle_sheet"].sharing(i=i, unit=unit, lowest=lowest)
     with sheet.scoped(f"cycle{i}_"):
         sheet.rows(
             cell("@name", axis.given.name),
-            cell("@late", axis.given.shift),
             cell("@lap", shown(axis.motion.lifts_sum, axis.unit) / 360.0, scale=size / 360.0),
             cell("@scale", by_lift, highest=highest),
-            cell("@floor", floor - by_lift * low, floor=floor, scale=1.0),
+            cell("@floor", low_end - by_lift * low, floor=low_end, scale=1.0),
+            cell("@note", floor + NOTE),
         )
         sheet.row += 1
         theta = cell("theta", machine.angles.tolist(), label=over.angle)
@@ -44,7 +44,7 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
             sheet,
             time if over.measured else theta,
             *results(tables),
-            cell("lane", lane, earlier=EARLIER),
+            cell("lane", lane),
             *([theta] if over.measured else []),
             cell("p", shown(unshifted.x, DEGREE), scale=360.0),
             *workings_at(tables.pieces, "p", unshifted.x),
@@ -69,7 +69,7 @@ def results(tables: AxisTables) -> list[Quantity]:
         return table(name, axis.rate(timed[order]), sampled=place, scale=axis.size(order), **own)
 
     return [
-        cell("y", position, unit=unit, either=either, earlier=EARLIER, source=POSITION),
+        cell("y", position, i=axis.number, unit=unit, either=either, source=POSITION),
         rate("v", 1, "y' ω"),
         rate("a", 2, "y'' ω²"),
         rate("j", 3, "y''' ω³, between jumps"),

@@ -1,5 +1,6 @@
 """The phases of an axis on the Timing sheet: entries, results of each movement, and checks."""
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -9,7 +10,7 @@ from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
-from workbook.entries.phase import AT_REST
+from workbook.entries.phase import AT_REST, TURN
 from workbook.fields.units import shown
 from workbook.law_sheets.page import finite
 from workbook.laws import sampling
@@ -126,7 +127,22 @@ def used_columns(tables: AxisTables) -> list[Quantity]:
         cell("span", filled([p.duration for p in phases], n), stop=stop, start=start),
         cell("begin", filled([p.start for p in turned], n, 360.0), start=start, scale=360.0),
         cell("end", filled([p.stop for p in turned], n, 360.0), stop=stop, scale=360.0),
+        place_in_diagram(tables),
     ]
+
+
+def place_in_diagram(tables: AxisTables) -> Quantity:
+    """Return the column of the middle of each movement in the cycle, before its begin where nothing moves."""
+    axis, over, near = tables.axis, tables.machine.over, tables.machine.near
+    middles = [(p.start + p.stop) / 2 + axis.given.shift for p in axis.given.phases]
+    places = [
+        over.shown(x - TURN * math.floor((x + near) / TURN)) if p.lift else -1.0
+        for x, p in zip(middles, axis.phases, strict=True)
+    ]
+    middle = f"([begin]+[end])/2+[axes_taken.late.{axis.number}]"
+    place = over.shown_formula(f"{middle}-360*INT(({middle}+eps)/360)")
+    cell = CELLS["used"].sharing(unit=over.unit, scale=over.length)
+    return cell("place", filled(places, tables.rows, -1.0), place=place)
 
 
 def faults(tables: AxisTables) -> list[Quantity]:

@@ -1,25 +1,27 @@
 """The sheet Timing: the axes over a turn of the master shaft, or over a cycle."""
 
 import math
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series, colour
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, constant
-from workbook.entries.abscissa import TAKEN, unit_cell_name
+from workbook.entries.abscissa import TAKEN
 from workbook.entries.facts import entry_cells, table_of
 from workbook.fields.units import PER_MINUTE, shown, si
 from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.motion_tables import AxisTables
+from workbook.machines.machine.switches import draw_switch
 from workbook.machines.machine.timing.cycle import CURVES, LANE_SHARE
 from workbook.machines.machine.timing.phases import axis_checks, phase_columns, phase_workings, phases_table
 from workbook.machines.machine.timing.stops import stop_cell, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 
 CELLS = cell_tables(__file__)
-MARKS = {"mm": "mm", "°": "deg"}
 
-TOP, DIAGRAM = 5, 11  # the row and the column that the diagram begins at
+TOP, DIAGRAM = 5, 10  # the row and the column that the diagram begins at
 LANES, LANE_ROWS = 6, 3  # columns and rows of the lane of a curve
 LABELS = 28.0  # width of the column of labels
 NARROW = 6.0  # width of the columns over which charts lie, behind phases that hand over
@@ -35,7 +37,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     sheet.heading("Enter")
     rarely = rarely_changed(machine)
     sheet.rows(*pace(machine), *rarely, section="Rarely changed", first=next(iter(rarely), None))
-    draw_diagram(sheet, machine)
+    draw_diagram(sheet, machine, axes)
     axes_table(sheet, machine)
     phases_of_axes(sheet, machine, axes, behind)
     stops = [stop_cell(stop) for tables in axes for stop in stops_of(tables.axis)]
@@ -74,7 +76,7 @@ def phases_of_axes(sheet: Sheet, machine: MachineView, axes: list[AxisTables], b
         top, i, unit = sheet.row, tables.axis.number, tables.axis.given.unit
         cell = CELLS["timing_sheet"]
         sheet.put(cell("axis{i}_name", tables.axis.given.name, i=i), sheet.row, FIRST)
-        sheet.put(constant(f"axis{i}_{MARKS[unit]}", "Moves in", "", "", unit, align="left"), sheet.row, FIRST + 1)
+        sheet.put(constant(f"axis{i}_unit", "Moves in", "", "", unit, align="left"), sheet.row, FIRST + 1)
         sheet.row += 1
         phases_table(sheet, tables, taken)
         draw_lanes(sheet, machine, tables.axis, top, behind)
@@ -94,38 +96,47 @@ def pace(machine: MachineView) -> list[Quantity]:
             CELLS["pace"]("timing_rate", rate),
             CELLS["pace"]("timing_cycle", machine.time),
             CELLS["pace"]("omega", machine.speed),
-            *rate_to_compare(machine),
+            *compare_extremes(machine)[0],
         ]
     what, symbol, forces = ("Time", "t_c", " and process forces") if over.timed else ("Length", f"{over.symbol}_c", "")
     label = "Speed of a turn a cycle" if over.timed else f"A turn a cycle, per {over.unit}"
     cell = CELLS["pace 2"].sharing(what=what, symbol=symbol, unit=over.unit, forces=forces, over=over, label=label)
     return [
         cell("timing_cycle", over.length, format=over.format),
-        constant(unit_cell_name(over.unit), "Abscissa in", "", "", over.unit, align="left", source=over.name),
+        constant("timing_unit", "Abscissa in", "", "", over.unit, align="left", source=over.name),
         *([cell("timing_rate", rate)] if over.timed else []),
         cell("omega", machine.speed),
         cell(TAKEN, over.length, format=over.format),
     ]
 
 
-def draw_diagram(sheet: Sheet, machine: MachineView) -> None:
-    """Place the timing diagram beside the entries: a lane for each axis over the master angle."""
+def draw_diagram(sheet: Sheet, machine: MachineView, axes: list[AxisTables]) -> None:
+    """Place the timing diagram beside the entries: a lane for each axis over the master angle, and for each switch."""
     count, over = len(machine.given.switches), machine.over
     n = len(machine.axes) + count
-    lines = [curve(a, over.column, "lane") for a in machine.axes]
-    lines += [Series(f"=switch{i}_name", f"[switch_lanes.x{i}]", f"[switch_lanes.y{i}]") for i in range(1, count + 1)]
+    lines = [curve(axis, over.column, "lane") for axis in machine.axes]
+    lines += map(draw_switch, range(1, count + 1))
     bars = ", bars where a switch is on" if count else ""
     about = f"Timing diagram: rises, rests and returns of each axis over {over.cycle}{bars}"
     chart = Chart("Timing diagram", over.title, "", tuple(lines), about, over.axis(60), (0, n, 1), lanes=True)
+    chart = replace(chart, notes=tuple(note for tables in axes for note in note_movements(tables)))
     height = max(sheet.row - TOP, 5 + n + n // 2)
     sheet.chart(chart, DIAGRAM, TOP, sheet.folded - DIAGRAM, height)
     sheet.row = max(sheet.row, TOP + height)
 
 
+def note_movements(tables: AxisTables) -> Iterator[Series]:
+    """Yield the lift and the law of each movement of an axis, below its middle in the timing diagram."""
+    name, i = tables.name, tables.axis.number
+    for k in range(1, tables.rows + 1):
+        x, y = f"[{name}_taken.place.{k}]", f"[cycle{i}_note.cycle{i}_note]"
+        yield Series(f"[{name}.lift:law.{k}]", x, y, points=True, color=colour(i), is_note=True)
+
+
 def curve(axis: MovingAxis, x: str, column: str) -> Series:
-    """Return a line of an axis over the cycle, by the columns of its samples."""
-    i = axis.number
-    return Series(f"=axis{i}_name", f"[cycle{i}.{x}]", f"[cycle{i}.{column}]", color=colour(i))
+    """Return a line of an axis over the cycle, by the columns of its samples; its name has the unit."""
+    i, name = axis.number, f"=axis{axis.number}_name:axis{axis.number}_unit"
+    return Series(name, f"[cycle{i}.{x}]", f"[cycle{i}.{column}]", color=colour(i))
 
 
 def draw_lanes(sheet: Sheet, machine: MachineView, axis: MovingAxis, top: int, column: int) -> None:
@@ -172,7 +183,7 @@ def axes_table(sheet: Sheet, machine: MachineView) -> None:
         cell("high", highs, scale=size, **parts),
         cell("v", [axis.max_velocity for axis in axes], symbol=over.symbols[1], unit=speed),
         cell("a", [axis.max_acceleration for axis in axes], symbol=over.symbols[2], unit=acceleration),
-        *extremes_compared(machine),
+        *compare_extremes(machine)[1],
     )
     sheet.workings(table, "axes_taken", "Workings", sheet.folded + 1, *taken_columns(machine))
 
@@ -206,27 +217,18 @@ def taken_columns(machine: MachineView) -> list[Quantity]:
     ]
 
 
-def compared_rate(machine: MachineView) -> float | None:
-    """Return the rate (cycles/min) at which extremes are shown too, if it is entered."""
-    return getattr(machine.given.master, "compare_rate", None)
-
-
-def rate_to_compare(machine: MachineView) -> list[Quantity]:
-    """Return the rows of the rate at which extremes are shown too, if it is entered."""
-    cell, rate = CELLS["rate_to_compare"], compared_rate(machine)
+def compare_extremes(machine: MachineView) -> tuple[list[Quantity], list[Quantity]]:
+    """Return the rows of a rate to show extremes at too, and the columns of these; none if it is not entered."""
+    cell, axes, symbols = CELLS["compared"], machine.axes, machine.over.symbols
+    rate = getattr(machine.given.master, "compare_rate", None)
     if rate is None:
-        return []
-    return [cell("timing_compared", rate), cell("omega_compared", math.tau * si(rate, PER_MINUTE))]
-
-
-def extremes_compared(machine: MachineView) -> list[Quantity]:
-    """Return the columns of the greatest velocity and acceleration at the rate to compare at, if it is entered."""
-    cell = CELLS["extremes_compared"]
-    rate, axes, symbols = compared_rate(machine), machine.axes, machine.over.symbols
-    if rate is None:
-        return []
-    faster = rate / machine.given.per_minute
-    return [
-        cell("vc", [a.max_velocity * faster for a in axes], symbols=symbols, unit=units(machine, 1)),
-        cell("ac", [a.max_acceleration * faster**2 for a in axes], symbols=symbols, unit=units(machine, 2)),
-    ]
+        return [], []
+    faster, (_, v_unit, a_unit) = rate / machine.given.per_minute, (units(machine, k) for k in range(3))
+    v, a = [axis.max_velocity for axis in axes], [axis.max_acceleration for axis in axes]
+    return (
+        [cell("timing_compared", rate), cell("omega_compared", math.tau * si(rate, PER_MINUTE))],
+        [
+            cell("vc", [x * faster for x in v], symbols=symbols, unit=v_unit),
+            cell("ac", [x * faster**2 for x in a], symbols=symbols, unit=a_unit),
+        ],
+    )
