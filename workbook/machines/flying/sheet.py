@@ -1,6 +1,7 @@
 """The Cutter sheet: what to enter, lengths and times, what the tool's shaft must do, charts and workings."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from itertools import chain
 
 from engine.flying.cut import LONGER, SAME_LENGTH
 from engine.laws import Dwell
@@ -41,15 +42,11 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
     cycle(sheet, machine)
     kinematics(sheet, machine, stroke)
     sheet.row += 1
-    others = JUDGED[SAW if machine.is_drum else DRUM]
-    checks = verdicts(machine, joints, stroke)
-    sheet.checks(*(q for q in checks if q.name not in others))
+    place_by_kind(sheet, machine, JUDGED, verdicts(machine, joints, stroke), BELOW_PRINT + 10)
     charts(sheet)
     sheet.row = max(sheet.row, BELOW_CHARTS)
     sheet.not_printed_below()
-    sheet.row = BELOW_PRINT + 8
-    sheet.heading("Checks of the other kind of machine")
-    sheet.checks(*(q for q in checks if q.name in others))
+    sheet.row = BELOW_PRINT + 14
     cases(sheet, machine)
     sheet.heading("Workings")
     sheet.rows(*geometry(machine), *superimposed_rows(machine))
@@ -63,18 +60,27 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
 
 
 def entries(sheet: Sheet, machine: CutterView) -> None:
-    """Declare what the engineer enters of any kind of machine and of this; of the other, below the print."""
+    """Declare what the engineer enters."""
     sheet.heading("Enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft.")
-    own = {name for names in OF_KIND.values() for name in names}
-    rows = [*entry_cells(machine.given, "cutter", ["lengths"])]
-    sheet.rows(*(q for q in rows if q.name not in own))
-    for kind, names in OF_KIND.items():  # in this order for any kind, as the stamp sums them up
-        below, is_other = sheet.row, kind != machine.given.kind
+    place_by_kind(sheet, machine, OF_KIND, [*entry_cells(machine.given, "cutter", ["lengths"])], BELOW_PRINT)
+
+
+def place_by_kind(
+    sheet: Sheet, machine: CutterView, of_kind: Mapping[str, Sequence[str]], rows: Sequence[Quantity], below: int
+) -> None:
+    """Place entries or checks of any kind of machine, then of each; of another than this from a row ``below`` on.
+
+    Their order is the same for any kind, as the stamp sums entries up, and Checks lists checks.
+    """
+    own, place = {*chain(*of_kind.values())}, sheet.checks if rows[0].role == "check" else sheet.rows
+    place(*(q for q in rows if q.name not in own))
+    for kind, names in of_kind.items():
+        here, is_other = sheet.row, kind != machine.given.kind
         if is_other:
-            sheet.row = BELOW_PRINT
-            sheet.heading(f"Enter, where the kind of machine is {kind}")
-        sheet.rows(*(q for q in rows if q.name in names))
-        sheet.row = below if is_other else sheet.row
+            sheet.row = below
+            sheet.heading(f"Where the kind of machine is {kind}")
+        place(*(q for q in rows if q.name in names))
+        sheet.row = here if is_other else sheet.row
 
 
 def cycle(sheet: Sheet, machine: CutterView) -> None:
