@@ -39,8 +39,9 @@ def layout_of(machine: Machine, book: Book) -> dict[str, Any]:
     layout |= without_cells(machine, "", {ROW.sub(".*", key) for key in keys})
     own = (law for law in named_laws(machine.laws) if not law.basic)
     layout["sizes"] = machine.sizes.model_dump(exclude_none=True)
-    shaping = {"family", "shaped", "max_jerk", "shaper", "of"}
-    layout["laws"] = {law.slug: law.entered.model_dump(include=shaping, exclude_none=True) for law in own}
+    layout["laws"] = {
+        law.slug: law.entered.model_dump(include={"family", *law.page.without_cells}, exclude_none=True) for law in own
+    }
     for key, value in machine.layout_entries().items():
         put(layout, split(key), value)
     return layout

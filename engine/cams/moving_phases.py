@@ -11,7 +11,7 @@ from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEA
 from engine.cams.least_squares import gauss_newton
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array, Flags
-from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError, law_with_ends
+from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError
 from engine.motion.profile import CamProfile
 
 SHORTEST = 3  # intervals of a straight line, if the table has no y'
@@ -219,7 +219,8 @@ def _law_from_to(base: BoundaryLaw, places: Sequence[float], sides: Sides) -> Fo
         return None
     a0, a1 = (side.a * d**2 if "a" in base.takes and side.fixed else 0.0 for side in sides)
     try:
-        bounded, _ = law_with_ends(base, BoundaryValues(last - first, sides[0].v * d, sides[1].v * d, a0, a1))
+        ends = BoundaryValues(last - first, sides[0].v * d, sides[1].v * d, a0, a1)
+        bounded = base if ends.at_rest else base.between(ends)
     except EndError:
         return None
     return FoundPhase(bounded, begin, end, first, last - first, 0.0)

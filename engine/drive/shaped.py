@@ -1,4 +1,4 @@
-"""Laws shaped for their drive: between two rests, of pieces of a degree, with the least RMS torque. SI units."""
+"""Laws shaped for their drive: between rests or velocities, in pieces of a degree, of least RMS torque. SI units."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -14,6 +14,7 @@ from engine.drive.quadrature import LoadPoints
 from engine.drive.search import gauss_legendre, least_use
 from engine.laws import Piece, PieceLaw
 from engine.laws.base import Array
+from engine.laws.ends import NAMES, REST, BoundaryValues
 from engine.motion import Motion
 
 PEAKS = 129  # points at which peaks are taken
@@ -21,8 +22,9 @@ NODES, LEAST_NODES = 64, 16  # of Gauss and Legendre over a law, and at least on
 MOST = 13  # the highest degree: of a higher one the powers lose digits
 HULL = 33  # points at which knots are inserted, so that the hull lies near the law
 JERK = 3  # the derivative of the position
+FURTHER = 1.0  # of the rise: by so much a law may overshoot that begins or ends backwards
 NEAR = 1e-9  # of a bound: by so little a law may miss it
-RESTS = (1, 2, 3)  # the highest derivative that is 0 at both ends: of velocity, acceleration, jerk
+RESTS = (1, 2, 3)  # the highest derivative that both ends have prescribed: of velocity, acceleration, jerk
 Torque = Callable[[Array, Array, Array], Array]
 
 
@@ -33,13 +35,15 @@ class ShapedLaw(NamedTuple):
     # of each piece, of s by the time since its begin, from the constant term
     powers: tuple[tuple[float, ...], ...]
     rms_torque: float  # over the move (Nm)
+    ends: BoundaryValues = REST  # of the rise 1
 
     @property
     def law(self) -> PieceLaw:
         """The law by its pieces. Raises ValueError where their degree is above 7."""
         rows = [[k * (k - 1) * c for k, c in enumerate(powers)][2:] for powers in self.powers]
         pieces = zip(self.durations, rows, strict=True)
-        return PieceLaw([Piece(duration, (*row, 0.0, 0.0)[: max(4, len(row))]) for duration, row in pieces])
+        own = [Piece(duration, (*row, 0.0, 0.0)[: max(4, len(row))]) for duration, row in pieces]
+        return PieceLaw(own, self.ends.slopes)
 
 
 def shape(
@@ -50,14 +54,15 @@ def shape(
     rest: int = 2,
     pieces: int = 1,
     jerk: float = math.inf,
+    ends: BoundaryValues = REST,
 ) -> ShapedLaw:
-    """Return the law from rest to rest, of pieces of a degree, that takes the least RMS torque and does not overshoot.
+    """Return the law between two ends, of pieces of a degree, that takes the least RMS torque and does not overshoot.
 
-    The position is a B-spline: as many of its first coefficients are 0, and of its last 1, as derivatives rest at the
-    ends, the others are those of the least squares of √w T at Gauss points w. A single piece is a polynomial. Pieces
+    The position is a B-spline: its first and its last coefficients are those of the derivatives at the ends, at rest 0
+    and 1, the others are those of the least squares of √w T at Gauss points w. A single piece is a polynomial. Pieces
     meet where Chebyshev polynomials are extreme, with all derivatives but the highest. A spline lies within the hull of
-    its coefficients: those of the position are within 0 and 1, those of the jerk within its bound. Of a torque that is
-    no linear function of the motion it is a local minimum.
+    its coefficients: those of the position are within 0 and 1, those of the jerk within its bound. A law that
+    begins or ends backwards must overshoot. Of a torque that is no linear function of the motion it is a local minimum.
     Source: F. Van Oosterwyck et al., CAD based trajectory optimization of PTP motions using Chebyshev polynomials,
     Mech. Mach. Theory 145 (2020); C. de Boor, A Practical Guide to Splines.
 
@@ -71,11 +76,13 @@ def shape(
     degree : int
         Of the pieces, at most 13.
     rest : {1, 2, 3}
-        The highest derivative that is 0 at both ends: 1 the velocity, 2 the acceleration, 3 the jerk.
+        The highest derivative that both ends have prescribed: 1 the velocity, 2 the acceleration, 3 the jerk.
     pieces : int
         Their number.
     jerk : float
         What the law's d³s/dξ³ is at most, as c_j.
+    ends : BoundaryValues
+        The derivatives there, by ξ, of the rise 1.
 
     Returns
     -------
@@ -86,20 +93,22 @@ def shape(
     ValueError
         For a degree or an order of rest that leaves nothing to choose, or is too high; for a jerk that no such law has.
     """
-    family = Splines(degree, rest, pieces, jerk)
+    family = Splines(degree, rest, pieces, jerk, ends)
     tables = family.tables(family.inner, (lift, lift / time, lift / time**2))
     chosen = family.least_torque(torque, tables)
     return family.law(chosen, family.torque_over(torque, tables, chosen))
 
 
 class Splines:
-    """The laws from rest to rest of pieces of a degree, by the coefficients of a B-spline that are free.
+    """The laws between two ends, of pieces of a degree, by the coefficients of a B-spline that are free.
 
     None overshoots, nor has more jerk than a bound. Raises ValueError for a degree or an order of rest that leaves
     nothing to choose, or is too high.
     """
 
-    def __init__(self, degree: int, rest: int, pieces: int, jerk: float = math.inf) -> None:
+    def __init__(
+        self, degree: int, rest: int, pieces: int, jerk: float = math.inf, ends: BoundaryValues = REST
+    ) -> None:
         from scipy.interpolate import BSpline  # slow to import
 
         if rest not in RESTS:
@@ -108,7 +117,6 @@ class Splines:
         if free < 1 or not least <= degree <= MOST:
             raise ValueError(f"degree is {degree}; expected {least} to {MOST}")
         self.degree, self.rest, self.edges = degree, rest, edges_of(pieces)
-        self.even = np.linspace(0.0, 1.0, free + 2)[1:-1]  # coefficients to begin with
         knots = np.concatenate([np.zeros(degree), self.edges, np.ones(degree)])
         self.basis = BSpline(knots, np.eye(pieces + degree), degree)
         hull = self.basis
@@ -116,15 +124,27 @@ class Splines:
             hull = hull.insert_knot(at)
         self.hull = hull.c
         self.jerk, self.jerks = jerk, hull.derivative(JERK).c
+        self.ends = ends
+        self.first, self.last = outer = self.outer(0), self.outer(1)
+        backwards = np.min(outer) < -NEAR or np.max(outer) > 1.0 + NEAR
+        self.low, self.high = (-FURTHER, 1.0 + FURTHER) if backwards else (0.0, 1.0)
+        self.even = np.linspace(self.first[-1], self.last[0], free + 2)[1:-1]  # coefficients to begin with
         nodes, weights = gauss_legendre(max(LEAST_NODES, NODES // pieces))
         halves = 0.5 * np.diff(self.edges)[:, None]
         self.inner = (self.edges[:-1, None] + halves * (1.0 + nodes)).ravel()
         """points of Gauss and Legendre, and their weights"""
         self.weights = (halves * weights).ravel()
 
+    def outer(self, end: int) -> Array:
+        """Return the first coefficients (0), or the last (1), by position and derivatives at that end."""
+        n = self.rest + 1
+        asked = [float(end), *(self.ends.both(name)[end] for name in [*NAMES][: self.rest])]
+        rows = np.array([self.basis(float(end), nu=k) for k in range(n)])
+        return np.asarray(np.linalg.solve(rows[:, -n:] if end else rows[:, :n], asked))
+
     def controls(self, chosen: Array) -> Array:
-        """Return all coefficients: the first are 0, the last 1."""
-        return np.concatenate([np.zeros(self.rest + 1), chosen, np.ones(self.rest + 1)])
+        """Return all coefficients: the first and the last are those of the ends."""
+        return np.concatenate([self.first, chosen, self.last])
 
     def tables(self, xi: Array, rates: Sequence[float]) -> list[Array]:
         """Return the shares of all coefficients in position, velocity and acceleration at ξ, times their rates."""
@@ -152,7 +172,7 @@ class Splines:
 
         chosen = least_squares(weighted, self.even, jac="3-point", method="lm", ftol=1e-14, xtol=1e-14).x
         if self.margins(chosen).min() < -NEAR:
-            within = np.clip(chosen, 0.0, 1.0)
+            within = np.clip(chosen, self.low, self.high)
             least = self.torque_over(torque, tables, within)
             chosen = least_use(
                 lambda each: np.array([self.torque_over(torque, tables, each) / least]), within, self.margins
@@ -164,7 +184,7 @@ class Splines:
     def margins(self, chosen: Array) -> Array:
         """Return by how much a law stays within its bounds: not below 0 where it neither overshoots nor jerks more."""
         position, share = (table @ self.controls(chosen) for table in (self.hull, self.jerks / self.jerk))
-        return np.concatenate([position, 1.0 - position, 1.0 - NEAR - share, 1.0 - NEAR + share])
+        return np.concatenate([position - self.low, self.high - position, 1.0 - NEAR - share, 1.0 - NEAR + share])
 
     def least_use(self, uses: Callable[[Array], Array], start: Array) -> Array:
         """Return the coefficients near some at which the largest of several uses is least; these if none is less."""
@@ -177,7 +197,7 @@ class Splines:
         orders, begins = range(self.degree + 1), self.edges[:-1]
         powers = [self.basis(begins, nu=n) @ self.controls(chosen) / math.factorial(n) for n in orders]
         durations = tuple(np.diff(self.edges).tolist())
-        return ShapedLaw(durations, tuple(map(tuple, np.array(powers).T.tolist())), rms_torque)
+        return ShapedLaw(durations, tuple(map(tuple, np.array(powers).T.tolist())), rms_torque, self.ends)
 
 
 def edges_of(pieces: int) -> Array:
@@ -186,12 +206,12 @@ def edges_of(pieces: int) -> Array:
 
 
 class PhaseLoad:
-    """The motor over a phase between two rests, for any law of it, at the rate of a cycle."""
+    """The motor over a phase, for any law of a family, at the rate of a cycle."""
 
-    def __init__(self, cycle: DriveCycle, motion: Motion, number: int, xi: Array) -> None:
+    def __init__(self, cycle: DriveCycle, motion: Motion, number: int, family: Splines, xi: Array) -> None:
         phase, self.train = motion.phases[number], cycle.train
         self.begin, time = motion.ends[number].begin.y, phase.duration / cycle.speed
-        self.low, self.high = min(0.0, phase.lift), max(0.0, phase.lift)
+        self.low, self.high = sorted((family.low * phase.lift, family.high * phase.lift))
         self.rates = phase.lift, phase.lift / time, phase.lift / time**2
         self.x = float(motion.edges[number]) + phase.duration * xi
         acting = [self.train.acting(at + cycle.shift, motion.total) for at in self.x.tolist()]
@@ -201,7 +221,7 @@ class PhaseLoad:
     def motor_points(self, y: Array, v: Array, a: Array) -> DrivePoints:
         """Return the motor at positions since the begin, velocities and accelerations of the load.
 
-        A search may try laws that overshoot: the mechanism, which may not reach so far, counts as at the ends.
+        A search may try laws that go further: the mechanism, which may not reach so far, counts as at the bounds.
         """
         position = self.begin + np.clip(y, self.low, self.high)
         ratio, rests = self.train.ratio(position), np.zeros(y.shape)
@@ -222,8 +242,9 @@ def shape_phase(
     pieces: int = 8,
     least_torque: bool = False,
     jerk: float = math.inf,
+    ends: BoundaryValues = REST,
 ) -> ShapedLaw:
-    """Return the law of a phase from rest to rest with which the drive uses its limits least at the rate of its cycle.
+    """Return the law of a phase with which the drive uses its limits least at the rate of its cycle.
 
     The largest use among RMS torque, peak torque and speed of the motor is as small as it can be: a minimum near the
     law of the least RMS torque. Inertia by position, losses by the direction of power, process forces and weight are
@@ -237,7 +258,7 @@ def shape_phase(
         Its motion by phases.
     number : int
         Of the phase, from 0.
-    degree, rest, pieces, jerk : int, float
+    degree, rest, pieces, jerk, ends : int, float, BoundaryValues
         As :func:`shape` takes them.
     least_torque : bool
         Whether only the RMS torque over the phase is to be least.
@@ -252,8 +273,8 @@ def shape_phase(
         If the mechanism cannot reach a position; as :func:`shape` does.
     """
     cycle, motor = checks.drive_cycle, checks.motor
-    family, even = Splines(degree, rest, pieces, jerk), np.linspace(0.0, 1.0, PEAKS)
-    inner, spread = (PhaseLoad(cycle, motion, number, xi) for xi in (family.inner, even))
+    family, even = Splines(degree, rest, pieces, jerk, ends), np.linspace(0.0, 1.0, PEAKS)
+    inner, spread = (PhaseLoad(cycle, motion, number, family, xi) for xi in (family.inner, even))
     tables = family.tables(family.inner, inner.rates)
     tables_of_peaks = family.tables(even, spread.rates)
     share = motion.phases[number].duration / motion.total

@@ -6,6 +6,8 @@ from typing import ClassVar
 from engine.laws.base import require_finite
 from engine.laws.family import Law
 
+Slopes = tuple[float | None, float | None]
+AT_REST: Slopes = (None, None)
 NAMES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
 STILL = 1e-9  # share of the law's largest velocity or acceleration below which a value counts as 0
 ROUNDING = 1e-12  # share of a stroke or a velocity by which equal values may differ
@@ -39,6 +41,12 @@ class BoundaryValues:
     def at_rest(self) -> bool:
         """Whether velocity, acceleration and jerk are 0 at both ends."""
         return not any(self.values[1:])
+
+    @property
+    def slopes(self) -> Slopes:
+        """The velocities at both ends; None of an end at rest."""
+        v, a = self.both("v"), self.both("a")
+        return v[0] if v[0] or a[0] else None, v[1] if v[1] or a[1] else None
 
     @property
     def straight(self) -> bool:
@@ -79,31 +87,16 @@ class BoundaryLaw(Law):
         """The quantities that may be prescribed at the ends: letters of "vaj"."""
         return self.TAKES
 
-    @property
-    def fixes_ends(self) -> bool:
-        """Whether the law sets its end velocities by itself, whatever its neighbours are."""
-        return False
-
     def between(self, ends: BoundaryValues) -> "BoundaryLaw":
         """Return the law with these boundary values; raise EndError, with the reason, if it cannot meet them."""
         ends.require_taken(self, self.takes)
         return replace(self, ends=ends)
 
-    def with_open_ends(self, begin: bool, end: bool) -> "BoundaryLaw":
-        """Return the law for no phase before it (``begin``) or after it (``end``); most laws then rest at that end."""
-        del begin, end
-        return self
 
-
-def law_with_ends(law: Law, ends: BoundaryValues) -> tuple[Law, float]:
-    """Return a law with boundary values, and the factor for its s, v, a and j; raise EndError if it cannot meet them.
-
-    The factor is the stroke of a law between rests, else 1: then the law has the stroke in itself.
-    """
-    if ends.at_rest:
-        return law, ends.stroke
+def law_with_ends(law: Law, ends: BoundaryValues) -> Law:
+    """Return a law with boundary values that are not at rest; raise EndError if it cannot meet them."""
     if isinstance(law, BoundaryLaw):
-        return law.between(ends), 1.0
+        return law.between(ends)
     ends.require_taken(law, "")
     raise AssertionError("ends that are not at rest ask for something")
 

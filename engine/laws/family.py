@@ -59,6 +59,11 @@ class Law(ABC):
         return 0.0
 
     @property
+    def fixes_ends(self) -> bool:
+        """Whether the law sets the rates at its ends by itself, whatever its neighbours are."""
+        return False
+
+    @property
     def adjacent_accelerations(self) -> tuple[float, float]:
         """Accelerations before ξ = 0 and after ξ = 1; a jumps at an end where the law's own differs."""
         return 0.0, 0.0

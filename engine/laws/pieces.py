@@ -2,15 +2,18 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
 from engine.laws.base import Array, stage_of
+from engine.laws.ends import AT_REST, BoundaryValues, Slopes
+from engine.laws.extremes import reach_of
 from engine.laws.family import Law
-from engine.laws.piece import POWERS, SINES, Piece, gains_of, placed_pieces
+from engine.laws.piece import POWERS, SINES, Piece, begins, gains_of, placed_pieces, shifted
+from engine.laws.polynomials import BoundaryQuintic
 
 SUM_TOLERANCE = 1e-9
 POLYNOMIAL_345 = (Piece(1.0, (0.0, 60.0, -180.0, 120.0)),)
@@ -18,9 +21,10 @@ POLYNOMIAL_345 = (Piece(1.0, (0.0, 60.0, -180.0, 120.0)),)
 
 @dataclass(frozen=True)
 class PieceLaw(Law):
-    """A law given by its acceleration, piece by piece; s and v are integrated from s = v = 0.
+    """A law given by its acceleration, piece by piece; s and v are integrated from s = 0, and v = 0 or a slope.
 
     The default is the polynomial 3-4-5. The law need not end at s = 1 and at rest: see ``end``, :func:`normalized`.
+    A law with a slope, 0 too, keeps the rates of its pieces there, whatever is beside it.
     Raises ValueError unless the durations of the pieces sum to 1 (within 1e-9).
     """
 
@@ -31,17 +35,35 @@ class PieceLaw(Law):
     source = "own law of the engineer; the example is the polynomial 3-4-5"
 
     pieces: tuple[Piece, ...]
+    slopes: Slopes  # velocities at begin and end; None: at rest
 
-    def __init__(self, pieces: Sequence[Piece] = POLYNOMIAL_345) -> None:
+    def __init__(self, pieces: Sequence[Piece] = POLYNOMIAL_345, slopes: Slopes = AT_REST) -> None:
         object.__setattr__(self, "pieces", tuple(pieces))
+        object.__setattr__(self, "slopes", slopes)
         total = math.fsum(p.duration for p in self.pieces)
         if abs(total - 1.0) > SUM_TOLERANCE:
             raise ValueError(f"the durations of the {len(self.pieces)} pieces sum to {total:.12g}; expected 1")
 
+    @property
+    def entry_velocity(self) -> float:
+        """Velocity at ξ = 0."""
+        return self.slopes[0] or 0.0
+
+    @property
+    def fixes_ends(self) -> bool:
+        """Whether it has a slope."""
+        return self.slopes != AT_REST
+
+    @property
+    def adjacent_accelerations(self) -> tuple[float, float]:
+        """Its own at an end with a slope, else 0."""
+        first, last = self.slopes
+        return 0.0 if first is None else self.start.a, 0.0 if last is None else self.end.a
+
     @cached_property
     def _rows(self) -> tuple[Array, int]:
         """Columns of begin, s, v, the powers in use, and P, ω, sin φ, cos φ of the sines in use; number of powers."""
-        places = placed_pieces(self.pieces)
+        places = placed_pieces(self.pieces, self.entry_velocity)
         rows = np.array([place.piece.row for place in places]).T
         where = np.array([(place.begin, place.s, place.v) for place in places]).T
         powers = int(np.flatnonzero(rows[:POWERS].any(axis=1)).max(initial=-1)) + 1
@@ -58,6 +80,22 @@ class PieceLaw(Law):
     def as_pieces(self) -> tuple[Piece, ...]:
         """Return the pieces as they are given."""
         return self.pieces
+
+
+def moved_to(law: PieceLaw, ends: BoundaryValues) -> PieceLaw:
+    """Return a law with other rates at its ends, plus the polynomial 3-4-5 between the differences.
+
+    Raises ValueError where it would overshoot.
+    """
+    own = law.start, law.end
+    v, a = ([ends.both(n)[i] - getattr(at, n) for i, at in enumerate(own)] for n in "va")
+    more = BoundaryQuintic(ends=BoundaryValues(0.0, *v, *a)).polynomial
+    both = zip(law.pieces, begins(law.pieces), strict=True)
+    pieces = tuple(replace(p, c=tuple(map(sum, zip(p.c, shifted(more, xi), strict=True)))) for p, xi in both)
+    low, high = reach_of(pieces, ends.v0)
+    if low < -SUM_TOLERANCE or high > 1.0 + SUM_TOLERANCE:
+        raise ValueError(f"the law reaches from {low:g} to {high:g}; expected 0 to 1")
+    return PieceLaw(pieces, ends.slopes)
 
 
 NONE = 1e-12  # share of the velocity that any piece could gain at most: a smaller gain counts as 0

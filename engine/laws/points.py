@@ -14,6 +14,7 @@ from numpy.polynomial import Legendre
 from numpy.typing import NDArray
 
 from engine.laws.base import Array, Coefficients, Flags
+from engine.laws.ends import AT_REST, Slopes
 from engine.laws.extremes import reach_of
 from engine.laws.family import Law
 from engine.laws.inverse import velocity_extremes, velocity_peak
@@ -30,11 +31,12 @@ class PieceEnds(NamedTuple):
     jump: float  # |a| by which the acceleration jumps at the begin; 0 of a piece without duration
 
 
-def piece_ends(pieces: Sequence[Piece]) -> list[PieceEnds]:
-    """Return the accelerations at the ends of consecutive pieces that follow rest."""
-    ends, reached = [], 0.0
+def piece_ends(pieces: Sequence[Piece], follows_rest: bool = True) -> list[PieceEnds]:
+    """Return the accelerations at the ends of consecutive pieces; where they follow no rest, the first has no jump."""
+    ends, reached = list[PieceEnds](), 0.0
     for piece in pieces:
         begin, end = gains(np.array([0.0, piece.duration]), np.array(piece.row)[:, None])[2].tolist()
+        reached = reached if ends or follows_rest else begin
         jump, reached = (abs(begin - reached), end) if piece.duration > 0.0 else (0.0, reached)
         ends.append(PieceEnds(begin, end, reached, jump))
     return ends
@@ -54,8 +56,8 @@ SLOPES = {"s": "v", "v": "a", "a": "j", "j": "b", "va": "g"}  # quantity and its
 class Points:
     """The points of a law on all its pieces, those without duration too: arrays of 9 values a piece, dimensionless."""
 
-    def __init__(self, pieces: Sequence[Piece]) -> None:
-        self.pieces = tuple(pieces)
+    def __init__(self, pieces: Sequence[Piece], slopes: Slopes = AT_REST) -> None:
+        self.pieces, self.slopes = tuple(pieces), slopes
         # of each point, from 0
         self.piece: NDArray[np.intp] = np.repeat(np.arange(len(pieces)), POINTS)
         # in its piece
@@ -67,7 +69,7 @@ class Points:
         self.xi = np.array(begins(pieces))[self.piece] + self.u
         self.angles = [omega * self.u + phi, omega2 * self.u + phi2]  # ωu + φ of either sine (rad)
         row = np.array([piece.row for piece in pieces]).T[:, self.piece]
-        s0, v0 = np.array([(place.s, place.v) for place in placed_pieces(pieces)]).T[:, self.piece]
+        s0, v0 = np.array([(place.s, place.v) for place in placed_pieces(pieces, slopes[0] or 0.0)]).T[:, self.piece]
         s, gained, a, j = gains(self.u, row)
         v = v0 + gained
         b = snap(self.u, row)  # the slope of j; g is that of v·a
@@ -123,8 +125,8 @@ class Points:
     def coefficients(self) -> Coefficients:
         """The law's coefficients by the points."""
         v, a, j, va = (self.extremes(what) for what in ("v", "a", "j", "va"))
-        at = piece_ends(self.pieces)
-        jump = max(*(end.jump for end in at), abs(at[-1].reached))
+        at = piece_ends(self.pieces, self.slopes[0] is None)
+        jump = max(*(end.jump for end in at), abs(at[-1].reached) if self.slopes[1] is None else 0.0)
         return Coefficients(
             cv=max(v[1], -v[0]),
             ca_max=a[1],
@@ -142,7 +144,7 @@ class PointedLaw(PieceLaw):
     @cached_property
     def points(self) -> Points:
         """The points on its pieces."""
-        return Points(self.pieces)
+        return Points(self.pieces, self.slopes)
 
     @cached_property
     def coefficients(self) -> Coefficients:

@@ -3,14 +3,14 @@
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from engine.laws.base import Array, require_finite
-from engine.laws.ends import BoundaryLaw
+from engine.laws.ends import AT_REST, BoundaryLaw, Slopes
 from engine.laws.family import Vendors
 from engine.laws.inverse import velocity_peak
 from engine.laws.piece import Piece
@@ -18,7 +18,6 @@ from engine.laws.piece import Piece
 MOST = 100  # points
 NARROWEST = 1e-6  # least step of ξ between two points
 Point = tuple[float, float]
-Slopes = tuple[float | None, float | None]
 EXAMPLE: tuple[Point, ...] = ((0.0, 0.0), (0.25, 0.15), (0.5, 0.5), (0.75, 0.85), (1.0, 1.0))
 
 
@@ -36,7 +35,7 @@ class Spline(BoundaryLaw):
     # 2 to 100 (ξ, s), of rising ξ, from (0, 0) to (1, 1), else ValueError
     points: tuple[Point, ...] = EXAMPLE
     # entered velocities at the ends; None: the neighbouring phase's, 0 next to a dwell
-    slopes: Slopes = (None, None)
+    slopes: Slopes = AT_REST
     natural: tuple[bool, bool] = (False, False)  # whether each end is natural: a = 0, and v follows
 
     def __post_init__(self) -> None:
@@ -46,11 +45,6 @@ class Spline(BoundaryLaw):
             if slope is not None:
                 require_finite(**{f"the {name} slope": slope})
         object.__setattr__(self, "points", points)
-
-    def with_open_ends(self, begin: bool, end: bool) -> "Spline":
-        """Return the spline with natural ends where nothing precedes or follows it, and no slope is entered."""
-        free = [self.natural[k] or (open_ and self.slopes[k] is None) for k, open_ in enumerate((begin, end))]
-        return replace(self, natural=(free[0], free[1]))
 
     @property
     def fixes_ends(self) -> bool:

@@ -7,7 +7,7 @@ from functools import cached_property
 from math import perm
 
 from engine.laws import Law
-from engine.laws.ends import BoundaryLaw, BoundaryValues
+from engine.laws.ends import BoundaryValues
 from engine.laws.piece import POWERS
 from engine.laws.polynomials import BoundaryLine, BoundaryPolynomial, HalvedPolynomial
 from engine.laws.pulse_law import PulseLaw
@@ -16,7 +16,7 @@ from engine.motion.phase import Phase
 
 STRAIGHT, NEVER, PULSES, FIXED = -1, 0, 1, 2
 """how a law meets its neighbours: at its own constant velocity; only at rest; at any velocity by the heights of its two
-pulses; at its own end velocities"""
+pulses; at its own end rates"""
 LINE = 2  # mode of a phase whose boundary values a straight line meets
 
 
@@ -24,7 +24,7 @@ def end_mode(law: Law) -> int:
     """Return how a law meets its neighbours: :data:`STRAIGHT` to :data:`FIXED`, or 3, 5, 7, a polynomial's degree."""
     if slope(Phase(law, 0.0, 1.0)) is not None:
         return STRAIGHT
-    if isinstance(law, BoundaryLaw) and law.fixes_ends:
+    if law.fixes_ends:
         return FIXED
     if isinstance(law, HalvedPolynomial):
         return 1 + 2 * len(law.takes) if law.takes else NEVER

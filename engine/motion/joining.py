@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from engine.laws import Dwell, Law
-from engine.laws.ends import STILL, BoundaryLaw, BoundaryValues, EndError, kind, law_with_ends
+from engine.laws.ends import STILL, BoundaryValues, EndError, kind, law_with_ends
 from engine.laws.polynomials import BoundaryLine
 from engine.laws.simple import StraightLine
 from engine.motion.motion import Motion
@@ -53,7 +53,6 @@ class EndCondition(NamedTuple):
 
     required: Rates
     settled: bool  # whether a neighbour or an entry determines the rates
-    open: bool  # whether there is neither a neighbour nor an entry
 
 
 @dataclass(frozen=True)
@@ -65,6 +64,11 @@ class JoinedMotion:
     # of begin and end, by VDI 2143: R rest, G constant velocity, U reversal, B any
     kinds: tuple[tuple[str, str], ...]
     required: tuple[tuple[EndCondition, EndCondition], ...]  # at begin and end of each phase
+
+    def ends_of(self, number: int) -> BoundaryValues:
+        """Return the conditions at the ends of a phase, from 0, that lifts, for its law: of the rise 1, by ξ."""
+        phase = self.motion.phases[number]
+        return _ends_of(phase, *self.required[number], phase.lift)
 
 
 def slope(phase: Phase) -> float | None:
@@ -114,7 +118,7 @@ def join_phases(
             joined.append(phase)
             faults += [Fault(k, reason) for reason in _contradictions(constant, (here, there))]
             kinds.append((kind(abs(constant) and 1.0, 0.0),) * 2)
-            asked.append((EndCondition(Rates(constant), True, False),) * 2)
+            asked.append((EndCondition(Rates(constant), True),) * 2)
             continue
         sides = _side(before, here), _side(after, there)
         try:
@@ -129,29 +133,27 @@ def join_phases(
 
 def _side(neighbour: Phase | None, entered: Rates | None) -> EndCondition:
     if neighbour is None:
-        return EndCondition(entered or Rates(), True, entered is None)
+        return EndCondition(entered or Rates(), True)
     constant = slope(neighbour)
     if constant is not None:
-        return EndCondition(Rates(constant), True, False)
-    return EndCondition(entered or Rates(), entered is not None, False)
+        return EndCondition(Rates(constant), True)
+    return EndCondition(entered or Rates(), entered is not None)
 
 
 def _between(phase: Phase, begin: EndCondition, end: EndCondition) -> Phase:
     """Return a curved phase that meets its end conditions; raise EndError if its law cannot."""
-    d, law = phase.duration, phase.law
-    first, last = begin.required, end.required
-    if isinstance(law, BoundaryLaw) and law.fixes_ends:
-        # it keeps its velocities
-        BoundaryValues(a0=first.a, a1=last.a, j0=first.j, j1=last.j).require_taken(law, "")
-        return Phase(law, phase.lift, d)
-    if isinstance(law, BoundaryLaw):
-        law = law.with_open_ends(begin.open, end.open)
-    v, a, j = ((at0 * d**n, at1 * d**n) for n, (at0, at1) in enumerate(zip(first, last, strict=True), 1))
-    ends = BoundaryValues(phase.lift, *v, *a, *j)
-    joined, _ = law_with_ends(law, ends)
-    if ends.at_rest:
-        return Phase(joined, phase.lift, d)
-    return BoundaryPhase(BoundaryLine(ends=ends) if ends.straight else joined, phase.lift, d, phase.law)
+    ends = _ends_of(phase, begin, end)
+    if phase.law.fixes_ends or ends.at_rest:  # it keeps its rates: joints tell where they jump
+        return Phase(phase.law, phase.lift, phase.duration)
+    law = law_with_ends(phase.law, ends)
+    return BoundaryPhase(BoundaryLine(ends=ends) if ends.straight else law, phase.lift, phase.duration, phase.law)
+
+
+def _ends_of(phase: Phase, begin: EndCondition, end: EndCondition, unit: float = 1.0) -> BoundaryValues:
+    """Return the conditions at the ends of a phase by its ξ, in a unit of y."""
+    both = enumerate(zip(begin.required, end.required, strict=True), 1)
+    rates = [rate * phase.duration**n / unit for n, ends in both for rate in ends]
+    return BoundaryValues(phase.lift / unit, *rates)
 
 
 def _contradictions(constant: float, entered: Sequence[Rates | None]) -> list[str]:

@@ -187,7 +187,13 @@ def handed_over():
     yield from (Case(name, (1.0, passed), value, 1e-10) for name, value in (("POS", 2.0), ("VEL", 3.0), ("ACC", -4.0)))
     cubic = (("VIA", 1.0, None), ("CUB", 2.0, 3.0), ("VIA", -1.0, None))
     yield from (Case("VEL", (x, cubic), v, 1e-12) for x, v in ((0.0, 1.0), (2.0, -1.0)))
+    moving = (("LIN", 1.0, 1.0), ("OWN", 2.0, 4.0, 1.0, 1.8, -2.4), ("LIN", 1.0, 2.2))  # at (0.5, 1.1) by its lift
+    moving = tuple((*cells, *[None] * (11 - len(cells))) for cells in moving)
+    for x, y, v in ((1.0, 1.0, 1.0), (2.0, 2.7, 2.2), (3.0, 5.0, 2.2), (4.0, 7.2, 2.2)):
+        yield from (Case(name, (x, moving), value, 1e-12) for name, value in (("POS", y), ("VEL", v)))
     for table in (
+        (*moving[:2], ("LIN", 1.0, 2.3, *[None] * 8)),
+        (*moving[1:], moving[0]),
         (rise, ("VIA", 2.5, None), line),  # the line has another velocity
         (rise, ("VIA", 2.0, 0.1), line),
         (("DWL", 1.0, None), ("VIA", 1.0, None), rise),

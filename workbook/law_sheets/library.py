@@ -57,9 +57,10 @@ class NamedLaw:
 
 def named_laws(given: Laws) -> list[NamedLaw]:
     """Return the laws of a book in the order of their numbers."""
+    entries = {name: given[name] for name in given.names}
     return [
-        NamedLaw(name, number, FAMILY[given[name].family if given[name] else name], given[name], given.called(name))
-        for number, name in enumerate(given.names, 1)
+        NamedLaw(name, number, FAMILY[entry.family if entry else name].of(entry), entry, given.called(name))
+        for number, (name, entry) in enumerate(entries.items(), 1)
     ]
 
 

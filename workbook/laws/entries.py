@@ -149,8 +149,8 @@ def in_family(name: str, entry: Any) -> Any:
     if name in CODES:
         if entry.get("family", name) != name:
             raise EntryError(f"{name}.family", f"the law {name} is of its own family; expected another name")
-        for key in ("shaped", "shaper"):
-            if entry.get(key):
+        for key in FAMILY[name].without_cells if name in ENTRIES else ():
+            if entry.get(key) is not None:
                 raise EntryError(
                     f"{name}.{key}", "every book has this law; expected a name of its own, such as laws.OPT"
                 )

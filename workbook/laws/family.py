@@ -114,6 +114,8 @@ class Page:
     low: str = "=MIN(0,[s1])"
     # the formulas of its lowest and its highest s: a law that turns has others
     high: str = "=MAX(0,[s1])"
+    # the entries that only laws with names of their own have: the layout of a book holds them, no cell
+    without_cells: tuple[str, ...] = ()
     # the entries that its pieces may have, where it has no table of them
     of_pieces: Sequence[str] = ()
 
@@ -121,6 +123,10 @@ class Page:
     def title(self) -> str:
         """Return the title of its sheet."""
         return self.titled or self.law.name
+
+    def of(self, entered: Any) -> "Page":
+        """Return the page of a law with these entries: most families have one."""
+        return self
 
     def make_law(self, entered: Any) -> Law:
         """Return the engine's law with the parameters that are entered."""

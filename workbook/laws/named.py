@@ -37,6 +37,6 @@ def require_names_of_family(own: Mapping[Any, Any]) -> None:
     for name, entry in own.items():
         code = code_named(name) if isinstance(name, str) else None
         family = entry.get("family", code) if isinstance(entry, Mapping) else code
-        if code and family != code:
+        if code and (not isinstance(family, str) or code_named(family) != code):
             hidden = f"{name} is the law {FAMILY[code].law.name} ({code}) of the catalogue"
             raise EntryError(f"laws.{key_of(name)}", f"{hidden}; expected its family, or another name")

@@ -99,13 +99,23 @@ class Design:
         return cast("LimitChecks", driven.limit_checks)
 
     def changed(self, change: Change) -> "Design | str":
-        """Return the design with a change, or why there is none such: axes that it leaves alone keep their costs."""
+        """Return the design with a change, or why there is none such: axes that it leaves alone keep their costs.
+
+        Laws shaped for their drives take the rates over that their neighbours have where edges moved.
+        """
         changes = {**self.changes, **change.entries}
         laws = {value for path, value in changes.items() if path[-1] == "law"}
         changes = {path: value for path, value in changes.items() if path[0] != "laws" or path[1] in laws}
         machine = changed_machine(self.base, dict(self.data), changes)
         if isinstance(machine, str):
             return machine
+        try:
+            refitted = self.improving.shaping.refitted(machine) if change.kind == "edge" else {}
+        except ValueError as error:  # a law would overshoot
+            return str(error)
+        if refitted:
+            changes |= refitted
+            machine = changed_machine(self.base, dict(self.data), changes)
         design = replace(self, machine=machine, changes=changes)
         touched = dict.fromkeys(get(machine, (*path[:2], "name")) for path in change.entries if path[0] == "axes")
         try:

@@ -1,5 +1,6 @@
 """Make a machine better: its limits in their order, single changes by what they gain, the best together."""
 
+import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
@@ -142,16 +143,20 @@ def reshaped_laws(design: Design) -> Iterator[tuple[Design, str, str]]:
 
 
 def reshaped(design: Design, name: str) -> tuple[Design, str, str]:
-    """Return the design with a law shaped anew for its drive until that gains no more, in words, and the gain."""
-    costs, words = list[float](), ""
+    """Return the design with a law shaped anew for its drive until that gains no more, in words, and the gain.
+
+    A law that does not meet its neighbours is shaped anew whatever that costs.
+    """
+    costs, words, meets = list[float](), "", name not in dict(design.improving.shaping.misfits(design.machine))
     for _ in range(ROUNDS):  # at the higher rate another law is the best
         axis, change = design.improving.shaping.reshaped(design.machine, name)
-        words, costs, other = change.words, costs or [design.cost_of(axis)], design.changed(change)
-        if isinstance(other, str) or (cost := other.cost_of(axis)) >= costs[-1] * (1.0 - GAIN):
+        words, costs, other = change.words, costs or [design.cost_of(axis)] * meets, design.changed(change)
+        if isinstance(other, str) or (cost := other.cost_of(axis)) >= min(costs, default=math.inf) * (1.0 - GAIN):
             break
         design = other
         costs.append(cost)
-    return design, words, gain_in_words(design, costs[0], costs[-1]) if costs[1:] else ""
+    gain = gain_in_words(design, costs[0], costs[-1]) if costs[1:] else ""
+    return design, words, gain if meets or not costs else "which meets its neighbours now"
 
 
 def given_out_anew(design: Design, name: str) -> tuple[Design, str, str]:

@@ -14,6 +14,8 @@ from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.limits import LimitChecks
 from engine.drive.shaped import shape, shape_phase
 from engine.laws import Dwell, law
+from engine.laws.ends import REST, BoundaryValues
+from engine.laws.pieces import moved_to
 from engine.motion import Motion, Phase
 
 LIFT, TIME = 3.0299, 0.07375  # rad, s
@@ -103,6 +105,44 @@ def test_no_law_takes_less_of_a_constant_inertia_than_the_cubic(rest: int) -> No
     assert min(each) >= math.sqrt(12.0) - 1e-12
     if rest == 1:
         assert each == pytest.approx([math.sqrt(12.0)] * 3)
+
+
+ENDS = [BoundaryValues(v0=1.0), BoundaryValues(v0=0.4, v1=1.5, a0=3.0, a1=-2.0), BoundaryValues(v0=-0.5, v1=0.3)]
+
+
+@pytest.mark.parametrize("ends", ENDS)
+def test_a_law_between_velocities_has_them_and_takes_less_torque_than_its_neighbours(ends: BoundaryValues) -> None:
+    shaped = shape(bolt_torque, LIFT, TIME, 5, pieces=8, ends=ends)
+    move = shaped.law
+    assert move.start[:3] == pytest.approx((0.0, ends.v0, ends.a0), abs=1e-9)
+    assert move.end[:3] == pytest.approx((1.0, ends.v1, ends.a1), abs=1e-9)
+    assert rms_of(move) == pytest.approx(shaped.rms_torque, rel=1e-6)
+    s = move.s(np.linspace(0.0, 1.0, 2001))
+    assert s.max() <= 1.0 + 1e-9
+    assert s.min() >= -1e-9 or ends.v0 < 0.0
+    for other in (0.99, 1.01) if ends.v0 > 0.0 else ():  # of its rates, and back: other laws between the same ends
+        values = BoundaryValues(1.0, *(other * value for value in ends.values[1:]))
+        neighbour = moved_to(shape(bolt_torque, LIFT, TIME, 5, pieces=8, ends=values).law, ends)
+        assert neighbour.end[:3] == pytest.approx(move.end[:3], abs=1e-9)
+        assert rms_of(neighbour) > shaped.rms_torque
+
+
+@pytest.mark.parametrize("ends", [REST, *ENDS])
+def test_no_law_between_velocities_takes_less_of_a_constant_inertia_than_the_cubic(ends: BoundaryValues) -> None:
+    v0, v1 = ends.both("v")
+    least = math.sqrt(12.0 * (1.0 - v0 - v1) + 4.0 * (v0**2 + v0 * v1 + v1**2))
+    assert shape(lambda y, v, a: a, 1.0, 1.0, 7, 1, ends=ends).rms_torque == pytest.approx(least, rel=1e-9)
+
+
+def test_the_parts_of_a_law_shaped_between_its_own_rates_take_no_more_torque_than_it() -> None:
+    whole = shape(bolt_torque, LIFT, TIME)
+    s = Polynomial(whole.powers[0])
+    y, v, a = s(0.5), 0.5 * s.deriv()(0.5), 0.25 * s.deriv(2)(0.5)
+    first = shape(bolt_torque, y * LIFT, TIME / 2.0, ends=BoundaryValues(v1=v / y, a1=a / y))
+    rest, ends = 1.0 - y, BoundaryValues(v0=v / (1.0 - y), a0=a / (1.0 - y))
+    second = shape(lambda z, v, a: bolt_torque(z + y * LIFT, v, a), rest * LIFT, TIME / 2.0, ends=ends)
+    parts = math.sqrt(0.5 * (first.rms_torque**2 + second.rms_torque**2))
+    assert 0.9 * whole.rms_torque < parts <= whole.rms_torque
 
 
 @pytest.mark.parametrize(("degree", "rest", "match"), [(5, 2, "expected 6 to 13"), (15, 2, "13"), (9, 4, "rest is 4")])

@@ -239,6 +239,7 @@ CLAIMS = (
         coefficients="cv = 15/8; ca_max = 10/sqrt(3); ca_min = -ca_max; ca_rms = sqrt(120/7); cj = 60; "
         "va_max = 225/8*(6/7)**3/sqrt(7); va_min = -va_max",
         others=(PieceLaw(MIXED),),
+        beyond=(PieceLaw([Piece(1.0, (1.8, -2.4, 0.0, 0.0))], (0.5, 1.1)),),
     ),
     Claims(
         Spline,

@@ -121,11 +121,6 @@ def test_an_end_that_a_law_cannot_have_is_refused_with_the_reason(law, ends, rea
 
 
 @EVERY
-def test_between_rests_a_law_is_itself(law):
-    assert law_with_ends(law, BoundaryValues(3.0)) == (law, 3.0)
-
-
-@EVERY
 def test_the_kinds_of_a_law_are_what_its_ends_show(law):
     """Between rests a law is one of R and U at either end; with a velocity, one of G and B."""
     if not isinstance(law, BoundaryLaw) or "v" not in law.takes:

@@ -72,9 +72,8 @@ def test_points_close_together_are_each_found():
     assert law.s(xi) == pytest.approx(xi, abs=1e-12)
 
 
-def test_an_open_end_is_natural_unless_its_slope_is_entered():
-    law = Spline(many(5), (None, 0.3)).with_open_ends(True, True)
-    assert law.natural == (True, False)
+def test_an_end_is_natural_and_another_has_its_slope():
+    law = Spline(many(5), (None, 0.3), (True, False))
     assert (law.start.a, law.end.v) == pytest.approx((0.0, 0.3), abs=1e-12)
     assert kinds(law) == ("RG", "UB")
 

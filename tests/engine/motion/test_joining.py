@@ -221,14 +221,6 @@ def test_jerk_is_asked_for_within_laws_and_across_the_cycle():
     assert shortfalls(join_phases([Phase(Polynomial4567(), 1.0, 1.0), dwell(1.0)]).motion, "jerk", periodic=False) == ()
 
 
-def test_a_spline_is_natural_at_an_open_end_and_at_rest_beside_a_dwell():
-    phases = [Phase(POINTS, 10.0, 2.0), dwell(1.0)]
-    law = join_phases(phases, periodic=False).motion.phases[0].law
-    assert law.natural == (True, False)
-    assert (law.start.a, law.end.v) == pytest.approx((0.0, 0.0), abs=1e-12)
-    assert join_phases(phases).motion.phases[0].law == POINTS
-
-
 def test_a_spline_takes_the_velocity_of_a_line_unless_its_slope_is_entered():
     def found(slopes):
         return join_phases(

@@ -17,11 +17,13 @@ from workbook.machines.machine.view import MachineView
 
 SMALL = {"cycle": 36, "law": 4}
 FAMILIES = ("LIN", "MSN", "MTS", "SCC", "SCV", "SHM", "SRT", "SGS", "HAC", "PO5", "PO7", "DHM")
-DRAWN = ("ACS", "TVP", "CIC", "CUB", "MTP", "LIN", "DWL", "OWN", "shifted", *FAMILIES, "LIN", "PO5", "PO7")
+DRAWN = ("ACS", "TVP", "CIC", "CUB", "MTP", "LIN", "DWL", "OWN", "shifted", "moving", *FAMILIES, "LIN", "PO5", "PO7")
 STEP = [("PO5", 30.0, 90.0), ("LIN", 20.0, 40.0), ("PO5", -50.0, 170.0), ("DWL", 0.0, 60.0)]
 
 
-LAWS = {code: {"family": code} for code in FAMILIES} | {"shifted": {"family": "PO5", "share": 0.4}}
+QUINTIC = {"duration": 1.0, "c1": 15.6, "c2": -39.6, "c3": 24.0}  # from the velocity 0.5 to 1.1
+OWN = {"family": "OWN", "first_slope": 0.5, "last_slope": 1.1, "pieces": [QUINTIC]}
+LAWS = {code: {"family": code} for code in FAMILIES} | {"shifted": {"family": "PO5", "share": 0.4}, "moving": OWN}
 
 
 def composed(phases, laws=LAWS, **axis):
@@ -90,6 +92,16 @@ def test_a_law_that_cannot_take_a_velocity_fails_by_row_and_reason(law):
     )
     verdict, words = said(value, "axis1_smooth")
     assert (verdict, words.partition(" by ")[0]) == ("FAIL", "Axis at 90°: velocity jumps")
+
+
+def test_an_own_law_with_slopes_meets_the_lines_of_its_velocities_and_no_others():
+    rise, line = ("moving", 30.0, 90.0), ("LIN", 11.0, 30.0)
+    value = of(composed([("LIN", 5.0, 30.0), rise, line, ("PO5", -46.0, 210.0)]))
+    assert value("overall") == "OK"
+    value = of(composed([("LIN", 5.0, 30.0), rise, ("LIN", 12.0, 30.0), ("PO5", -47.0, 210.0)]))
+    verdict, words = said(value, "axis1_smooth")
+    assert (verdict, words.partition(" by ")[0]) == ("FAIL", "Axis at 120°: velocity jumps")
+    assert said(value, "axis1_meets")[0] == "OK"
 
 
 def rates(value, name, order):

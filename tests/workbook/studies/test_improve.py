@@ -319,6 +319,40 @@ def test_a_law_that_cannot_be_shaped_says_why(of: str, smoothness: str, match: s
         command.freeze(path, None, False)
 
 
+RAMP, LINE = {"start": 0.0, "stop": 90.0, "lift": 60.0}, {"start": 90.0, "stop": 150.0, "lift": 90.0, "law": "LIN"}
+PASSING = {"start": 90.0, "stop": 270.0, "lift": 90.0, "velocity": 0.05, "acceleration": 0.02}
+OTHER = {"start": 150.0, "stop": 270.0, "lift": 100.0}
+
+
+@pytest.mark.parametrize(
+    "phases",
+    [
+        [RAMP | {"law": "OPT"}, LINE, OTHER | {"law": "OUT"}],
+        [RAMP | {"law": "OPT"}, PASSING | {"law": "OUT"}],
+        [RAMP | {"law": "OPT"}, PASSING | {"law": "PO5"}],
+    ],
+)
+def test_laws_between_velocities_are_frozen_verify_and_follow_moved_edges(phases, tmp_path, capsys) -> None:
+    path, frozen, book = base(tmp_path, phases=phases), tmp_path / "frozen.toml", tmp_path / "feed.xlsx"
+    own = [name for name in ("OPT", "OUT") if name in [phase["law"] for phase in phases]]
+    laws = "".join(f'[laws.{name}]\nfamily = "OPT"\nshaped = "torque"\n' for name in own)
+    path.write_text(f'{path.read_text("utf-8")}\n[laws.LIN]\nfamily = "LIN"\n{laws}', encoding="utf-8")
+    assert command.freeze(path, None, False) == FAILS
+    assert capsys.readouterr().out.count("which meets its neighbours now") == len(own)
+    assert command.freeze(path, frozen, False) == AGREES  # and so do all checks
+    assert command.freeze(frozen, None, False) == AGREES
+    machine = read_machine(frozen)
+    write_book(machine, book)
+    assert [str(finding) for finding in verify(book).findings] == []
+    assert read_entered(book)[1].laws == machine.laws
+    design = first_design(machine, False)
+    assert design.breaks() == set()
+    for change in changes.edge_changes(machine, 0):
+        moved = design.changed(change)
+        assert moved.breaks() == set(), change.words
+        assert not [*shaping.misfits(moved.machine)]
+
+
 def test_axes_that_limit_alike_have_better_laws_both(tmp_path) -> None:
     machine = read_machine(base(tmp_path))
     twin = machine.axes[0].model_copy(update={"name": "MC02"})

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal, Self
 
 import numpy as np
@@ -65,6 +65,7 @@ SHAPED = "What `motionbook improve --freeze` shapes its pieces for: least RMS to
 SHAPER = "The input shaper by which `motionbook improve --freeze` gives out another law, for the vibration of its axis"
 SHAPER_OF = "The law that its input shaper gives out"
 MOST_JERK = "Its coefficient of jerk, c_j, is at most that, of a law that is shaped"
+SLOPE = "The velocity that it {} with beside a phase that moves, per unit rise and time; without it, it rests there"
 
 
 class OwnLaw(LawSheet):
@@ -72,10 +73,12 @@ class OwnLaw(LawSheet):
 
     name: Text = "Polynomial 3-4-5"
     pieces: list[Piece] = Field(default=[Piece(duration=1.0, c1=60.0, c2=-180.0, c3=120.0)])
-    shaped: Literal["torque", "rate"] | None = Field(default=None, description=SHAPED, examples=["torque"])
+    shaped: Literal["torque", "rate"] | None = Field(default=None, description=SHAPED, examples=["rate"])
     max_jerk: Positive | None = Field(default=None, description=MOST_JERK, examples=[200.0])
     shaper: Literal["ZV", "ZVD", "EI"] | None = Field(default=None, description=SHAPER, examples=["ZVD"])
     of: Text | None = Field(default=None, description=SHAPER_OF, examples=["MTP"])
+    first_slope: Number | None = Field(default=None, description=SLOPE.format("begins"), examples=[0.5])
+    last_slope: Number | None = Field(default=None, description=SLOPE.format("ends"), examples=[0.5])
 
     @model_validator(mode="after")
     def _belong_together(self) -> Self:
@@ -116,9 +119,18 @@ MOST_TURN = math.tau
 class OwnPage(Page):
     """The page of an own law: any number of pieces, entered in rows."""
 
+    def of(self, entered: OwnLaw) -> Page:
+        """Return the page of a law with these entries: one with a slope begins with it, and keeps the rates it has."""
+        slopes = slopes_of(entered)
+        start, formulas = "=@first_slope" if "first_slope" in slopes else "=0", dict(self.coefficients)
+        if "last_slope" in slopes:
+            formulas["cj"] = (formulas["cj"][0].replace(LEFT, "0"), formulas["cj"][1])
+        own = replace(self, coefficients=formulas, start=start, end_mode="=2", rests=False, single=False)
+        return own if slopes else self
+
     def make_law(self, entered: OwnLaw) -> PointedLaw:
         """Return the engine's law, with its coefficients by points."""
-        return PointedLaw([piece.engine_piece for piece in entered.pieces])
+        return PointedLaw([piece.engine_piece for piece in entered.pieces], (entered.first_slope, entered.last_slope))
 
     def law_of(self, numbers: Sequence[float]) -> Law:
         """Return the law of pieces in a row, eight numbers each: duration, c0, c1, c2, c3, P, ω, φ."""
@@ -146,6 +158,7 @@ class OwnPage(Page):
         """Declare the name and the table of pieces."""
         cell = CELLS["enter"]
         sheet.rows(cell("@name", named.entered.name, named=named))
+        sheet.rows(*(cell(f"@{name}", slope) for name, slope in slopes_of(named.entered).items()))
         pieces_entered(sheet, named.entered, named.key, sizes.pieces)
 
     def work(self, sheet: Sheet, named: Any, stack: sampling.Pieces, sizes: Any) -> None:
@@ -157,7 +170,8 @@ class OwnPage(Page):
             cell("@most_turn", MOST_TURN),
             *extremes(spread_of(named.law, sizes.pieces)),
         )
-        missing(sheet, named.law, sizes.pieces)
+        if not named.law.fixes_ends:
+            missing(sheet, named.law, sizes.pieces)
 
     def step_back(self, law: Law, sizes: Any) -> float:
         """Return the greatest step of v the wrong way from point to point."""
@@ -172,21 +186,32 @@ class OwnPage(Page):
         """Return the checks of the own law."""
         cell = CELLS["verdicts"]
         turn = max(piece.omega * piece.duration for piece in named.law.as_pieces())
-        end = named.law.end
+        end, asked = named.law.end, named.entered.last_slope
+        ends = (
+            {"ends": "at rest", "last": ""} if asked is None else {"ends": "with its velocity", "last": "-@last_slope"}
+        )
         reached = amount("[@samples.s.last]", end.s, "s(1) = ", "")
         left = amount("[@samples.v.last]", end.v, "v(1) = ", "")
         turns = amount("MAX([@worked.turn])", turn, "a sine turns by ", " rad over its piece")
         return [
             cell("@sum", True, named=named),
             cell("@reaches", abs(end.s - 1) < ZERO, named=named, says=reached),
-            cell("@rests", abs(end.v) < ZERO, named=named, says=left),
+            cell("@rests", abs(end.v - (asked or 0.0)) < ZERO, named=named, says=left, **ends),
             cell("@dense", turn <= MOST_TURN, named=named, says=turns),
         ]
 
 
-def spread_of(law: Law, room: int) -> Points:
+def spread_of(law: Any, room: int) -> Points:
     """Return the points on the pieces of a law in a table of ``room`` rows."""
-    return Points(filled(law.as_pieces(), room, engine.Piece(0.0)))
+    return Points(filled(law.as_pieces(), room, engine.Piece(0.0)), law.slopes)
+
+
+def slopes_of(own: OwnLaw) -> dict[str, float]:
+    """Return the velocities that are entered of the ends by their names."""
+    return own.model_dump(include={"first_slope", "last_slope"}, exclude_none=True)
+
+
+LEFT = "ABS([@worked.reached.last])"  # by how much the acceleration jumps at an end at rest
 
 
 PAGE = OwnPage(
@@ -201,6 +226,7 @@ PAGE = OwnPage(
     high="=@s_most",
     named="=@name",
     of_pieces=OWN_ENTRIES,
+    without_cells=("shaped", "max_jerk", "shaper", "of", "first_slope", "last_slope"),
     wrong_step="=@back",
     variations=VARIATIONS,
 )
@@ -224,9 +250,10 @@ def worked(own: OwnLaw, n: int) -> list[Quantity]:
     """Return the columns of the pieces' begins, and of the acceleration at both their ends."""
     cell = CELLS["worked"]
     pieces = filled([piece.engine_piece for piece in own.pieces], n, engine.Piece(0.0))
-    at = piece_ends(pieces)
+    follows_rest = own.first_slope is None
+    at, before = piece_ends(pieces, follows_rest), "0" if follows_rest else "[a0]"
     return [
         cell("xi", begins(pieces)),
         cell("turn", [piece.omega * piece.duration for piece in pieces]),
-        *cell.of_rows(at, a0="begin", a1="end", reached="reached", jump="jump"),
+        *cell.sharing(before=before).of_rows(at, a0="begin", a1="end", reached="reached", jump="jump"),
     ]

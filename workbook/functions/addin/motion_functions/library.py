@@ -16,6 +16,7 @@ from typing import Any, Callable, NamedTuple, Sequence, Tuple
 from .law import NUM, VALUE, Law, Piece, Refused, Stage
 
 SUM_TOLERANCE = 1e-9  # of the durations of a law
+MISSED = 1e-9  # of lift and velocities, by which an own law may miss those at its end
 OWN_WIDTH = 8
 # the pieces of the own law where none are given
 OWN = ((1.0, 0.0, 60.0, -180.0, 120.0, 0.0, 0.0, 0.0),)
@@ -90,8 +91,7 @@ PARAMETERS = {code: len(family.delivered) for code, family in LAWS.items()}
 def law(code: str, parameters: Rows, lift: float = 1.0, begin: End = REST, end: End = REST) -> Law:
     """Return the law of a code over a lift between ends; refuses unknown codes, parameters or ends it cannot have."""
     if code == "OWN":
-        require(begin == end == REST)
-        return own_law(parameters, lift)
+        return own_law(parameters, lift, begin, end)
     if code not in LAWS:
         raise Refused(VALUE)
     declared = LAWS[code]
@@ -110,13 +110,21 @@ def law(code: str, parameters: Rows, lift: float = 1.0, begin: End = REST, end: 
     return Law([Piece(d, c, [(p1, w1, phi1), (p2, w2, phi2)]).scaled(lift)], velocity * lift)
 
 
-def own_law(rows: Rows, lift: float) -> Law:
-    """Return the law of pieces in rows over a lift; refuses rows of another width, durations whose sum is not 1."""
+def own_law(rows: Rows, lift: float, begin: End, end: End) -> Law:
+    """Return the law of pieces in rows over a lift, from the velocity at its begin; refuses rows of another width.
+
+    Refuses durations whose sum is not 1 and, unless both ends rest, pieces that miss the lift or the velocity at the
+    end.
+    """
     if any(len(row) != OWN_WIDTH for row in rows):
         raise Refused(VALUE)
     durations = [row[0] for row in rows]
     require(min(durations) >= 0.0 and abs(sum(durations) - 1.0) <= SUM_TOLERANCE)
-    return Law([Piece(d, c, [(p, w, phi)]).scaled(lift) for d, *c, p, w, phi in rows])
+    law = Law([Piece(d, c, [(p, w, phi)]).scaled(lift) for d, *c, p, w, phi in rows], begin[0])
+    if not begin == end == REST:
+        s, v, *_ = law.at(1.0)
+        require(abs(s - lift) + abs(v - end[0]) <= MISSED * (abs(lift) + abs(begin[0]) + abs(end[0])))
+    return law
 
 
 def require(possible: bool) -> None:

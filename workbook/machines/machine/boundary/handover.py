@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 from engine.laws.ends import ROUNDING, BoundaryValues
-from engine.motion.handover import FIXED, NEVER, PULSES, STRAIGHT, Handover, handovers
+from engine.motion.handover import NEVER, PULSES, STRAIGHT, Handover, handovers
 from engine.motion.joining import Rates, agrees
 from engine.motion.pieces import MotionPiece
 from workbook.book.cell_tables import CellTable, cell_tables
@@ -27,7 +27,6 @@ CELLS = cell_tables(__file__)
 SPEED, BEND = " with a velocity", " with an acceleration"
 RESTS = ": it begins and ends at rest"
 ONLY = ": it takes a velocity only"
-FOLLOWS = ": what it has there follows from its points"
 BESIDE = ": its begin is entered otherwise than the straight line or dwell there has it"
 
 
@@ -141,7 +140,7 @@ def why_impossible(handover: Handover) -> tuple[str, str, str]:
     return (
         "begin" if first else "end",
         SPEED if never and moving else BEND,
-        RESTS if never else FOLLOWS if handover.end_mode == FIXED else ONLY,
+        RESTS if never else ONLY,
     )
 
 
@@ -258,6 +257,6 @@ def faults(handover: AxisHandover) -> list[Quantity]:
     return [
         column("verb", list(ends)),
         column("what", list(rates), speed=SPEED, bend=BEND),
-        column("why", list(reasons), rests=RESTS, kept=FOLLOWS, only=ONLY),
+        column("why", list(reasons), rests=RESTS, only=ONLY),
         column("fault", handover.spread(handover.faults(), "")),
     ]

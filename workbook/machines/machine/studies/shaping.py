@@ -1,7 +1,7 @@
 """Changes of laws: another for a phase, laws shaped for its drive, and laws given out by a shaper for its load."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import count
@@ -10,8 +10,10 @@ from typing import Any
 from engine.drive.limits import at_speed
 from engine.drive.rate_range import at_points
 from engine.drive.shaped import shape_phase
-from engine.laws import Law
+from engine.laws import PieceLaw
 from engine.laws.base import Kinematics
+from engine.laws.ends import BoundaryValues
+from engine.laws.pieces import moved_to
 from engine.laws.vibration import Shaper
 from workbook.book.sentence import figure
 from workbook.errors import InputError
@@ -44,23 +46,29 @@ def drives(machine: AnyMachine) -> dict[str, Any]:
 
 
 def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[Change]:
-    """Yield another law for each phase of an axis that moves from rest to rest, of all families; shaped ones too."""
-    axis = machine.axes[i]
-    known = {each.name: each for each in from_rest_to_rest(machine)}
+    """Yield a law shaped for its drive for each phase of an axis, and those of all families between two rests."""
+    axis, words = machine.axes[i], {law.name: law.words for law in named_laws(machine.laws)}
+    known = {law.name: law for law in from_rest_to_rest(machine)}
     driven = drives(machine)[axis.name]() if axis.motor and aim.name in SHAPED_FOR else None
     for k, phase in enumerate(axis.phases):
-        if not phase.lift or passes(axis, k) or phase.law not in known:
+        if not phase.lift or machine.laws[phase.law].family == "LIN":
             continue
-        path = ("axes", str(i), "phases", str(k), "law")
-        begin = f"{axis.name} phase {k + 1}: {known[phase.law].words}"
+        begin = f"{axis.name} phase {k + 1}: {words[phase.law]}"
         if driven:
             with suppress(ValueError, ArithmeticError):  # too few pieces, or what the engine refuses
                 yield shaped(machine, driven, rate, k, begin, free_name(machine, i, k), TORQUE_OR_RATE[aim.is_rate])
-        yield from shapers(machine, i, k, begin) if aim.name == "vibration" else ()
-        for law in known.values():
-            if law.name != phase.law and not is_shaped(law.entered):  # for another phase
-                new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
-                yield Change(f"{begin} → {law.words}", new | {path: law.name}, "law")
+        if phase.law in known and not passes(axis, k):
+            yield from shapers(machine, i, k, begin) if aim.name == "vibration" else ()
+            yield from other_laws(machine, i, k, begin, known)
+
+
+def other_laws(machine: AnyMachine, i: int, k: int, begin: str, known: Mapping[str, NamedLaw]) -> Iterator[Change]:
+    """Yield the change of a phase to each of other laws, but those that are shaped for other phases."""
+    path = ("axes", str(i), "phases", str(k), "law")
+    for law in known.values():
+        if law.name != machine.axes[i].phases[k].law and not is_shaped(law.entered):
+            new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
+            yield Change(f"{begin} → {law.words}", new | {path: law.name}, "law")
 
 
 def from_rest_to_rest(machine: AnyMachine) -> Iterator[NamedLaw]:
@@ -94,19 +102,20 @@ def free_name(machine: AnyMachine, i: int, k: int) -> str:
 def shaped(machine: AnyMachine, driven: Driven, rate: float, k: int, begin: str, name: str, aim: str) -> Change:
     """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into its pieces."""
     axis, least_torque, most = driven.axis, aim == "torque", min(PIECES, machine.sizes.pieces)
-    rest, checks = RESTS[axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau)
-    jerk = getattr(machine.laws[axis.given.phases[k].law], "max_jerk", None)
-    law = shape_phase(checks, axis.motion, axis.entered[k], 5, rest, most, least_torque, jerk or math.inf).law
+    rest, checks, number = RESTS[axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau), axis.entered[k]
+    jerk, ends = getattr(machine.laws[axis.given.phases[k].law], "max_jerk", None), axis.joined.ends_of(number)
+    law = shape_phase(checks, axis.motion, number, 5, rest, most, least_torque, jerk or math.inf, ends).law
     words = f"Shaped for its drive at {shown(1.0 / checks.drive_cycle.time, PER_MINUTE):.1f} cycles/min"
     own = frozen(law, words) | {"shaped": aim} | ({"max_jerk": jerk} if jerk else {})
     path = ("axes", str(axis.number - 1), "phases", str(k), "law")
     return Change(f"{begin} → shaped for its drive", {("laws", name): own, path: name}, "law")
 
 
-def frozen(law: Law, words: str) -> dict[str, Any]:
-    """Return the entries of an own law of a name with the pieces of another, of cubics."""
+def frozen(law: PieceLaw, words: str) -> dict[str, Any]:
+    """Return the entries of an own law of a name with the ends and the pieces, cubics, of another."""
     pieces = [{"duration": piece.duration} | {f"c{n}": c for n, c in enumerate(piece.c)} for piece in law.as_pieces()]
-    return {"family": "OWN", "name": words, "pieces": pieces}
+    slopes = zip(("first_slope", "last_slope"), law.slopes, strict=True)
+    return {"family": "OWN", "name": words, "pieces": pieces} | {name: v for name, v in slopes if v is not None}
 
 
 def shapers(machine: AnyMachine, i: int, k: int, begin: str) -> Iterator[Change]:
@@ -141,19 +150,45 @@ def given_out(machine: AnyMachine, i: int, k: int, begin: str, name: str, kind: 
     return Change(f"{begin} → {kind} of {base.name}, which costs {costs}", entries, "law")
 
 
+def misfits(machine: AnyMachine) -> Iterator[tuple[str, BoundaryValues]]:
+    """Yield the laws shaped for their drives with other rates than their phases have to meet, and these, by ξ."""
+    for axis in MachineView(machine, laws(machine.laws)).axes:
+        for k, phase in zip(axis.entered, axis.given.phases, strict=True):
+            law = axis.library[phase.law]
+            if phase.lift and getattr(machine.laws[phase.law], "shaped", None):
+                ends, asked = axis.joined.ends_of(k), "va"[: RESTS[axis.given.smoothness]]
+                both = [(getattr(at, n), ends.both(n)[i]) for i, at in enumerate((law.start, law.end)) for n in asked]
+                if any(abs(own - rate) > NEAR * law.coefficients.ca for own, rate in both):
+                    yield phase.law, ends
+
+
+def refitted(machine: AnyMachine) -> dict[Place, Any]:
+    """Return the entries of laws that are shaped and frozen between velocities, with those that their phases have now.
+
+    Raises ValueError where such a law would overshoot. Laws whose jerk is bounded stay as they are.
+    """
+    entries: dict[Place, Any] = {}
+    for name, ends in misfits(machine):
+        entered, law = machine.laws[name], laws(machine.laws)[name]
+        if isinstance(law, PieceLaw) and law.fixes_ends and not entered.max_jerk:
+            entries["laws", name] = entered.model_dump(exclude_none=True) | frozen(moved_to(law, ends), entered.name)
+    return entries
+
+
 def reshaped(machine: AnyMachine, name: str) -> tuple[str, Change]:
     """Return the axis whose drive or load a law is shaped for, and the change that shapes it anew.
 
-    That is at the rate or the highest. Raises InputError unless the law is that of a single phase that moves from rest
-    to rest, with a drive; with a natural frequency where a shaper gives it out.
+    That is at the rate of the machine, or the highest. Raises InputError unless the law is that of a single phase that
+    moves, with a drive; from rest to rest, with a natural frequency, where a shaper gives it out.
     """
     entered = machine.laws[name]
     needed, key = ("vibration", "shaper") if entered.shaper else ("drive", "shaped")
     phases = [(i, k) for i, axis in enumerate(machine.axes) for k, phase in enumerate(axis.phases) if phase.law == name]
     fitting = [(i, k) for i, k in phases if is_fit(machine.axes[i], k, needed)]
     if len(phases) != 1 or not fitting:
-        problem = f"{len(phases)} phases have this law, {len(fitting)} of them between two rests with a {needed}"
-        expected = f"expected a single phase, between two rests with a {needed}"
+        what = "moving, with a drive" if needed == "drive" else f"between two rests with a {needed}"
+        problem = f"{len(phases)} phases have this law, {len(fitting)} of them {what}"
+        expected = f"expected a single phase, {what}"
         raise InputError([f"laws.{key_of(name)}.{key}: {problem}; {expected}"])
     ((i, k),) = fitting
     axis, begin = machine.axes[i].name, f"{machine.axes[i].name} phase {k + 1}"
@@ -166,9 +201,10 @@ def reshaped(machine: AnyMachine, name: str) -> tuple[str, Change]:
 
 
 def is_fit(axis: Axis, k: int, needed: str) -> bool:
-    """Return whether a phase of an axis moves from rest to rest, with a drive or with the vibration of its load."""
-    has = axis.motor if needed == "drive" else axis.vibration and axis.vibration.natural(axis.unit)
-    return bool(has and axis.phases[k].lift and not passes(axis, k))
+    """Return whether a phase of an axis moves, with a drive, or from rest to rest, with the vibration of its load."""
+    if needed == "drive":
+        return bool(axis.motor and axis.phases[k].lift)
+    return bool(axis.vibration and axis.vibration.natural(axis.unit) and axis.phases[k].lift and not passes(axis, k))
 
 
 def passes(axis: Axis, k: int) -> bool:
