@@ -32,6 +32,7 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
     with sheet.scoped(f"cycle{i}_"):
         sheet.rows(
             cell("@name", axis.given.name),
+            cell("@late", axis.given.shift),
             cell("@lap", shown(axis.motion.lifts_sum, axis.unit) / 360.0, scale=size / 360.0),
             cell("@scale", by_lift, highest=highest),
             cell("@floor", low_end - by_lift * low, floor=low_end, scale=1.0),
@@ -69,7 +70,7 @@ def results(tables: AxisTables) -> list[Quantity]:
         return table(name, axis.rate(timed[order]), sampled=place, scale=axis.size(order), **own)
 
     return [
-        cell("y", position, i=axis.number, unit=unit, either=either, source=POSITION),
+        cell("y", position, unit=unit, either=either, source=POSITION),
         rate("v", 1, "y' ω"),
         rate("a", 2, "y'' ω²"),
         rate("j", 3, "y''' ω³, between jumps"),
