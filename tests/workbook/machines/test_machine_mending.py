@@ -17,7 +17,10 @@ def failing(rate, longer=1.0):
     begins = zip(axis.phases, (90.0, 220.0), strict=True)
     phases = [phase.model_copy(update={"start": x, "stop": x + 45.0 * longer}) for phase, x in begins]
     axes = [axis.model_copy(update={"phases": phases})]
-    small = machine.model_copy(update={"axes": axes, "master": master, "clearances": [], "switches": []})
+    pieces = machine.sizes.motion_pieces[1:2]  # those of the first axis are fewer
+    sizes = machine.sizes.model_copy(update={"motion_pieces": pieces})
+    alone = {"axes": axes, "master": master, "clearances": [], "switches": [], "sizes": sizes}
+    small = machine.model_copy(update=alone)
     return {q.label: q.sentence for _, q in TEMPLATE.declare(small).checks if q.value == "FAIL" and "Drive" in q.label}
 
 
