@@ -62,7 +62,7 @@ def most(*values):
 
 FUNCTIONS = {
     "MIN": least, "MAX": most, "INT": math.floor, "SMALL": small, "COUNT": count, "IF": either, "INDEX": index,
-    "PI": lambda: math.pi,
+    "PI": lambda: math.pi, "LN": lambda x: math.log(x) if x > 0.0 else math.nan,
 }  # fmt: skip
 
 
@@ -141,7 +141,7 @@ def hanging(book):
             if "LOG10(" in arguments[0]:  # how many digits a sentence shows: it is compared to the last of them
                 continue
             x = declared.value(arguments[0], sheet)
-            if not is_number(x):
+            if not is_number(x) or math.isnan(x) or (name == "INT" and x == 0.0):  # 0 times anything is 0 exactly
                 continue
             keys = declared.value(arguments[1], sheet) if name == "MATCH" else [math.floor(x), math.floor(x) + 1]
             shares = name == "INT" or "piece_key" in arguments[1]
