@@ -100,7 +100,7 @@ def test_the_same_machine_in_degrees_and_in_seconds_gives_the_same(name):
     given = type(small(name)).model_validate(data)
     moved, found = require_same(given)
     columns = {column.removeprefix("drive1_").removeprefix("drive2_") for _, column in moved}
-    assert columns <= {"at", "moved", "needed", "place", "time", "x1", "x2"}
+    assert columns <= {"at", "early", "moved", "needed", "place", "time", "x1", "x2"}
     assert {"drive1_rms", "power_mains", "axis1_position"} < {name for name, *_ in found}
     assert name != "machine" or {"bus_mains_peak", "sel_best"} & {name for name, *_ in found}
 

@@ -30,6 +30,14 @@ def test_they_are_on_as_long_as_they_say():
     assert value("switches", "time") == pytest.approx([75.0, 25.0, 0.0, 300.0])  # a turn takes 0.3 s
 
 
+def test_a_signal_comes_earlier_by_the_angle_of_its_dead_time():
+    data = described(ONE, phases=2).model_dump() | {"switches": [{"name": "V", "on": [[20, 95]], "dead_time": 12.5}]}
+    machine = make_machine(TEMPLATE, data, str)
+    assert computed(TEMPLATE, machine)("switches", "early") == pytest.approx([15.0])  # 12.5 of 300 ms a turn
+    with pytest.raises(InputError, match="dead_time"):
+        make_machine(TEMPLATE, data | {"switches": [{"name": "V", "dead_time": "soon"}]}, str)
+
+
 def lane(value, i):
     """The bars of a switch, between gaps: from, to."""
     x, y = value("switch_lanes", f"x{i}"), value("switch_lanes", f"y{i}")

@@ -66,6 +66,7 @@ class SwitchEntry(Model):
 
     name: Name
     on: Annotated[list[TimeOn], Field(max_length=TIMES)] = []  # noqa: RUF012 - frozen
+    dead_time: NotNegative = 0.0
 
     @field_validator("on", mode="before")
     @classmethod

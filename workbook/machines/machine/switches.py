@@ -11,6 +11,7 @@ from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet
 from workbook.book.rows import filled, spread
 from workbook.entries.abscissa import Abscissa
+from workbook.entries.facts import table_of
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
@@ -20,7 +21,7 @@ from workbook.machines.machine.view import MachineView
 
 CELLS = cell_tables(__file__)
 
-PRINTED = 17  # columns
+PRINTED = 19  # columns
 NUMBERS = range(1, TIMES + 1)
 NEXT = (
     "SUMPRODUCT(MIN({0}.begin]-[begin]-360*({0}.begin]>=[begin]+360)+360*({0}.begin]<[begin])"
@@ -116,12 +117,16 @@ def entries(sheet: Sheet, lanes: list[Lane], machine: MachineView) -> None:
     if over.measured:
         time = cell("time", seconds, symbol=over.lasting, source="in all")
         lasting = [time, on._replace(role="calculation")]
+    delays = [switch.dead_time / 1000.0 for switch in machine.given.switches]
+    shift = over.shown_formula("DEGREES([dead]/1000*omega)")
     CELLS["switches"].place(
         sheet,
         CELLS["switches"]("name", [lane.given.name for lane in lanes]),
         CELLS["switches"]("k", [lane.number for lane in lanes]),
         *times,
         *lasting,
+        table_of(SwitchEntry).columns(machine.given.switches, "switches", len(lanes))("dead"),
+        cell("early", [over.shown(shown(t * machine.speed, DEGREE)) for t in delays], shift=shift),
         rules=[HALF],
     )
 

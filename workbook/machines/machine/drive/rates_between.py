@@ -213,5 +213,6 @@ def ends(view: DriveView) -> list[Quantity]:
         cell("@high_row", highs.index(min(highs)) + 1),
         cell("@low_row", lows.index(max(lows)) + 1, quoted=quoted(NEVER_HELD)),
         cell("@some", int(search.range.high > 0.0)),
+        cell("@unit_rate", 1.0),
         cell("@steps", count_steps(shown(high, PER_MINUTE)) if 0.0 < search.range.high < math.inf else 1.0),
     ]
