@@ -1,7 +1,8 @@
 """The laws of a book as every sheet looks them up: the Laws sheet has each by number, and the pieces of all stacked."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import groupby
+from types import MappingProxyType
 from typing import NamedTuple
 
 from engine.laws import Piece
@@ -21,6 +22,7 @@ from workbook.laws.sampling import Pieces
 
 CELLS = cell_tables(__file__)
 
+Uses = Mapping[str, Sequence[str]]  # the laws of an axis' phases, by its name
 RISE = 1.0  # of every law in a time of 1: its velocity and acceleration reach at least this size
 
 
@@ -39,12 +41,12 @@ class BookLaws:
             second_sine=any("P2" in named.page.columns for named in self.named),
         )
 
-    def sheets(self, book: Book) -> None:
-        """Declare a page for each law, and the Laws sheet."""
+    def sheets(self, book: Book, uses: Uses = MappingProxyType({})) -> None:
+        """Declare a page for each law, and the Laws sheet, with which axes of a machine use it."""
         for named in self.named:
             if named.page.has_sheet:
                 law_sheet(book, named, self.sizes, self.stack)
-        laws_sheet(book, self)
+        laws_sheet(book, self, uses)
 
 
 class Row(NamedTuple):
@@ -74,13 +76,16 @@ def stack_rows(laws: Sequence[NamedLaw], sizes: Sizes) -> list[Row]:
     return rows
 
 
-def laws_sheet(book: Book, of: BookLaws) -> None:
+def laws_sheet(book: Book, of: BookLaws, uses: Uses) -> None:
     """Declare the sheet from which every axis evaluates its law."""
     cell = CELLS["laws_sheet"]
     sheet = book.sheet("Laws", "Every law as a table of pieces: a sample finds its piece by key = 2 · number + ξ_k.")
     sheet.unprinted = True
     sheet.heading("Results: the laws and their coefficients")
-    summary(sheet, of)
+    summary(sheet, of, uses)
+    if uses:
+        sheet.heading("Workings: how many phases of each axis have a law")
+        uses_table(sheet, of.named, uses)
     sheet.heading(
         "Workings: the stacked pieces", "a(u) = c0 + c1 u + … + c5 u⁵ + P sin(ωu + φ) on each piece, u = ξ − ξ_k."
     )
@@ -97,8 +102,40 @@ LAW_NAMES = ("name", "no", "code", *(name for name, *_ in COEFFICIENTS), *RATES)
 """columns of the table of laws that have names"""
 
 
-def summary(sheet: Sheet, of: BookLaws) -> None:
-    """Declare the table of laws: name, coefficients, values at both ends; more where phases hand over at speed."""
+def count_phases(law: NamedLaw, uses: Uses) -> list[int]:
+    """Return how many phases of each axis have a law."""
+    return [sum(name.casefold() == law.name.casefold() for name in names) for names in uses.values()]
+
+
+def uses_table(sheet: Sheet, laws: Sequence[NamedLaw], uses: Uses) -> None:
+    """Declare how many phases of each axis have each law, and the first axis that has it."""
+    counts, numbers = [count_phases(law, uses) for law in laws], range(1, len(uses) + 1)
+    cell = CELLS["uses"].sharing(axes=f"[axis1:axis{len(uses)}]")
+    cell.place(
+        sheet,
+        cell("no", [law.number for law in laws]),
+        *(cell("axis{i}", [row[i - 1] for row in counts], i=i) for i in numbers),
+        cell("all", [sum(row) for row in counts]),
+        cell(
+            "first",
+            [next((i for i in numbers if row[i - 1]), 0) for row in counts],
+            numbers=",".join(map(str, numbers)),
+        ),
+    )
+
+
+def use_columns(laws: Sequence[NamedLaw], uses: Uses) -> list[Quantity]:
+    """Return how many phases have each law, and the first axis that has it."""
+    cell, counts = CELLS["laws"], [count_phases(law, uses) for law in laws]
+    firsts = [next((name for name, count in zip(uses, row, strict=True) if count), "") for row in counts]
+    axis = (
+        "[axes.name.1]" if len(uses) == 1 else "INDEX([axes.name],INDEX([law_uses.first],[no]))"
+    )  # pycel: no INDEX of one
+    return [cell("phases", [sum(row) for row in counts]), cell("first", firsts, axis=axis)]
+
+
+def summary(sheet: Sheet, of: BookLaws, uses: Uses) -> None:
+    """Declare the table of laws: name, use, coefficients, values at both ends; more where phases hand over at speed."""
     laws, cell = of.named, CELLS["laws"]
     reaches = [reach(law.law) for law in laws]
 
@@ -124,6 +161,7 @@ def summary(sheet: Sheet, of: BookLaws) -> None:
         cell("name", [law.words for law in laws], formula=names),
         cell("no", [law.number for law in laws]),
         cell("code", [law.name for law in laws], formula=codes),
+        *(use_columns(laws, uses) if uses else []),
         *(coefficient(name, label.partition(",")[0].lower(), symbol) for name, label, symbol in COEFFICIENTS),
         stated("start", "start", [law.law.start.v for law in laws]),
         stated("v_low", "lowest", [slowest(law.law) for law in laws]),

@@ -58,6 +58,14 @@ def test_machines_of_many_axes_agree_and_come_back(count):
     assert entered(TEMPLATE, machine) == (machine, [])
 
 
+@pytest.mark.parametrize("count", [1, 3])
+def test_laws_say_how_many_phases_have_them_and_which_axis_first(count):
+    value = computed(TEMPLATE, small(many(count)))
+    uses = zip(*(value("laws", name) for name in ("code", "phases", "first")), strict=True)
+    has = {code: (phases, first) for code, phases, first in uses if phases}
+    assert has == ({"CIC": (2, "A1")} if count == 1 else {"CIC": (5, "A1"), "MTP": (1, "A2")})
+
+
 def test_more_axes_than_24_are_refused():
     with pytest.raises(ValueError, match="24"):
         described(many(25))

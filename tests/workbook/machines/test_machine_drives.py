@@ -80,6 +80,8 @@ def lossy(viscous=300.0, mechanism=SCREW, **entries):
 def small(one, **sizes):
     """A machine of one axis with little room, and the laws that its phases have."""
     data = described(**{"phases": 2, "rotors": 2} | sizes).model_dump()
+    if "motion_pieces" not in sizes:
+        del data["sizes"]["motion_pieces"]  # as many as those other axes have
     others = {"axes": [one], "switches": [], "clearances": [], "power": {}, "selection": {}}
     laws = {phase["law"]: {"family": phase["law"]} for phase in one["phases"]}
     return TEMPLATE.model.model_validate(data | {"laws": laws | data["laws"]} | others)

@@ -91,7 +91,7 @@ def declare(given: AnyMachine) -> Book:
         number = place_of(given.selection.axis, [shaft.name for shaft in shafts])
         selection_sheet(book, PairSelection(given.selection, given.sizes, shafts, number), given.selection.axis)
     catalogue_sheet(book, given.selection, given.sizes)
-    book_laws.sheets(book)
+    book_laws.sheets(book, {axis.given.name: [p.law for p in axis.given.phases if p.law] for axis in machine.axes})
     for row in rows:
         cycle_sheet(book, machine, row, len(rows) + len(given.switches) - row.axis.number)
     pieces_sheet(book, rows)
