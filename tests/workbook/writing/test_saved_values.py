@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import numpy as np
 import openpyxl
 import pytest
+from openpyxl.utils import get_column_letter
 
 from workbook.build import build, committed_descriptions
 from workbook.functions import publish
@@ -86,8 +87,12 @@ def parts(path, pattern):
 
 
 def columns(book):
-    """The values that a book declares, by range."""
+    """The values that a book declares, by range: of columns, and of the cells by which a diagram has its labels."""
     found = {}
+    for cell in book.cells():
+        if cell.block.name.startswith("axis"):
+            column = get_column_letter(cell.column)
+            found[f"'{cell.block.sheet.title}'!${column}${cell.row}"] = [cell.expected]
     for block in book.blocks.values():
         for quantity in block.quantities:
             name = f"[{block.name}.{quantity.name}]"
