@@ -14,7 +14,7 @@ BUDGET = {
     # goes down: who takes lines away lowers it; the sheets Vibration, Improve and Oracle raised it by 900, and laws
     # shaped between velocities, dead times of switches and the use of laws by 260
     "lines of engine and workbook, formatted": 64_720,
-    "lines of tests": 36_420,  # likewise, from the day on whose new features bring their tests; 33,000 is the aim
+    "lines of tests": 36_430,  # likewise, from the day on whose new features bring their tests; 33,000 is the aim
     "fmt: skip": 60,
     "functions of more than 12 branches": 20,
     "functions of more than 60 lines, formatted": 20,
