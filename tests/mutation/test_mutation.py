@@ -78,6 +78,8 @@ def test_one_cell_evaluated_alone_tells_what_verify_reports_of_it(name: str, kin
     for mutant in of_kind(name, kind, 1):
         report = bench(name).verified(mutant, OfValues)
         own = [f for f in report.findings if (f.sheet, f.cell) == (mutant.address.sheet, mutant.address.a1)]
+        if any(f.computed == "#CYCLE!" for f in own):
+            continue  # alone, it reads what the cells that need it are to hold
         assert bool(own) == (bench(name).differs_at(mutant) is not None), str(mutant)
 
 
