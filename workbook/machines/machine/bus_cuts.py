@@ -17,6 +17,7 @@ from workbook.machines.machine.drive.view import DriveView
 
 CELLS = cell_tables(__file__)
 
+ROUNDED = 1e-4  # by so much, times the larger peak over it, a share of a small power may be off more than others
 HALF = POINTS // 2  # points from the begin of an interval to its middle, and from there to its end
 SMALL = 1e-9  # share of a drive's larger peak up to which the other is none; the cells' check_zero
 kw = partial(shown, unit=KW)
@@ -81,6 +82,8 @@ class BusCuts:
         tops = np.array([(view.points.power.max(), -view.points.power.min()) for view in drives]).T
         counted = tops > SMALL * peaks[::-1]
         self.shares = on_bus * np.divide(peaks, tops, out=np.zeros(peaks.shape), where=counted)
+        beside = np.divide(peaks[::-1], tops, out=np.zeros(peaks.shape), where=counted)
+        self.share_scales = np.maximum(1.0, ROUNDED * beside.max(axis=1)).tolist()
         tables = [half_lines(view) for view in drives]
         counts = [table.begin.size for table in tables]
         self.lines = lines = HalfLines(*map(np.concatenate, zip(*tables, strict=True)))

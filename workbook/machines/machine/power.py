@@ -177,8 +177,8 @@ def drives_table(sheet: Sheet, bus: Mains) -> None:
         cell("on", bus.on_bus.astype(int).tolist()),
         cell("proves", kw(bus.proves).tolist()),
         cell("burns", kw(bus.burns).tolist()),
-        cell("up", bus.cuts.shares[0]),
-        cell("down", bus.cuts.shares[1]),
+        cell("up", bus.cuts.shares[0], rounding=bus.cuts.share_scales[0]),
+        cell("down", bus.cuts.shares[1], rounding=bus.cuts.share_scales[1]),
     ]
     sheet.workings(block, "on_bus", "", COLUMNS + 2, *columns)
 
