@@ -7,7 +7,7 @@ from typing import Any
 
 from engine.timing import Switch
 from workbook.book.cell_tables import cell_tables
-from workbook.book.chart import Chart, Series
+from workbook.book.chart import Chart
 from workbook.book.declare import FIRST, Book, Quantity, Sheet
 from workbook.book.rows import filled, spread
 from workbook.entries.abscissa import Abscissa
@@ -17,6 +17,7 @@ from workbook.fields.units import DEGREE, shown, si
 from workbook.machines.machine.entries_beside import HALF, TIMES, SwitchEntry, TimeOn
 from workbook.machines.machine.places import in_degrees
 from workbook.machines.machine.timing.phases import going_beyond, no_fault
+from workbook.machines.machine.timing.sheet import draw_switch
 from workbook.machines.machine.view import MachineView
 
 CELLS = cell_tables(__file__)
@@ -28,7 +29,7 @@ NEXT = (
     "+360*({0}.t]=[t])+360*({0}.used]=0)))"
 )
 """from the begin of a time to the next begin of its switch: a turn where there is no other"""
-SWITCH, MIDDLE = "6B7280", 0.4  # the colour of bars, and their height in a lane
+MIDDLE = 0.4  # height of bars in a lane
 
 
 class Lane:
@@ -173,12 +174,6 @@ def corners(sheet: Sheet, lanes: list[Lane], over: Abscissa) -> None:
             cell("y{i}", [height, height, *(None, height, height) * TIMES], i=i),
         ]
     CELLS["switch_lanes"].place(sheet, *columns)
-
-
-def draw_switch(number: int) -> Series:
-    """Return the bars of a switch over the cycle."""
-    x, y = (f"[switch_lanes.{letter}{number}]" for letter in "xy")
-    return Series(f"[switches.name.{number}]", x, y, color=SWITCH, thick=True)
 
 
 def draw_switches(lanes: list[Lane], over: Abscissa) -> Chart:

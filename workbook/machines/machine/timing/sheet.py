@@ -13,7 +13,6 @@ from workbook.entries.facts import entry_cells, table_of
 from workbook.fields.units import PER_MINUTE, shown, si
 from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.motion_tables import AxisTables
-from workbook.machines.machine.switches import draw_switch
 from workbook.machines.machine.timing.cycle import CURVES, LANE_SHARE
 from workbook.machines.machine.timing.phases import axis_checks, phase_columns, phase_workings, phases_table
 from workbook.machines.machine.timing.stops import stop_cell, stops_of
@@ -24,6 +23,7 @@ CELLS = cell_tables(__file__)
 TOP, DIAGRAM = 5, 10  # the row and the column that the diagram begins at
 LANES, LANE_ROWS = 6, 3  # columns and rows of the lane of a curve
 LABELS = 28.0  # width of the column of labels
+SWITCH = "6B7280"  # the colour of bars of switches
 NARROW = 6.0  # width of the columns over which charts lie, behind phases that hand over
 
 
@@ -123,6 +123,12 @@ def draw_diagram(sheet: Sheet, machine: MachineView, axes: list[AxisTables]) -> 
     height = max(sheet.row - TOP, 5 + n + n // 2)
     sheet.chart(chart, DIAGRAM, TOP, sheet.folded - DIAGRAM, height)
     sheet.row = max(sheet.row, TOP + height)
+
+
+def draw_switch(number: int) -> Series:
+    """Return the bars of a switch over the cycle."""
+    x, y = (f"[switch_lanes.{letter}{number}]" for letter in "xy")
+    return Series(f"[switches.name.{number}]", x, y, color=SWITCH, thick=True)
 
 
 def note_movements(tables: AxisTables) -> Iterator[Series]:
