@@ -5,7 +5,8 @@ The numbers that a chart shows are stored in it: previews and Protected View dra
 
 import re
 from html import unescape
-from typing import Literal
+from itertools import chain
+from typing import Literal, NamedTuple, Self
 
 from openpyxl.chart import ScatterChart
 from openpyxl.chart.axis import ChartLines, NumericAxis
@@ -37,6 +38,8 @@ NAMES = 3.0  # cm left of the plot, where the lines have their names there
 LANE = 3.4  # likewise of a lane, with its title
 FIGURES = 1.7  # cm for the figures of the ordinate and its title
 BESIDE = 12  # the share of a line at each of its ends that its name keeps off
+NAME = 5, 10  # the shares of a chart's width and height that a name takes
+Side = Literal["l", "r", "t", "b", "ctr"]
 NO_LINE = GraphicalProperties(ln=LineProperties(noFill=True))
 GRIDLINES = ChartLines(spPr=GraphicalProperties(ln=LineProperties(solidFill=GRID, w=6350)))
 TITLE, AXIS_TITLE = (ParagraphProperties(defRPr=CharacterProperties(sz=size, b=True)) for size in (1300, 1000))
@@ -50,11 +53,13 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
         drawn.title = heading(chart.title, TITLE if chart.legend else AXIS_TITLE, book, beside=chart.is_lane)
     drawn.style, drawn.scatterStyle = 2, "lineMarker"
     drawn.width, drawn.height = width, height  # type: ignore[assignment]  # the stubs say int, the library float
+    has_names = chart.lanes or (chart.legend and len(chart.series) > 1)
+    names = name_places(chart, book) if has_names else []
     for i, series in enumerate(chart.series):
         ink = series.color or COLOURS[i % len(COLOURS)]
         drawn.series.append(line(series, book, ink))
-        if chart.lanes or (chart.legend and len(chart.series) > 1):
-            drawn.series[-1].dLbls = name_at(*find_name_place(series, chart, book), ink)
+        if names:
+            drawn.series[-1].dLbls = name_at(*names[i], ink)
     drawn.graphical_properties = NO_LINE  # no frame
     drawn.visible_cells_only = False  # folded workings are drawn too
     drawn.legend = None
@@ -62,16 +67,43 @@ def draw(chart: Chart, book: Book, width: float, height: float) -> ScatterChart:
     return drawn
 
 
-def find_name_place(series: Series, chart: Chart, book: Book) -> tuple[int, Literal["l", "r", "t", "ctr"]]:
-    """Return the point of a line that its name stands at, and on which side."""
-    values = book.values(series.y)
-    if series.is_note:
-        return 0, "ctr"
-    if chart.lanes:
-        return (len(values) - 1, "r") if series.dashed else (0, "l")  # a dashed line crosses the lanes
-    inner = range(edge := len(values) // BESIDE, len(values) - edge)  # off the figures of the axis
-    largest = max(inner, key=lambda k: abs(values[k]) if is_number(values[k]) else -1.0)
-    return largest, "r" if series.points else "t"
+class Point(NamedTuple):
+    """A point of a line, in the units of the axes."""
+
+    x: float
+    y: float
+
+    def meets(self, other: Self, width: float, height: float) -> bool:
+        """Whether names of that size at both points would lie on each other."""
+        return abs(self.x - other.x) <= width and abs(self.y - other.y) <= height
+
+
+def name_places(chart: Chart, book: Book) -> list[tuple[int, Side]]:
+    """Return for each line the point that its name stands at, and on which side: where it is large, off other names."""
+    lines = [points_of(series, book) for series in chart.series]
+    if chart.lanes:  # a dashed line crosses them
+        return [
+            (0, "ctr") if series.is_note else (len(points) - 1, "r") if series.dashed else (0, "l")
+            for series, points in zip(chart.series, lines, strict=True)
+        ]
+    columns = zip(*chain.from_iterable(lines), strict=True)
+    width, height = ((max(column) - min(column)) / share for column, share in zip(columns, NAME, strict=True))
+    places: list[tuple[int, Side]] = []
+    named: list[Point] = []
+    for series, points in zip(chart.series, lines, strict=True):
+        inner = range(edge := len(points) // BESIDE, len(points) - edge)  # off the figures of the axis
+        by_size = sorted(inner, key=lambda k: -abs(points[k].y))
+        free = (k for k in by_size if not any(points[k].meets(other, width, height) for other in named))
+        place = next(free, by_size[0])
+        named.append(points[place])
+        places.append((place, "r" if series.points else "b" if points[place].y < 0.0 else "t"))
+    return places
+
+
+def points_of(series: Series, book: Book) -> list[Point]:
+    """Return the points of a line; a text counts as 0, as it is drawn."""
+    columns = ([value if is_number(value) else 0.0 for value in book.values(c)] for c in (series.x, series.y))
+    return [Point(x, y) for x, y in zip(*columns, strict=True)]
 
 
 def heading(text: str, look: ParagraphProperties, book: Book, beside: bool = False) -> Title:
@@ -151,7 +183,7 @@ def axes(drawn: ScatterChart, chart: Chart, book: Book) -> None:
     drawn.layout = Layout(ManualLayout(xMode="edge", yMode="edge", x=left, y=top, w=0.95 - left, h=room))
 
 
-def name_at(point: int, side: Literal["l", "r", "t", "ctr"], ink: str) -> DataLabelList:
+def name_at(point: int, side: Side, ink: str) -> DataLabelList:
     """Return the labels of a line: its name, on a side of one of its points, in its colour."""
     text = CharacterProperties(sz=1000, b=side != "ctr", solidFill=ink)
     look = RichText(p=[Paragraph(pPr=ParagraphProperties(defRPr=text), endParaRPr=text)])

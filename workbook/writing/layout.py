@@ -192,6 +192,7 @@ def pages(sheet: Sheet, last: int, columns: int, wide: Mapping[int, float], high
         1.0, ASIDE * WIDTH / math.fsum(WIDE * wide.get(c, COLUMN_WIDTH) + BESIDE for c in range(1, columns + 1))
     )
     scales = [widest - k * STEP for k in range(max(0, int((widest - LEAST_SCALE) / STEP)) + 1)]
+    scales.append(min(widest, LEAST_SCALE))
     if sheet.page_end:
         scales = [min(widest, ASIDE * HEIGHT / row_ends(sheet, last, high)[sheet.page_end])]
     possible = [Pages(scale, breaks(sheet, last, scale, high)) for scale in scales]

@@ -113,8 +113,13 @@ class Styles:
             cell.font = font(color=ink, bold=True)
         cell.number_format = number_format or "General"
         cell.protection = Protection(locked=role != "input")
-        vertical = "top" if aligned.wrap else None
-        cell.alignment = Alignment(aligned.side, vertical, wrap_text=aligned.wrap or None, indent=aligned.indent)
+        cell.alignment = Alignment(
+            aligned.side,
+            "top" if aligned.wrap else None,
+            wrap_text=aligned.wrap or None,
+            shrink_to_fit=role == "figure" or None,  # a number wider than its cell is shown as ###
+            indent=aligned.indent,
+        )
         return int(cell.style_id)
 
     def _text(self, kind: str, side: str = "", indent: int = 0) -> int:
