@@ -47,10 +47,6 @@ def identify(of: CamPoints, rebuilt: CamProfile, turns: bool = False, share: flo
         Whether a cycle that begins at speed is counted from its first dwell at 0.
     share : float, dimensionless
         Deviation of the splines from the other points at most, as a share of the range of y.
-
-    Returns
-    -------
-    IdentifiedMotion
     """
     of = of._replace(thinned=share * float(np.ptp(of.y)))
     begins, ends = (of.moves_at(side) for side in (0, -1))

@@ -30,10 +30,6 @@ def hermite(x: Array, y: Array, v: Array) -> CamProfile:
     ----------
     x, y, v : array (n,), any units of x and y
         Points, and y' at each.
-
-    Returns
-    -------
-    CamProfile
     """
     h = np.diff(x)
     m = np.diff(y) / h
@@ -66,10 +62,6 @@ def quintics(x: Array, y: Array, v: Array, a: Array) -> CamProfile:
     ----------
     x, y, v, a : array (n,), any units of x and y
         Points, and y' and y'' at each.
-
-    Returns
-    -------
-    CamProfile
     """
     return _profile(x, *quintics_between(x, [rate[:-1] for rate in (y, v, a)], [rate[1:] for rate in (y, v, a)]).T)
 
@@ -109,10 +101,6 @@ def spline(x: Array, y: Array, ends: SplineEnds | tuple[float, float]) -> CamPro
     ends : (float, float), unit of y over that of x; or "natural", "not-a-knot", "periodic"
         Slopes of a clamped spline, or: y'' = 0; y''' continuous at the second point from each end; y' and y'' equal at
         both ends.
-
-    Returns
-    -------
-    CamProfile
     """
     from scipy.interpolate import CubicSpline  # slow to import, and most commands need no spline
 
@@ -136,10 +124,6 @@ def parted_spline(x: Array, y: Array, ends: tuple[float, float], straight: Flags
         Slopes at the ends of the table.
     straight : array (n − 1,) of bool
         Which intervals are lines.
-
-    Returns
-    -------
-    CamProfile
     """
     slope = np.diff(y) / np.diff(x)
     c = np.zeros((len(slope), 4))

@@ -12,12 +12,9 @@ quadrature      the load at points of a cycle, as the sheets have it
 drive_points    the motor at these points; the highest rate by them
 """
 
-from engine.drive.chain import NEAR, Load, Mechanism, Part, Slide, Stage, cylinder, resisting
+from engine.drive.chain import Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.drivetrain import Drive
-from engine.drive.mechanisms import KINDS, Kind
-from engine.drive.motor import STANDSTILL, LimitCheck, Motor, derating
+from engine.drive.mechanisms import KINDS
+from engine.drive.motor import Motor, derating
 
-__all__ = [
-    "KINDS", "NEAR", "STANDSTILL", "Drive", "Kind", "LimitCheck", "Load", "Mechanism", "Motor", "Part", "Slide",
-    "Stage", "cylinder", "derating", "resisting",
-]  # fmt: skip
+__all__ = ["KINDS", "Drive", "Load", "Mechanism", "Motor", "Part", "Slide", "Stage", "cylinder", "derating"]

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -12,7 +11,6 @@ from engine.laws.base import Array, require_finite
 
 # losses by the direction of power, or as S4 counts them: always over η
 Method = Literal["physical", "document"]
-NEAR = 1e-9  # Nm (N at a load that travels) by which a load has to drive, so that rounding does not choose the side
 
 
 def held_factor(efficiency: float, back_efficiency: float) -> float:
@@ -40,7 +38,7 @@ class Stage:
         if back is not None and not (math.isfinite(back) and back <= 1.0):
             raise ValueError(f"{self.name}: efficiency backward is {back:g}; expected a finite number, at most 1")
 
-    def factor(self, torque: ArrayLike, direction: ArrayLike, method: Method = "physical", near: float = NEAR) -> Array:
+    def factor(self, torque: ArrayLike, direction: ArrayLike, method: Method) -> Array:
         """Return the factor of losses f, by which the torque at the output times 1/ratio is multiplied.
 
         f = 1/η where power flows to the load and at rest, η' where the load drives. A self-locking stage, η' ≤ 0, holds
@@ -55,8 +53,6 @@ class Stage:
             Direction of motion: 1, −1, or 0 at rest.
         method : {"physical", "document"}
             Losses by the direction of power, or f = 1/η always.
-        near : float, Nm, or N
-            Torque by which the load has to drive before η' counts.
 
         Returns
         -------
@@ -67,7 +63,7 @@ class Stage:
             return np.full(np.broadcast(torque, direction).shape, 1.0 / self.efficiency)
         back = self.efficiency if self.back_efficiency is None else self.back_efficiency
         forward = np.where(np.asarray(direction) == 0.0, held_factor(self.efficiency, back), 1.0 / self.efficiency)
-        return np.where(np.asarray(torque) * np.asarray(direction) < -near, back, forward)
+        return np.where(np.asarray(torque) * np.asarray(direction) < 0.0, back, forward)
 
 
 @dataclass(frozen=True)
@@ -173,38 +169,6 @@ class Mechanism:
     def inertia(self, method: Method = "physical") -> float:
         """Return the inertia of all parts and the load at the motor's shaft (kg m²), without the motor's own."""
         return math.fsum(self.on_shaft(k) / self.inertia_divisor(k, method) for k in range(self.last + 1))
-
-    def torques(self, acceleration: ArrayLike, direction: ArrayLike, method: Method = "physical") -> list[Array]:
-        """Return the torque that drives each shaft: T(n) = R + m a, T(k) = J_k ω̇_k ± T_f,k + f T(k + 1)/i_k.
-
-        Parameters
-        ----------
-        acceleration : array_like, m/s² or rad/s²
-            a, of the load.
-        direction : array_like
-            Direction of motion: 1, −1, or 0 at rest.
-        method : {"physical", "document"}
-            How losses count in f, see :meth:`Stage.factor`.
-
-        Returns
-        -------
-        list of array, Nm (N of a shaft that travels)
-            From the motor's shaft, without the motor's own inertia, to the load's.
-        """
-        a = np.asarray(acceleration, dtype=np.float64)
-        sign = np.asarray(direction, dtype=np.float64)
-        own = [j * a + self.friction_on(k) * sign for k, j in enumerate(self.torque_per_acceleration)]
-        torques = [self.load.resisting(sign) + own[self.last]]
-        for k in reversed(range(self.last)):
-            stage = self.stages[k]
-            through = stage.factor(torques[0], sign, method) * torques[0] / stage.ratio
-            torques.insert(0, through + own[k])
-        return torques
-
-    @cached_property
-    def torque_per_acceleration(self) -> tuple[float, ...]:
-        """J_k ω_k/v of each shaft: torque (Nm, or N) of the parts on it over the load's acceleration (m/s², rad/s²)."""
-        return tuple(self.on_shaft(k) * self.ratio_from(k) for k in range(self.last + 1))
 
 
 def require_positive(where: str, **quantities: float) -> None:

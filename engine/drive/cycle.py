@@ -223,7 +223,7 @@ class DriveCycle:
                 continue
             stage = self.train.drive.mechanism.stages[shaft - 1]
             behind = here.torque(np.array([0.5 * (low + high)]), shaft)
-            factor = float(stage.factor(behind, span.direction, self.train.drive.method, 0.0)[0])
+            factor = float(stage.factor(behind, span.direction, self.train.drive.method)[0])
             yield from self._through(part, [*factors[: shaft - 1], factor, *factors[shaft:]], shaft - 1)
 
     def _interval(self, span: Span, factors: Sequence[float]) -> TorqueInterval:

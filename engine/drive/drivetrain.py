@@ -58,23 +58,6 @@ class Drive:
             if getattr(self, name) not in words:
                 raise ValueError(f"{name} is {getattr(self, name)!r}; expected {' or '.join(map(repr, words))}")
 
-    @property
-    def total_inertia(self) -> float:
-        """J_T = J_m + Σ J_i at the motor's shaft (kg m²); by the method "document" Σ J_i is over η."""
-        return self.motor_inertia + self.mechanism.inertia(self.method)
-
-    def torque(self, acceleration: ArrayLike, direction: ArrayLike) -> Array:
-        """Return the motor's torque (Nm) at accelerations of the load (m/s² or rad/s²) in a direction (−1, 0, 1).
-
-        T_m = J_m ω̇ + T_nl + T(0), with T(0) of :meth:`Mechanism.torques`, which is 0 at rest if a brake holds.
-        Source: S1, 'Feeding group', C_m = (J_m/τ) ω̇_r + τ (C_r + J_tot ω̇_r), and S4, T_m = T_R + J_T θ̈_m, where f is
-        always 1/η.
-        """
-        own = self.motor_inertia * self.mechanism.ratio * np.asarray(acceleration, dtype=np.float64)
-        first, *_ = self.mechanism.torques(acceleration, direction, self.method)
-        braked = (np.asarray(direction) == 0.0) & (self.holding == "brake")
-        return np.asarray(np.where(braked, 0.0, first) + own + self.no_load * np.asarray(direction))
-
 
 def dwell_times(durations: Array, direction: Array) -> Array:
     """Return the duration (s) of the dwell to which each part of a cycle belongs, across its end too; 0 if it moves."""

@@ -144,7 +144,7 @@ class LoadPoints:
     def _through(self, stage: int, torque: Array) -> Array:
         """Return a torque at the output of a stage (a number from 0) times its factor of losses."""
         losses = self.train.drive.mechanism.stages[stage]
-        return losses.factor(torque, self.direction, self.train.drive.method, 0.0) * torque
+        return losses.factor(torque, self.direction, self.train.drive.method) * torque
 
     def at_motor(self, behind: Array) -> Array:
         """Return a torque at the reducer's output as torque at the motor's shaft, f S/i (Nm)."""
@@ -245,10 +245,6 @@ class QuadratureCycle:
             Abscissae of the unshifted motion.
         share : array, of the same shape
             What each counts in a mean over the cycle.
-
-        Returns
-        -------
-        LoadPoints
 
         Raises
         ------

@@ -84,10 +84,6 @@ def shape(
     ends : BoundaryValues
         The derivatives there, by ξ, of the rise 1.
 
-    Returns
-    -------
-    ShapedLaw
-
     Raises
     ------
     ValueError
@@ -262,10 +258,6 @@ def shape_phase(
         As :func:`shape` takes them.
     least_torque : bool
         Whether only the RMS torque over the phase is to be least.
-
-    Returns
-    -------
-    ShapedLaw
 
     Raises
     ------

@@ -54,10 +54,6 @@ def rotary_drum(tools: int, radius: float, tool_angle: float) -> Tool:
     tool_angle : float, rad
         θ_T, over which a tool is in step with the line.
 
-    Returns
-    -------
-    Tool
-
     Raises
     ------
     ValueError

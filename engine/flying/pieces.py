@@ -138,10 +138,6 @@ def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.
         Inertia J_L (kg m²) and torque T_L (Nm) at the shaft.
     pair : (float, float, float, float)
         Motor and reducer: J_M + J_T (kg m²), i, η and no-load torque (Nm); by default the bare shaft.
-
-    Returns
-    -------
-    Drivetrain
     """
     inertia, ratio, efficiency, no_load = pair
     radius, stage = cut.tool.radius, Stage("reducer", ratio, efficiency)

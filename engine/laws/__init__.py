@@ -9,16 +9,12 @@ from importlib import import_module
 from pkgutil import iter_modules
 from typing import Any
 
-from engine.laws.base import Coefficients, Kinematics
 from engine.laws.family import Law
 from engine.laws.piece import Piece
 from engine.laws.pieces import PieceLaw
 from engine.laws.simple import Dwell
 
-__all__ = [
-    "CATALOGUE", "Coefficients", "Dwell", "Kinematics", "Law", "Piece", "PieceLaw", "UnknownLawError", "family_named",
-    "law",
-]  # fmt: skip
+__all__ = ["CATALOGUE", "Dwell", "Law", "Piece", "PieceLaw", "UnknownLawError", "law"]
 
 for _file in iter_modules(__path__):
     import_module(f"{__name__}.{_file.name}")
@@ -51,11 +47,6 @@ def law(name: str, **parameters: Any) -> Law:
         Code, name or alias of the law; case, blanks and dashes do not matter.
     **parameters
         Fields of the law's class, dimensionless.
-
-    Returns
-    -------
-    Law
-        The law with these parameters.
 
     Raises
     ------

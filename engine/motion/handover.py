@@ -153,10 +153,6 @@ def handovers(joined: JoinedMotion, through: Mapping[int, Rates], periodic: bool
         The prescribed rates, as :func:`join_phases` takes them.
     periodic : bool
         Whether the last phase meets the first.
-
-    Returns
-    -------
-    tuple of Handover
     """
     slopes = [slope(phase) for phase in joined.motion.phases]
     reasons = {fault.phase: fault.reason for fault in joined.faults if slopes[fault.phase] is None}

@@ -224,10 +224,6 @@ def joints(
         Whether the last piece meets the first.
     spans : sequence of (float, float), optional
         From which u to which each piece is used, if not whole.
-
-    Returns
-    -------
-    tuple of Joint
     """
     listed: list[Joint] = []
     asked = ORDERS.index(smooth) + 1
@@ -272,11 +268,6 @@ def shortfalls(motion: Motion, smooth: Smoothness, periodic: bool = True) -> tup
         The highest derivative that must not jump.
     periodic : bool
         Whether the end meets the begin.
-
-    Returns
-    -------
-    tuple of Joint
-        Those at which it jumps.
     """
     every = joints(motion_pieces(motion), scales_of(motion), smooth, periodic)
     return tuple(joint for joint in every if joint.order)

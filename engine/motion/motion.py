@@ -63,10 +63,6 @@ class Motion:
         position : float
             y at the first edge.
 
-        Returns
-        -------
-        Motion
-
         Raises
         ------
         ValueError

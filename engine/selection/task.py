@@ -114,10 +114,6 @@ class Task:
             n, 2 or more.
         begin : tuple of two float
             The least and the largest share β/(η α) at which the curves may begin.
-
-        Returns
-        -------
-        RatioCurves
         """
         alpha = float(accelerating_factor(motor.rated_torque, motor.inertia))
         first = max(begin[0], min(begin[1], self.load_factor / efficiency / alpha))

@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Part, resisting
+from engine.drive import KINDS, Drive, Part
+from engine.drive.chain import resisting
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults

@@ -8,6 +8,7 @@ from dataclasses import replace
 from math import pi, radians
 from typing import NamedTuple
 
+import numpy as np
 import pytest
 
 from engine.drive import KINDS, Drive, Part, Slide, Stage, cylinder
@@ -53,12 +54,15 @@ class Sized(NamedTuple):
 
     @property
     def torques(self):
-        """The torque in each part of the cycle, by the accelerations of the trapezoid (Nm)."""
-        move = self.motion.phases[0]
-        accelerations = move.law.coefficients.ca_max, 0.0, move.law.coefficients.ca_min
-        found = self.drive.torque([a * move.lift / move.duration**2 for a in accelerations], 1.0)
-        held = float(self.drive.torque(0.0, 0.0))
-        return dict(zip(("accelerating", "uniform", "decelerating", "dwell"), (*map(float, found), held), strict=True))
+        """The torque in the middle of each part of the cycle (Nm)."""
+        parts = self.results.drive_cycle.torque_intervals
+        torques = [part.torque(np.array([0.5 * (part.low + part.high)])).item() for part in parts]
+        return dict(zip(("accelerating", "uniform", "decelerating", "dwell"), torques, strict=True))
+
+    @property
+    def total_inertia(self):
+        """At the motor's shaft, what is behind the screw over η (kg m²)."""
+        return self.drive.motor_inertia + self.drive.mechanism.inertia("document")
 
 
 def sized(mechanism, inertia_ratio, share, lift, time, rest):

@@ -41,10 +41,6 @@ class Kind:
         belt : float, kg
             Mass that moves without lift; kinds without a belt ignore it.
 
-        Returns
-        -------
-        Mechanism
-
         Raises
         ------
         ValueError

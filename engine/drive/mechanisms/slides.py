@@ -142,10 +142,6 @@ def crank_slider(
     position : float, m
         Distance of y = 0 from the dead centre.
 
-    Returns
-    -------
-    SlideLinkage
-
     Raises
     ------
     ValueError
@@ -185,10 +181,6 @@ def rocker(
         Whether the slide is before the lever's end at y = 0, else behind it.
     direction : {1, -1}
         Whether y grows with x or against it.
-
-    Returns
-    -------
-    SlideLinkage
 
     Raises
     ------

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from engine.drive import STANDSTILL, Load, Motor
+from engine.drive import Load, Motor
+from engine.drive.motor import STANDSTILL
 from engine.laws import Dwell, Piece, PieceLaw
 from engine.laws.simple import Cycloidal
 from engine.motion import Motion, Phase
