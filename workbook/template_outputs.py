@@ -12,7 +12,7 @@ from typing import Any, Generic, NamedTuple, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from engine.drive.bounds import stated_bounds
+from engine.drive.drive_points import stated_bounds
 from engine.drive.limits import BELOW, LimitChecks
 from engine.drive.motor import LimitCheck
 from engine.motion.profile import CamProfile

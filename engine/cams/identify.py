@@ -7,8 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, splines
-from engine.cams.least_squares import gauss_newton
+from engine.cams.cam_points import AT_SPEED, LONGER, RATES, ROUNDED, CamPoints, FoundPhase, gauss_newton, splines
 from engine.cams.moving_phases import phases_at_speed, true_runs
 from engine.laws import CATALOGUE, Dwell, Law, PieceLaw, law
 from engine.laws.base import Array, Flags

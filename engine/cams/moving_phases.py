@@ -7,8 +7,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.cams.cam_points import FEW, LONGER, MOST_PHASES, QUINTIC, RATES, SEAM, CamPoints, FoundPhase, splines
-from engine.cams.least_squares import gauss_newton
+from engine.cams.cam_points import (
+    FEW,
+    LONGER,
+    MOST_PHASES,
+    QUINTIC,
+    RATES,
+    SEAM,
+    CamPoints,
+    FoundPhase,
+    gauss_newton,
+    splines,
+)
 from engine.laws import CATALOGUE, law
 from engine.laws.base import Array, Flags
 from engine.laws.ends import BoundaryLaw, BoundaryValues, EndError

@@ -15,7 +15,7 @@ import numpy as np
 
 from engine.drive import Motor
 from engine.drive.drive_points import DrivePoints
-from engine.drive.limits import BELOW, CYCLES, NEAR, ReducerLimits
+from engine.drive.limits import BELOW, CYCLES, NEAR, PEAK_TORQUE, REDUCER_TORQUE, ReducerLimits
 from engine.drive.motor import LimitCheck
 from engine.drive.rate_estimates import (
     ASTRAY,
@@ -23,8 +23,6 @@ from engine.drive.rate_estimates import (
     HAIR,
     LEAST_USE,
     NO_LIMIT,
-    PEAK_TORQUE,
-    REDUCER_TORQUE,
     SPEEDS,
     TARGET,
     TARGET_BETWEEN,

@@ -1,4 +1,4 @@
-"""Limits of a motor and a reducer, and a cycle checked against them. SI units."""
+"""Limits of a motor and a reducer; a cycle checked against them, also creeping as a machine starts up. SI units."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -9,14 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from engine.drive.cycle import DriveCycle, TorqueInterval
+from engine.drive.drive_points import DrivePoints
 from engine.drive.motor import LimitCheck, Motor
 from engine.drive.results import DriveResults
 from engine.drive.search import extremes
 from engine.laws.base import Array
 
+PEAK_TORQUE, REDUCER_TORQUE = "peak torque", "reducer peak torque"
 BELOW, CYCLES = "torque below the curve", "reducer torque at its cycles"
 """names of limits: of a peak torque that falls with speed, of a reducer's beyond its cycles an hour"""
-NAMES = ("RMS torque", BELOW, "motor speed", "reducer input speed", "reducer peak torque", "reducer mean torque")
+NAMES = ("RMS torque", BELOW, "motor speed", "reducer input speed", REDUCER_TORQUE, "reducer mean torque")
 NEAR = 1e-9  # share by which equal rates may differ
 
 
@@ -90,7 +92,7 @@ class LimitChecks:
             BELOW: (motor.peak_torque, lambda: results.torque.peak),
             "motor speed": (motor.max_speed, lambda: results.speed.peak),
             "reducer input speed": (reducer.input_speed, lambda: results.speed.peak),
-            "reducer peak torque": (reducer.peak_at(1.0 / self.drive_cycle.time), lambda: results.shaft_torque(1).peak),
+            REDUCER_TORQUE: (reducer.peak_at(1.0 / self.drive_cycle.time), lambda: results.shaft_torque(1).peak),
             "reducer mean torque": (reducer.mean_torque, lambda: results.mean_shaft_torque(1)),
         }
         return tuple(
@@ -140,3 +142,46 @@ class LimitChecks:
 def at_speed(checks: LimitChecks, speed: float) -> LimitChecks:
     """Return the checks of the same cycle at another speed of the abscissa (units per s)."""
     return replace(checks, drive_cycle=replace(checks.drive_cycle, speed=speed))
+
+
+CREEP_RATE = 1.0 / 60.0  # cycles per second
+
+
+def creep_factor(time: float) -> float:
+    """Return the rate of creeping over that of a cycle of a time (s): at most 1."""
+    return min(1.0, CREEP_RATE * time)
+
+
+def creeping(checks: LimitChecks, loaded: bool) -> LimitChecks:
+    """Return the checks of the same drive creeping, exact; its process forces act if it is ``loaded``."""
+    cycle = checks.drive_cycle
+    train = cycle.train if loaded else replace(cycle.train, windows=())
+    return replace(checks, drive_cycle=replace(cycle, train=train, speed=cycle.speed * creep_factor(cycle.time)))
+
+
+def creep_checks(points: DrivePoints, motor: Motor, reducer: ReducerLimits, rate: float) -> tuple[LimitCheck, ...]:
+    """Return the torques of a drive at the points of its cycle against their limits.
+
+    Parameters
+    ----------
+    points : DrivePoints
+        While it creeps.
+    motor : Motor
+        Of a peak torque that falls with speed, what it has fallen counts as torque.
+    reducer : ReducerLimits
+    rate : float, 1/s
+        Cycles per second, creeping.
+
+    Returns
+    -------
+    tuple of LimitCheck
+        RMS torque and peak torque of the motor, peak and mean torque behind the reducer (Nm).
+    """
+    behind = points.load.output_torque
+    peak = float((abs(points.torque) + motor.falling.fallen(points.speed)).max())
+    return (
+        LimitCheck("RMS torque", points.rms_torque, float(motor.continuous(points.mean_speed))),
+        LimitCheck(PEAK_TORQUE, peak, motor.peak_torque),
+        LimitCheck(REDUCER_TORQUE, float(abs(behind).max()), reducer.peak_at(rate)),
+        LimitCheck("reducer mean torque", points.cubic_mean(behind), reducer.mean_torque),
+    )

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.drive_points import DrivePoints
-from engine.drive.limits import BELOW, CYCLES, ReducerLimits
+from engine.drive.limits import BELOW, CYCLES, PEAK_TORQUE, REDUCER_TORQUE, ReducerLimits
 from engine.drive.motor import Motor
 from engine.laws.base import Array
 
@@ -16,7 +16,6 @@ LEAST_USE = 1e-6
 NEVER = 1.0 / LEAST_USE  # of shares, and of squares of a rate's factor: as good as infinite
 TINY = 1e-30  # more than 0, so that a quotient has a value
 NO_LIMIT = 1.0 / TINY  # stands for an infinite rate
-PEAK_TORQUE, REDUCER_TORQUE = "peak torque", "reducer peak torque"
 SPEEDS = ("motor speed", "reducer input speed")
 # use of a limit at the ends of the range; where peaks lie between points
 TARGET, TARGET_BETWEEN = 0.999, 0.997

@@ -8,9 +8,9 @@ import numpy as np
 
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
-from engine.drive.highest_rate import shares_of_phases
 from engine.drive.limits import LimitChecks
 from engine.drive.quadrature import LoadPoints
+from engine.drive.rate_range import shares_of_phases
 from engine.drive.search import gauss_legendre, least_use
 from engine.laws import Piece, PieceLaw
 from engine.laws.base import Array

@@ -7,9 +7,8 @@ from functools import cached_property
 from types import ModuleType
 from typing import Any, cast
 
-from engine.drive.highest_rate import RateLimit, highest_rate
 from engine.drive.limits import LimitChecks
-from engine.drive.rate_range import at_points
+from engine.drive.rate_range import RateLimit, at_points, highest_rate
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.fields.paths import Place, get, table

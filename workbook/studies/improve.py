@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from engine.drive.highest_rate import RateLimit, limits_in_order, moment_of
 from engine.drive.limits import at_speed
+from engine.drive.rate_range import RateLimit, limits_in_order, moment_of
 from workbook.errors import InputError
 from workbook.fields.paths import Place, key_of
 from workbook.improving import AIMS, Change

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from engine.drive import Load
-from engine.drive.bounds import CONSTANT
-from engine.drive.drive_points import DrivePoints
+from engine.drive.drive_points import USUAL, DrivePoints
 from engine.flying.cut import Cut, flying_saw, rotary_drum
 from engine.flying.pieces import cycle_of, train_of
 from engine.laws import law
@@ -116,12 +115,12 @@ def test_torque_and_energy_of_tools_that_turn_round_by_fine_quadrature(number):
     found = DrivePoints(cycle_of(cut, train_of(cut, load, pair)).points())
     speed, torque = by_fine_quadrature(cut, load, pair)
     peak = np.abs(torque).max()
-    assert found.rms_torque == pytest.approx(np.sqrt((torque**2).mean()), abs=CONSTANT.rms_torque * peak)
-    assert found.torque.max() == pytest.approx(torque.max(), abs=CONSTANT.peak_torque * peak)
-    assert found.torque.min() == pytest.approx(torque.min(), abs=CONSTANT.peak_torque * peak)
+    assert found.rms_torque == pytest.approx(np.sqrt((torque**2).mean()), abs=USUAL.rms_torque * peak)
+    assert found.torque.max() == pytest.approx(torque.max(), abs=USUAL.peak_torque * peak)
+    assert found.torque.min() == pytest.approx(torque.min(), abs=USUAL.peak_torque * peak)
     assert found.mean_speed == pytest.approx(np.abs(speed).mean(), rel=1e-4)
     work = found.mean(found.torque * found.speed)
-    assert work == pytest.approx((torque * speed).mean(), abs=CONSTANT.mean_power * np.abs(torque * speed).max())
+    assert work == pytest.approx((torque * speed).mean(), abs=USUAL.mean_power * np.abs(torque * speed).max())
 
 
 def test_one_rule_of_losses_leaves_192_pairs():

@@ -13,7 +13,7 @@ from math import pi
 
 import pytest
 
-from engine.drive.bounds import CHANGING
+from engine.drive.drive_points import USUAL
 from engine.drive.limits import at_speed
 from tests.mutation import examine
 from tests.mutation.bench import Bench
@@ -181,9 +181,9 @@ def test_a_common_bus_takes_no_more_than_its_bounds(drawn):
     """To what the sheets of its drives state of their powers, where they are cut wherever they turn round."""
     if len(drawn.views) > 1 and all(is_cut_everywhere(view) for view in drawn.views):
         bus, found = Mains(drawn.views, drawn.machine.power), bus_of(drawn.simulated, drawn.machine.power.efficiency)
-        assert found.peak <= bus.cuts.peak_most * (1.0 + CHANGING.peak_power)
-        assert found.burnt_peak <= bus.cuts.burnt_most * (1.0 + CHANGING.peak_power) + 1e-6 * bus.cuts.peak_most
-        known = CHANGING.energy * bus.without.mains
+        assert found.peak <= bus.cuts.peak_most * (1.0 + USUAL.peak_power)
+        assert found.burnt_peak <= bus.cuts.burnt_most * (1.0 + USUAL.peak_power) + 1e-6 * bus.cuts.peak_most
+        known = USUAL.energy * bus.without.mains
         assert bus.without.mains - bus.saved_most - known <= found.mean <= bus.without.mains + known
 
 

@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from engine.drive.bounds import stated_bounds
-from engine.drive.creeping import creeping
+from engine.drive.drive_points import stated_bounds
+from engine.drive.limits import creeping
 from tests.workbook.cells import computed, entered
 from tests.workbook.machines.drawn_drives import drawn_machine
 from tests.workbook.machines.test_exact_decides import studied

@@ -2,8 +2,7 @@
 
 import pytest
 
-from engine.drive.limits import CYCLES
-from engine.drive.rate_estimates import REDUCER_TORQUE
+from engine.drive.limits import CYCLES, REDUCER_TORQUE
 from tests.workbook.cells import computed, entered
 from tests.workbook.machines.test_machine import TEMPLATE, driven, small
 from workbook.build import failing_checks

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from engine.drive.bounds import CONSTANT
+from engine.drive.drive_points import USUAL
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import cell_tables, charts_beside
 from workbook.book.declare import Book, Quantity, Sheet
@@ -64,7 +64,7 @@ def outcome(sheet: Sheet, view: ToolDrive) -> None:
         cell("@reducer", view.proposal.reducers.names[r]),
         cell("@tmax", float(points.torque.max()), scale=size, source=PEAK),
         cell("@tmin", float(points.torque.min()), scale=size, source=PEAK),
-        cell("@rms", points.rms_torque, part=100.0 * CONSTANT.rms_torque, scale=size),
+        cell("@rms", points.rms_torque, part=100.0 * USUAL.rms_torque, scale=size),
         cell("@margin", held.rms_torque.reserve * view.reserves.rms_reserve),
         cell("@speed", shown(view.speed, RPM)),
         cell("@mean", shown(points.mean_speed, RPM)),

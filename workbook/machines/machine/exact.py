@@ -4,11 +4,9 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import chain
 
-from engine.drive.creeping import creeping
-from engine.drive.limits import BELOW, CYCLES, at_speed
+from engine.drive.limits import BELOW, REDUCER_TORQUE, at_speed, creeping
 from engine.drive.motor import LimitCheck
-from engine.drive.rate_estimates import PEAK_TORQUE, REDUCER_TORQUE
-from engine.drive.rate_range import rate_range
+from engine.drive.rate_range import EXACT_NAMES, rate_range
 from workbook.book.checks import ZERO
 from workbook.book.sentence import as_shown
 from workbook.fields.units import PER_MINUTE, PERCENT, shown, si
@@ -27,12 +25,10 @@ from workbook.template_outputs import ExactJudgement, JudgedLimit, deviations, j
 
 RATE, GAP, MOTION = 0.01, 1e-3, 5e-4
 """by which share the sheets state that the highest rate, a least gap and the extremes of phases that meet at speed may
-be off; :mod:`engine.drive.bounds` has those of a drive's results"""
+be off; :mod:`engine.drive.drive_points` has those of a drive's results"""
 PAIRS_GAP = 0.25  # the same of a least gap by pairs, whose lines may turn between the points
 ROUNDING, NEARLY = 1e-9, 0.9  # of exact uses; of a use by points that may be 1 exactly
 CREEP_LIMITS = "RMS torque", REDUCER_TORQUE, "reducer mean torque"  # beside the peak torque
-# of limits that the exact engine calls otherwise
-EXACT_NAMES = {PEAK_TORQUE: BELOW, CYCLES: REDUCER_TORQUE}
 
 
 def axes_of(machine: AnyMachine) -> list[AxisTables]:

@@ -6,8 +6,7 @@ With T_s the torque at standstill and I = T − T_s, a rate of √x times the pr
 import math
 from collections.abc import Iterable, Sequence
 
-from engine.drive.creeping import CREEP_RATE
-from engine.drive.limits import CYCLES
+from engine.drive.limits import CREEP_RATE, CYCLES
 from engine.drive.rate_estimates import (
     LEAST_USE,
     NO_LIMIT,

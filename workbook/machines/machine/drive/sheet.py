@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 
-from engine.drive.bounds import stated_bounds
+from engine.drive.drive_points import stated_bounds
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.sentence import CheckSentence, Sentence, amount, as_shown

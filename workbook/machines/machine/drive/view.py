@@ -8,10 +8,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from engine.drive.creeping import creep_checks, creep_factor
 from engine.drive.drive_points import DrivePoints
 from engine.drive.limit_use import RateSearch
-from engine.drive.limits import BELOW
+from engine.drive.limits import BELOW, creep_checks, creep_factor
 from engine.drive.motor import LimitCheck, Reserve, reserve
 from engine.drive.quadrature import Interpolation, LoadPoints, QuadratureCycle
 from engine.drive.rate_estimates import RateRange

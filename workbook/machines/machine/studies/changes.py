@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from engine.drive.backlash import Backlash
-from engine.drive.highest_rate import Moment
+from engine.drive.rate_range import Moment
 from workbook.book.checks import ZERO
 from workbook.book.quantity import OK
 from workbook.book.sentence import figure
