@@ -10,7 +10,7 @@ from collections.abc import Callable
 from numpy.polynomial import Polynomial
 from scipy.optimize import differential_evolution
 
-from engine.drive.shaped import Splines, shape
+from engine.drive.shaped import Splines
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import read_machine
 from workbook.studies.design import first_design
@@ -60,9 +60,9 @@ def evolve(cost, bounds, least: float) -> None:
 
 def evolve_law(degree: int) -> None:
     """Shape a law by evolution, its coefficients as far beyond 0 and 1 as the rise is wide."""
-    family = Splines(degree, 2, 1)
+    family = Splines(degree)
     tables = family.tables(family.inner, (LIFT, LIFT / TIME, LIFT / TIME**2))
-    least = shape(bolt_torque, LIFT, TIME, degree).rms_torque
+    least = family.shape(bolt_torque, LIFT, TIME).rms_torque
     evolve(lambda chosen: family.torque_over(bolt_torque, tables, chosen), [(-1.0, 2.0)] * family.even.size, least)
 
 
@@ -80,9 +80,9 @@ def evolve_timing(design) -> None:
 
 def main() -> None:
     for degree in DEGREES:
-        measure(f"a law of degree {degree}", lambda degree=degree: shape(bolt_torque, LIFT, TIME, degree))
+        measure(f"a law of degree {degree}", lambda degree=degree: Splines(degree).shape(bolt_torque, LIFT, TIME))
         evolve_law(degree)
-    measure("a law of eight pieces of degree 5", lambda: shape(bolt_torque, LIFT, TIME, 5, pieces=8))
+    measure("a law of eight pieces of degree 5", lambda: Splines(5, pieces=8).shape(bolt_torque, LIFT, TIME))
     design = first_design(read_machine(CUTTING), True)
     measure("what limits the cutting machine", lambda: obstacles(design))
     measure("its single changes", lambda: [*single_gains(design, THIS_PROCESS, lambda *_: None)])

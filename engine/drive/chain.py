@@ -136,11 +136,6 @@ class Mechanism:
         """Speed of the motor over that of the load (rad/m or 1)."""
         return self.ratio_to(self.last)
 
-    @property
-    def efficiency(self) -> float:
-        """Product of the stages' efficiencies."""
-        return math.prod(stage.efficiency for stage in self.stages)
-
     def ratio_to(self, shaft: int) -> float:
         """Return the speed of the motor over that of a shaft (1, or rad/m if it travels)."""
         return math.prod(stage.ratio for stage in self.stages[:shaft])

@@ -161,22 +161,13 @@ class MeanBusPower(NamedTuple):
         """Mean power that is neither returned nor lost in the resistor (W)."""
         return self.mains - self.resistor
 
-    @property
-    def least(self) -> Any:
-        """The least mean power from the mains (W), if all regenerated energy were stored and used."""
-        return np.maximum(0.0, self.net)
 
+def peak_bus_power(powers: tuple[float, float], efficiency: float) -> tuple[float, float]:
+    """Return the peak powers from the mains, P/η, and into the resistor, η P (W), of a drive on its own DC bus.
 
-class PeakBusPower(NamedTuple):
-    """Peak powers of a drive on its own DC bus (W)."""
-
-    mains: float  # from the mains
-    resistor: float  # into the brake resistor
-
-
-def peak_bus_power(powers: tuple[float, float], efficiency: float) -> PeakBusPower:
-    """Return the peak powers for the highest and the lowest power at a motor's shaft (W): P/η drawn, η P given back."""
-    return PeakBusPower(max(0.0, powers[0]) / efficiency, max(0.0, -powers[1]) * efficiency)
+    ``powers`` are the highest and the lowest at the motor's shaft (W).
+    """
+    return max(0.0, powers[0]) / efficiency, max(0.0, -powers[1]) * efficiency
 
 
 def total_bus_power(powers: Sequence[MeanBusPower]) -> MeanBusPower:

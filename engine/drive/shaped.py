@@ -46,33 +46,18 @@ class ShapedLaw(NamedTuple):
         return PieceLaw(own, self.ends.slopes)
 
 
-def shape(
-    torque: Torque,
-    lift: float,
-    time: float,
-    degree: int = 9,
-    rest: int = 2,
-    pieces: int = 1,
-    jerk: float = math.inf,
-    ends: BoundaryValues = REST,
-) -> ShapedLaw:
-    """Return the law between two ends, of pieces of a degree, that takes the least RMS torque and does not overshoot.
+class Splines:
+    """The laws between two ends, of pieces of a degree, by the coefficients of a B-spline that are free.
 
-    The position is a B-spline: its first and its last coefficients are those of the derivatives at the ends, at rest 0
-    and 1, the others are those of the least squares of √w T at Gauss points w. A single piece is a polynomial. Pieces
-    meet where Chebyshev polynomials are extreme, with all derivatives but the highest. A spline lies within the hull of
-    its coefficients: those of the position are within 0 and 1, those of the jerk within its bound. A law that
-    begins or ends backwards must overshoot. Of a torque that is no linear function of the motion it is a local minimum.
+    The first and the last coefficients are those of the derivatives at the ends, at rest 0 and 1. A single piece is a
+    polynomial. Pieces meet where Chebyshev polynomials are extreme, with all derivatives but the highest. A spline lies
+    within the hull of its coefficients: those of the position are within 0 and 1, those of the jerk within its bound. A
+    law that begins or ends backwards must overshoot.
     Source: F. Van Oosterwyck et al., CAD based trajectory optimization of PTP motions using Chebyshev polynomials,
     Mech. Mach. Theory 145 (2020); C. de Boor, A Practical Guide to Splines.
 
     Parameters
     ----------
-    torque : callable
-        From position (since the begin), velocity and acceleration of the load, arrays (n,) in m or rad and s, to the
-        torque of the motor (Nm).
-    lift : float, m or rad
-    time : float, s
     degree : int
         Of the pieces, at most 13.
     rest : {1, 2, 3}
@@ -80,30 +65,18 @@ def shape(
     pieces : int
         Their number.
     jerk : float
-        What the law's d³s/dξ³ is at most, as c_j.
+        What a law's d³s/dξ³ is at most, as c_j.
     ends : BoundaryValues
         The derivatives there, by ξ, of the rise 1.
 
     Raises
     ------
     ValueError
-        For a degree or an order of rest that leaves nothing to choose, or is too high; for a jerk that no such law has.
-    """
-    family = Splines(degree, rest, pieces, jerk, ends)
-    tables = family.tables(family.inner, (lift, lift / time, lift / time**2))
-    chosen = family.least_torque(torque, tables)
-    return family.law(chosen, family.torque_over(torque, tables, chosen))
-
-
-class Splines:
-    """The laws between two ends, of pieces of a degree, by the coefficients of a B-spline that are free.
-
-    None overshoots, nor has more jerk than a bound. Raises ValueError for a degree or an order of rest that leaves
-    nothing to choose, or is too high.
+        For a degree or an order of rest that leaves nothing to choose, or is too high.
     """
 
     def __init__(
-        self, degree: int, rest: int, pieces: int, jerk: float = math.inf, ends: BoundaryValues = REST
+        self, degree: int = 9, rest: int = 2, pieces: int = 1, jerk: float = math.inf, ends: BoundaryValues = REST
     ) -> None:
         from scipy.interpolate import BSpline  # slow to import
 
@@ -130,6 +103,69 @@ class Splines:
         self.inner = (self.edges[:-1, None] + halves * (1.0 + nodes)).ravel()
         """points of Gauss and Legendre, and their weights"""
         self.weights = (halves * weights).ravel()
+
+    def shape(self, torque: Torque, lift: float, time: float) -> ShapedLaw:
+        """Return the law that takes the least RMS torque: least squares of √w T at Gauss points of the weights w.
+
+        Of a torque that is no linear function of the motion it is a local minimum. Raises ValueError for a jerk that no
+        such law has.
+
+        Parameters
+        ----------
+        torque : callable
+            From position (since the begin), velocity and acceleration of the load, arrays (n,) in m or rad and s, to
+            the torque of the motor (Nm).
+        lift : float, m or rad
+        time : float, s
+        """
+        tables = self.tables(self.inner, (lift, lift / time, lift / time**2))
+        chosen = self.least_torque(torque, tables)
+        return self.law(chosen, self.torque_over(torque, tables, chosen))
+
+    def shape_phase(self, checks: LimitChecks, motion: Motion, number: int, least_torque: bool = False) -> ShapedLaw:
+        """Return the law of a phase with which the drive uses its limits least at the rate of its cycle.
+
+        The largest use among RMS torque, peak torque and speed is as small as it can be: a minimum near the law of the
+        least RMS torque. Inertia by position, losses by the direction of power, process forces and weight are those of
+        the drive; peaks are taken at 129 points.
+
+        Parameters
+        ----------
+        checks : LimitChecks
+            The drive at its rate, with its limits.
+        motion : Motion
+            Its motion by phases.
+        number : int
+            Of the phase, from 0.
+        least_torque : bool
+            Whether only the RMS torque over the phase is to be least.
+
+        Raises
+        ------
+        OutOfReachError, ValueError
+            If the mechanism cannot reach a position; as :meth:`shape` does.
+        """
+        cycle, motor = checks.drive_cycle, checks.motor
+        even = np.linspace(0.0, 1.0, PEAKS)
+        inner, spread = (PhaseLoad(cycle, motion, number, self, xi) for xi in (self.inner, even))
+        tables = self.tables(self.inner, inner.rates)
+        tables_of_peaks = self.tables(even, spread.rates)
+        share = motion.phases[number].duration / motion.total
+        others = checks.results.rms_torque**2 * (1.0 - shares_of_phases(checks.results, 0).get(number, 0.0))
+        fastest = min(motor.max_speed, checks.reducer.input_speed)
+
+        def rms(chosen: Array) -> float:
+            return self.torque_over(inner.torque_at, tables, chosen)
+
+        def uses(chosen: Array) -> Array:
+            at = spread.motor_points(*self.moved(tables_of_peaks, chosen))
+            peaks = at.torque / motor.peak_at(np.minimum(np.abs(at.speed), motor.max_speed))
+            lasting = math.sqrt(others + share * rms(chosen) ** 2) / checks.continuous
+            return np.concatenate([[lasting], peaks, -peaks, at.speed / fastest, -at.speed / fastest])
+
+        start = self.least_torque(inner.torque_at, tables)
+        chosen = start if least_torque else self.least_use(uses, start)
+        return self.law(chosen, rms(chosen))
 
     def outer(self, end: int) -> Array:
         """Return the first coefficients (0), or the last (1), by position and derivatives at that end."""
@@ -227,61 +263,3 @@ class PhaseLoad:
     def torque_at(self, y: Array, v: Array, a: Array) -> Array:
         """Return the torque of the motor (Nm)."""
         return self.motor_points(y, v, a).torque
-
-
-def shape_phase(
-    checks: LimitChecks,
-    motion: Motion,
-    number: int,
-    degree: int = 5,
-    rest: int = 2,
-    pieces: int = 8,
-    least_torque: bool = False,
-    jerk: float = math.inf,
-    ends: BoundaryValues = REST,
-) -> ShapedLaw:
-    """Return the law of a phase with which the drive uses its limits least at the rate of its cycle.
-
-    The largest use among RMS torque, peak torque and speed of the motor is as small as it can be: a minimum near the
-    law of the least RMS torque. Inertia by position, losses by the direction of power, process forces and weight are
-    those of the drive; peaks are taken at 129 points.
-
-    Parameters
-    ----------
-    checks : LimitChecks
-        The drive at its rate, with its limits.
-    motion : Motion
-        Its motion by phases.
-    number : int
-        Of the phase, from 0.
-    degree, rest, pieces, jerk, ends : int, float, BoundaryValues
-        As :func:`shape` takes them.
-    least_torque : bool
-        Whether only the RMS torque over the phase is to be least.
-
-    Raises
-    ------
-    OutOfReachError, ValueError
-        If the mechanism cannot reach a position; as :func:`shape` does.
-    """
-    cycle, motor = checks.drive_cycle, checks.motor
-    family, even = Splines(degree, rest, pieces, jerk, ends), np.linspace(0.0, 1.0, PEAKS)
-    inner, spread = (PhaseLoad(cycle, motion, number, family, xi) for xi in (family.inner, even))
-    tables = family.tables(family.inner, inner.rates)
-    tables_of_peaks = family.tables(even, spread.rates)
-    share = motion.phases[number].duration / motion.total
-    others = checks.results.rms_torque**2 * (1.0 - shares_of_phases(checks.results, 0).get(number, 0.0))
-    fastest = min(motor.max_speed, checks.reducer.input_speed)
-
-    def rms(chosen: Array) -> float:
-        return family.torque_over(inner.torque_at, tables, chosen)
-
-    def uses(chosen: Array) -> Array:
-        at = spread.motor_points(*family.moved(tables_of_peaks, chosen))
-        peaks = at.torque / motor.peak_at(np.minimum(np.abs(at.speed), motor.max_speed))
-        lasting = math.sqrt(others + share * rms(chosen) ** 2) / checks.continuous
-        return np.concatenate([[lasting], peaks, -peaks, at.speed / fastest, -at.speed / fastest])
-
-    start = family.least_torque(inner.torque_at, tables)
-    chosen = start if least_torque else family.least_use(uses, start)
-    return family.law(chosen, rms(chosen))

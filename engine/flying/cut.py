@@ -9,7 +9,6 @@ from numpy.typing import ArrayLike
 
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
-from engine.laws.extremes import reach_of
 from engine.laws.inverse import is_monotone, velocity_peak
 
 Beyond = Literal["standstill", "reversal"]
@@ -169,14 +168,6 @@ class Cut:
         v, asked = self.line_speed, self.max_angular_acceleration
         by_speed = v * max_speed / self.max_angular_speed
         return min(by_speed, v * math.sqrt(max_acceleration / asked)) if asked > 0.0 else by_speed
-
-    @property
-    def stroke(self) -> float:
-        """Range of the tool's positions over a cycle (m), the travel of a flying saw's slide."""
-        places = self.at(np.array([0.0, self.repositioning_time, self.cycle_time])).position
-        moved = tuple(piece.scaled(self.superimposed) for piece in self.law.as_pieces())
-        turned = reach_of(moved, self.line_speed * self.moving_time) if self.reverses else ()
-        return float(np.ptp([*places, *turned]))
 
     def at(self, time: ArrayLike) -> ToolMotion:
         """Return the tool's motion at times from 0 to t_C (s), else raise ValueError; at an event that after it."""

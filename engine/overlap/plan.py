@@ -72,7 +72,7 @@ class Station:
         """Return the schedule without overlap: the tool moves while the transfer rests; S2: (360 − 250)/2 = 55°."""
         split, moved = self.passage.split, self.transfer.angle
         free = self._free(moved)
-        return Schedule(self.transfer, self.tool, free * split, free * (1.0 - split), moved + free * split)
+        return Schedule(self.tool, free * split, free * (1.0 - split), moved + free * split)
 
     def overlapping(self) -> Schedule:
         """Return the schedule with the longest ways in and out of the tool that the passage allows.
@@ -84,7 +84,7 @@ class Station:
         way_in, way_out, capped = self._ways(np.array([self.passage.margin]))
         limit: Limit = "cycle" if capped[0] else "clearance"
         arrival = self.left.end + self.left.free_in
-        return Schedule(self.transfer, self.tool, float(way_in[0]), float(way_out[0]), arrival, limit)
+        return Schedule(self.tool, float(way_in[0]), float(way_out[0]), arrival, limit)
 
     @cached_property
     def left(self) -> FreeAngles:

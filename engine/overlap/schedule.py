@@ -103,9 +103,8 @@ class Passage:
 
 @dataclass(eq=False)
 class Schedule:
-    """Both motions over a turn of the master shaft (rad)."""
+    """The motion of a tool over a turn of the master shaft (rad)."""
 
-    transfer: Transfer
     tool: Tool
     angle_in: float  # of the way in
     angle_out: float  # of the way out

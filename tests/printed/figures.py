@@ -140,7 +140,9 @@ def lead_screw() -> Iterator[Figure]:
     """S4, the lead screw."""
     screw, sizing, g = s4.lead_screw(), s4.sized_screw(), s4.PRINTED_G
     parts, found = s4.reflected(screw), sizing.torques
-    friction, weight = (one / screw.ratio / screw.efficiency * g for one in (screw.load.friction, screw.load.torque))
+    friction, weight = (
+        one / screw.ratio / screw.stages[-1].efficiency * g for one in (screw.load.friction, screw.load.torque)
+    )
     rounded, fast = "from a rounded acceleration (8 mm in 0.033 s)", "divided by 0.033 s, which is rounded"
     slip, pace = "misprint for 1.605e-5", sizing.max_acceleration / pi
     for quantity, unit, digits, ours, row, factor, reason in (

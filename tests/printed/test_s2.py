@@ -20,7 +20,7 @@ STATION = Station(MILL, DIE, PASSAGE)
 
 def rounded(schedule, angle):
     """The document goes on with whole degrees."""
-    return Schedule(MILL, DIE, radians(angle), radians(angle), schedule.arrival)
+    return Schedule(DIE, radians(angle), radians(angle), schedule.arrival)
 
 
 def test_effective_angle_of_the_mill_is_120_degrees_and_70_remain_each_way():

@@ -12,7 +12,7 @@ from engine.drive import Drive, Mechanism, Motor, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.limits import LimitChecks
-from engine.drive.shaped import shape, shape_phase
+from engine.drive.shaped import Splines
 from engine.laws import Dwell, law
 from engine.laws.ends import REST, BoundaryValues
 from engine.laws.pieces import moved_to
@@ -26,6 +26,14 @@ LOAD = Polynomial([0.10244372, 1.22240552, -0.13085737, -1.22211419, 0.62392123,
 def bolt_torque(y, v, a):
     """The torque of the machine of Van Oosterwyck et al., by its measured inertia and load."""
     return LOAD(y) + INERTIA(y) * a + 0.5 * INERTIA.deriv()(y) * v**2
+
+
+def shape(torque, lift, time, *family, **more):
+    return Splines(*family, **more).shape(torque, lift, time)
+
+
+def shape_phase(checks, motion, number):
+    return Splines(5, pieces=8).shape_phase(checks, motion, number)
 
 
 def rms_of(move) -> float:
@@ -176,7 +184,7 @@ def test_a_phase_whose_rms_torque_limits_has_the_law_of_least_rms_by_the_exact_e
         return checks_of(move, lift, motor, windows)[1].results.rms_torque
 
     motion, checks = checks_of(law("MSN"), lift, motor, windows)
-    shaped = shape_phase(checks, motion, 0, degree=7, pieces=1)
+    shaped = Splines(7).shape_phase(checks, motion, 0)
     assert rms(shaped.law) < rms(law("MSN"))
     bump = Polynomial([0.0, 1.0, -1.0]) ** 3
     for size in (-0.2, 0.2):

@@ -62,12 +62,6 @@ def test_means_and_peaks_at_points_are_the_closed_ones(name, length):
     assert load.squares.mixed + load.squares.mixed_back == pytest.approx(0.02 * load.squares.own, rel=1e-12)
 
 
-def test_the_stroke_by_points_is_the_exact():
-    for cut in cuts(200, 5):
-        points = cycle_of(cut, train_of(cut, LOAD)).points()
-        assert np.ptp(points.position) == pytest.approx(cut.stroke, rel=1e-12)
-
-
 def test_a_cycle_is_cut_where_the_tool_turns_round():
     """Where its speed, by the law's closed form, passes zero: back, and forward again."""
     for cut in cuts(200, 6):

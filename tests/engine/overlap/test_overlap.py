@@ -134,7 +134,7 @@ def test_the_least_clearance_stands_at_a_corner(law, law_in, law_out, remaining,
     passage = Passage(remaining, 0.01, 0.001)
     station = Station(transfer, tool, passage)
     plan = station.overlapping()
-    moved = Schedule(transfer, tool, plan.angle_in, plan.angle_out, plan.arrival + shift)
+    moved = Schedule(tool, plan.angle_in, plan.angle_out, plan.arrival + shift)
     found, at = station.clearance(moved, TURN), station.critical_angles(moved)
     assert found.minimum == at.free.min()
     assert found.free[in_the_way(station)].min() >= found.minimum - 1e-12
@@ -152,9 +152,9 @@ def test_a_tool_that_is_never_in_the_way_is_limited_by_the_cycle():
 
 
 def test_a_tool_that_sets_off_too_early_collides():
-    transfer, tool = mill_and_die()
+    _, tool = mill_and_die()
     good = station().overlapping()
-    early = Schedule(transfer, tool, good.angle_in, good.angle_out, good.arrival - radians(20))
+    early = Schedule(tool, good.angle_in, good.angle_out, good.arrival - radians(20))
     found = station().clearance(early, TURN)
     assert found.collides
     assert not found.meets_margin

@@ -6,12 +6,10 @@ With T_s the torque at standstill and I = T − T_s, a rate of √x times the pr
 import math
 from collections.abc import Iterable, Sequence
 
-from engine.drive.limits import CREEP_RATE, CYCLES
+from engine.drive.limits import CREEP_RATE, CYCLES, PEAK_TORQUE, REDUCER_TORQUE
 from engine.drive.rate_estimates import (
     LEAST_USE,
     NO_LIMIT,
-    PEAK_TORQUE,
-    REDUCER_TORQUE,
     SPEEDS,
     Ends,
     continuous_line,

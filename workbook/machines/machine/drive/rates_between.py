@@ -3,12 +3,10 @@
 import math
 
 from engine.drive.limit_use import RateSearch
-from engine.drive.limits import BELOW, CYCLES
+from engine.drive.limits import BELOW, CYCLES, PEAK_TORQUE, REDUCER_TORQUE
 from engine.drive.rate_estimates import (
     ASTRAY,
     BEYOND,
-    PEAK_TORQUE,
-    REDUCER_TORQUE,
     TARGET,
     TARGET_BETWEEN,
     TARGET_CURVE,

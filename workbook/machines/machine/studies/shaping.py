@@ -9,7 +9,7 @@ from typing import Any
 
 from engine.drive.limits import at_speed
 from engine.drive.rate_range import at_points
-from engine.drive.shaped import shape_phase
+from engine.drive.shaped import Splines
 from engine.laws import PieceLaw
 from engine.laws.base import Kinematics
 from engine.laws.ends import BoundaryValues
@@ -104,7 +104,8 @@ def shaped(machine: AnyMachine, driven: Driven, rate: float, k: int, begin: str,
     axis, least_torque, most = driven.axis, aim == "torque", min(PIECES, machine.sizes.pieces)
     rest, checks, number = RESTS[axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau), axis.entered[k]
     jerk, ends = getattr(machine.laws[axis.given.phases[k].law], "max_jerk", None), axis.joined.ends_of(number)
-    law = shape_phase(checks, axis.motion, number, 5, rest, most, least_torque, jerk or math.inf, ends).law
+    family = Splines(5, rest, most, jerk or math.inf, ends)
+    law = family.shape_phase(checks, axis.motion, number, least_torque).law
     words = f"Shaped for its drive at {shown(1.0 / checks.drive_cycle.time, PER_MINUTE):.1f} cycles/min"
     own = frozen(law, words) | {"shaped": aim} | ({"max_jerk": jerk} if jerk else {})
     path = ("axes", str(axis.number - 1), "phases", str(k), "law")
