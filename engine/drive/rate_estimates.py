@@ -127,85 +127,54 @@ def power_through(base: float, now: float, then: float, factor: float) -> float:
     return math.log((then - base) / (now - base)) / (math.log(factor) + TINY)
 
 
-class ContinuousTorqueLine(NamedTuple):
-    """The continuous torque over the rate; mean (S + x I)² = (M − D √x)² with √x ≤ (e + x/e)/2 is quadratic in x."""
+class SquareLine(NamedTuple):
+    """A mean torque over x, its square taken for S² + 2 h x + G x²: at its limit at x = L/(√(h² + G L) + h)."""
 
-    stall: float  # M, at speed 0 (Nm)
-    fall: float  # D, from there to the present mean speed (Nm)
-    near: float  # e, rate over the present rate at which the bound of √x is exact
-    half: float  # half of x's coefficient (N²m²)
-    left: float  # what S leaves (N²m²)
-    root: float  # square of the root in the quadratic's solution (N⁴m⁴)
+    limit: float  # M, at speed 0 (Nm)
+    standing: float  # S, without inertia and viscous friction (Nm)
+    growing: float  # G (N²m²)
+    half: float  # h (N²m²)
+    left: float  # L, what S leaves, M² − S² of a limit that does not fall (N²m²); infinite without a limit
+    square: float  # h² + G L (N⁴m⁴)
+
+    @property
+    def estimate(self) -> Estimate:
+        """From where on and up to where it is within its limit."""
+        limit, standing, growing, half, left, square = self
+        root = math.sqrt(max(0.0, square))
+        if math.isinf(limit):
+            return Estimate(limit, standing, 0.0)
+        if left > 0.0:
+            return Estimate(limit, standing, (root + half) / left)
+        if half >= 0.0 or square < 0.0:
+            return Estimate(limit, standing, 0.0, from_forward=NEVER)
+        return Estimate(limit, standing, growing / (root - half), from_forward=clipped(-left / (root - half)))
 
 
-def continuous_line(points: DrivePoints, motor: Motor) -> ContinuousTorqueLine:
-    """Return the line of a motor's continuous torque, constant if the mean speed is beyond the rated."""
+def continuous_line(points: DrivePoints, motor: Motor) -> tuple[SquareLine, float, float]:
+    """Return the line of the RMS torque up to the continuous torque, D (Nm), and e.
+
+    The continuous torque falls by D from speed 0 to the present mean speed, not at all if this is beyond the rated:
+    mean (S + x I)² = (M − D √x)² with √x ≤ (e + x/e)/2, exact at the rate e over the present rate, is quadratic in x.
+    """
     own, mixed, growing = mean_squares(points)
     now = float(motor.continuous(points.mean_speed))
     stall = motor.stall_torque if now > motor.rated_torque else motor.rated_torque
     if math.isinf(stall):
-        return ContinuousTorqueLine(stall, 0.0, 1.0, mixed, math.inf, math.inf)
+        return SquareLine(stall, math.sqrt(own), growing, mixed, math.inf, math.inf), 0.0, 1.0
     fall = stall - now
     near = min(1.0, (stall - math.sqrt(own)) / fall) if fall > 0.0 and stall > math.sqrt(own) else 1.0
     half, left = mixed + fall * (stall / near - fall) / 2.0, stall * (stall - fall * near) - own
-    return ContinuousTorqueLine(stall, fall, near, half, left, half**2 + growing * left)
+    return SquareLine(stall, math.sqrt(own), growing, half, left, half**2 + growing * left), fall, near
 
 
-def by_rms(points: DrivePoints, motor: Motor) -> Estimate:
-    """Return the estimate of the continuous torque (Nm)."""
-    own, _, growing = mean_squares(points)
-    stall, _, _, half, left, square = continuous_line(points, motor)
-    if math.isinf(stall):
-        return Estimate(stall, math.sqrt(own), 0.0)
-    return by_square(stall, math.sqrt(own), half, growing, left, square)
-
-
-def by_square(limit: float, standing: float, half: float, growing: float, left: float, square: float) -> Estimate:
-    """Return the estimate of a mean torque, from where on and up to where it is within its limit M.
-
-    Its square, S² + 2 h x + G x², is M² at x = L/(√(h² + G L) + h), with L = M² − S².
-
-    Parameters
-    ----------
-    limit, standing : float, Nm
-        M, and S at standstill.
-    half, growing, left : float, N²m²
-        h, G and L.
-    square : float, N⁴m⁴
-        h² + G L.
-    """
-    root = math.sqrt(max(0.0, square))
-    if left > 0.0:
-        return Estimate(limit, standing, (root + half) / left)
-    if half >= 0.0 or square < 0.0:
-        return Estimate(limit, standing, 0.0, from_forward=NEVER)
-    return Estimate(limit, standing, growing / (root - half), from_forward=clipped(-left / (root - half)))
-
-
-class MeanTorqueLine(NamedTuple):
-    """The square of the reducer's mean torque over the rate, taken for quadratic in x as a mean square would be."""
-
-    standing: float  # mean torque without inertia and viscous friction (Nm)
-    growing: float  # square of the mean of what grows with x (N²m²)
-    half: float  # half of x's coefficient (N²m²)
-    left: float  # what the standing torque leaves of the limit's square (N²m²); infinite without a limit
-    square: float  # of the root in the quadratic's solution (N⁴m⁴)
-
-
-def mean_torque_line(points: DrivePoints, limit: float) -> MeanTorqueLine:
-    """Return the line of the reducer's mean torque up to a limit (Nm)."""
+def mean_torque_line(points: DrivePoints, limit: float) -> SquareLine:
+    """Return the line of the reducer's mean torque up to a limit (Nm), as if it were a mean square."""
     stands, now = points.load.output_torque_at_rest, points.load.output_torque
     standing, present, growing = (points.cubic_mean(torque) for torque in (stands, now, now - stands))
     half, left = (present**2 - standing**2 - growing**2) / 2.0, limit**2 - standing**2
-    return MeanTorqueLine(standing, growing**2, half, left, half**2 + growing**2 * left if growing else half**2)
-
-
-def by_mean(points: DrivePoints, limit: float) -> Estimate:
-    """Return the estimate of the reducer's mean torque (Nm)."""
-    standing, growing, half, left, square = mean_torque_line(points, limit)
-    if math.isinf(limit):
-        return Estimate(limit, standing, 0.0)
-    return by_square(limit, standing, half, growing, left, square)
+    square = half**2 + growing**2 * left if growing else half**2
+    return SquareLine(limit, standing, growing**2, half, left, square)
 
 
 def by_speed(speed: float, limit: float) -> Estimate:
@@ -233,13 +202,13 @@ def estimates_of(points: DrivePoints, speed: float, motor: Motor, reducer: Reduc
     peak, behind = motor.peak_torque, points.load.output_torque
     standing = points.load.output_torque_at_rest
     estimates = {
-        "RMS torque": by_rms(points, motor),
+        "RMS torque": continuous_line(points, motor)[0].estimate,
         PEAK_TORQUE: by_points(points.torque, points.standing, peak),
         "motor speed": by_speed(speed, motor.max_speed),
         "reducer input speed": by_speed(speed, reducer.input_speed),
         REDUCER_TORQUE: by_points(behind, standing, reducer.peak_torque),
         CYCLES: by_points(behind, standing, reducer.peak_torque / reducer.cycle_factor),
-        "reducer mean torque": by_mean(points, reducer.mean_torque),
+        "reducer mean torque": mean_torque_line(points, reducer.mean_torque).estimate,
     }
     if motor.falling.fall:
         forward, backward = points.falling_use(motor).max(axis=(1, 2)).tolist()

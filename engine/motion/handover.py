@@ -11,7 +11,7 @@ from engine.laws.ends import BoundaryValues
 from engine.laws.piece import POWERS
 from engine.laws.polynomials import BoundaryLine, BoundaryPolynomial, HalvedPolynomial
 from engine.laws.pulse_law import PulseLaw
-from engine.motion.joining import BoundaryPhase, EndCondition, JoinedMotion, Rates, agrees, slope
+from engine.motion.joining import EndCondition, JoinedMotion, Rates, agrees, slope
 from engine.motion.phase import Phase
 
 STRAIGHT, NEVER, PULSES, FIXED = -1, 0, 1, 2
@@ -62,7 +62,7 @@ class Handover:
     @property
     def ended(self) -> bool:
         """Whether it is carried out with boundary values."""
-        return isinstance(self.phase, BoundaryPhase)
+        return self.phase.origin is not None
 
     @property
     def mode(self) -> int:

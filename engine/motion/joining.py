@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 import numpy as np
 
-from engine.laws import Dwell, Law
+from engine.laws import Dwell
 from engine.laws.ends import STILL, BoundaryValues, EndError, kind, law_with_ends
 from engine.laws.polynomials import BoundaryLine
 from engine.laws.simple import StraightLine
@@ -21,24 +21,6 @@ class Rates(NamedTuple):
     v: float = 0.0  # y'
     a: float = 0.0  # y''
     j: float = 0.0  # y'''
-
-
-@dataclass(frozen=True)
-class BoundaryPhase(Phase):
-    """A phase whose law has boundary values, the lift among them."""
-
-    origin: Law  # the entered law, between two rests
-    scale: float = 1.0
-
-    @property
-    def named(self) -> Law:
-        """The entered law, between two rests."""
-        return self.origin
-
-    @property
-    def moves(self) -> bool:
-        """Whether it moves: always, even if it returns to where it began."""
-        return True
 
 
 class Fault(NamedTuple):
@@ -146,7 +128,7 @@ def _between(phase: Phase, begin: EndCondition, end: EndCondition) -> Phase:
     if phase.law.fixes_ends or ends.at_rest:  # it keeps its rates: joints tell where they jump
         return Phase(phase.law, phase.lift, phase.duration)
     law = law_with_ends(phase.law, ends)
-    return BoundaryPhase(BoundaryLine(ends=ends) if ends.straight else law, phase.lift, phase.duration, phase.law)
+    return Phase(BoundaryLine(ends=ends) if ends.straight else law, phase.lift, phase.duration, phase.law)
 
 
 def _ends_of(phase: Phase, begin: EndCondition, end: EndCondition, unit: float = 1.0) -> BoundaryValues:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from engine.laws import Law, law
 from engine.laws.base import BREAK_TOLERANCE, Array, Real, require_finite, require_within, unwrap
 from engine.laws.points import reach
-from engine.motion.phase import MotionValues, Phase, PhaseEnds, TimeValues, phases_of
+from engine.motion.phase import MotionValues, Phase, PhaseEnds, phases_of
 
 ZERO_TOLERANCE = 1e-9  # of the largest lift: a smaller jump is none
 
@@ -164,10 +164,10 @@ class Motion:
             table[:, here] = phase.values(self._begins[k], phase.law.evaluate(xi[here]))
         return MotionValues(*unwrap(x, [row.reshape(at.shape) for row in table]))
 
-    def at_speed(self, x: Real, speed: float) -> TimeValues[Real]:
+    def at_speed(self, x: Real, speed: float) -> tuple[Real, Real, Real, Real]:
         """Return y, ẏ = y' w, ÿ = y'' w² and the jerk y''' w³ at x, w the constant speed of the abscissa (unit/s)."""
         y, y1, y2, y3 = self.at(x)
-        return TimeValues(y, y1 * speed, y2 * speed**2, y3 * speed**3)
+        return y, y1 * speed, y2 * speed**2, y3 * speed**3
 
 
 class MotionSamples(NamedTuple):

@@ -17,15 +17,6 @@ class MotionValues(NamedTuple, Generic[Real]):
     y3: Real  # geometric jerk y'''
 
 
-class TimeValues(NamedTuple, Generic[Real]):
-    """Position and its derivatives by time, in the motion's unit of y and s; floats, or arrays of equal shape."""
-
-    y: Real  # position
-    v: Real  # velocity ẏ
-    a: Real  # acceleration ÿ
-    j: Real  # jerk
-
-
 @dataclass(frozen=True)
 class Phase:
     """A law over a lift in a duration. Raises ValueError for figures outside the limits below."""
@@ -33,6 +24,8 @@ class Phase:
     law: Law
     lift: float  # h, in any unit of y; negative for a return, 0 in a dwell
     duration: float  # δ, in any unit of the abscissa; above 0
+    # the entered law, between two rests, where the law is another with boundary values, the lift among them
+    origin: Law | None = None
 
     def __post_init__(self) -> None:
         require_finite(lift=self.lift, duration=self.duration)
@@ -43,18 +36,18 @@ class Phase:
 
     @property
     def scale(self) -> float:
-        """Factor of the law's s: the lift h."""
-        return self.lift
+        """Factor of the law's s: the lift h, or 1 where the law has boundary values."""
+        return 1.0 if self.origin else self.lift
 
     @property
     def named(self) -> Law:
         """The entered law, between two rests."""
-        return self.law
+        return self.origin or self.law
 
     @property
     def moves(self) -> bool:
-        """Whether it moves."""
-        return self.lift != 0.0
+        """Whether it moves, be it back to where it began."""
+        return self.lift != 0.0 or self.origin is not None
 
     @property
     def rate(self) -> float:

@@ -11,7 +11,7 @@ from engine.laws import Dwell, Law
 from engine.laws.base import Array
 from engine.laws.polynomials import BoundaryLine, BoundaryPolynomial
 from engine.motion import Motion, MotionValues, Phase
-from engine.motion.joining import BoundaryPhase, JoinedMotion, Rates, join_phases
+from engine.motion.joining import JoinedMotion, Rates, join_phases
 from engine.motion.pieces import MotionPiece, motion_pieces
 from engine.motion.shifted import Shifted, Unshifted
 from engine.timing import shaft_speed, turn_time
@@ -193,7 +193,7 @@ def at_points(piece: MotionPiece, order: int) -> Array:
 
 
 @dataclass(frozen=True)
-class MeasuredPhase(BoundaryPhase):
+class MeasuredPhase(Phase):
     """A phase with prescribed ends whose extremes are those of its ``parts`` at points.
 
     The velocity, acceleration and jerk of a law of two pulses are exact by the heights of its pulses.
@@ -238,15 +238,15 @@ class MeasuredMotion(Motion):
 
 def with_extremes(motion: Motion) -> Motion:
     """Return a motion with the extremes at points; itself where no phase has prescribed ends."""
-    if not any(isinstance(phase, BoundaryPhase) for phase in motion.phases):
+    if not any(phase.origin for phase in motion.phases):
         return motion
     pieces = motion_pieces(motion)
 
     def of(k: int, phase: Phase) -> Phase:
-        if not isinstance(phase, BoundaryPhase):
+        if not phase.origin:
             return phase
         parts = tuple(piece for piece in pieces if piece.phase == k)
-        return MeasuredPhase(phase.law, phase.lift, phase.duration, phase.origin, phase.scale, parts)
+        return MeasuredPhase(phase.law, phase.lift, phase.duration, phase.origin, parts)
 
     phases = [of(k, phase) for k, phase in enumerate(motion.phases)]
     return MeasuredMotion(phases, float(motion.edges[0]), motion.position)

@@ -98,7 +98,7 @@ def means(view: DriveView) -> list[Quantity]:
     cell = CELLS["means"].sharing(**view.parts)
     points, size = view.points, view.scales.torque**2
     own, mixed, growing = mean_squares(points)
-    stall, fall, near, half, left, square = continuous_line(points, view.driven.motor)
+    (stall, _, _, half, left, square), fall, near = continuous_line(points, view.driven.motor)
     most = size + stall**2
     behind = view.driven.reducer.mean_torque
     behind = 0.0 if math.isinf(behind) else behind

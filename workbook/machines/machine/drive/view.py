@@ -170,8 +170,8 @@ class DriveView:
         lost = self.driven.motor_used.copper * torque**2
         if self.varies:
             return torque, torque * self.between.of(self.points.speed) + lost
-        moving = axis.motion.at_speed(axis.unshifted(self.tables.machine.samples).x, axis.speed)
-        return torque, torque * self.driven.mechanism.ratio * moving.v + lost
+        _, speed, *_ = axis.motion.at_speed(axis.unshifted(self.tables.machine.samples).x, axis.speed)
+        return torque, torque * self.driven.mechanism.ratio * speed + lost
 
     def by_interval(self, values: Array) -> list[float]:
         """Return values of the intervals; spare rows have that of the last."""
