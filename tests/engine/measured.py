@@ -1,4 +1,4 @@
-"""What is said of a law, measured at its values: breaks, coefficients, the place of its peak.
+"""What is said of a law, measured at its values: coefficients, the place of its peak.
 
 Each function returns what disagrees, in words; nothing where all is true.
 """
@@ -8,15 +8,12 @@ from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
-from numpy.polynomial import chebyshev
 from scipy.optimize import brentq
 
 from engine.laws.base import BREAK_TOLERANCE, Array
 from engine.laws.inverse import breaks, velocity_peak
 from tests.engine.families import integrals
 
-DEGREE = 40
-SMOOTH = 1e-9  # of a column's peak: so near does a polynomial of DEGREE come to what is smooth within a stage
 SAME = 1e-12
 NEAR_ENDS = 2.0 * BREAK_TOLERANCE
 """in units of ξ, by which samples keep off the ends of stages: nearer, they are on them"""
@@ -26,24 +23,6 @@ def within(law, share):
     """ξ at shares of every stage, a row a stage, a hair off its ends."""
     edges = breaks(law)
     return edges[:-1, None] + NEAR_ENDS + (np.diff(edges)[:, None] - 2.0 * NEAR_ENDS) * share
-
-
-def peaks(law):
-    """The greatest |s|, |v|, |a|, |j| of a law."""
-    return [max(float(np.abs(values).max()), 1e-3) for values in law.evaluate(within(law, np.linspace(0, 1, 501)))]
-
-
-def wrong_breaks(law):
-    """Stages within which s, v, a or j is not smooth: a break is missing there, or stands elsewhere."""
-    nodes, between = np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1)), np.linspace(-1, 1, 211)
-    edges, found = breaks(law), []
-    known, asked = law.evaluate(within(law, (nodes + 1) / 2)), law.evaluate(within(law, (between + 1) / 2))
-    for name, peak, at_nodes, values in zip("svaj", peaks(law), known, asked, strict=True):
-        for (a, b), one, other in zip(pairwise(edges), at_nodes, values, strict=True):
-            off = np.abs(chebyshev.chebval(between, chebyshev.chebfit(nodes, one, DEGREE)) - other).max() / peak
-            if off > SMOOTH:
-                found.append(f"breaks: {name} is not smooth from {a:.6g} to {b:.6g}, by {off:.1e}")
-    return found
 
 
 def crossings(function: Callable[[Array], Array], edges: Array) -> Array:
@@ -88,12 +67,12 @@ def wrong_peak(law):
     """Whether the law is anywhere faster than where the engine finds it fastest."""
     greatest = law.v(within(law, np.linspace(0, 1, 2001))).max()
     found = law.v(velocity_peak(law))
-    return [] if found >= greatest * (1 - SAME) else [f"breaks: v is {found:.9g} at its peak, {greatest:.9g} elsewhere"]
+    return [] if found >= greatest * (1 - SAME) else [f"peak: v is {found:.9g} at its peak, {greatest:.9g} elsewhere"]
 
 
 def complaints(entry):
     """All that is said of a law, and is not so, at every set of parameters."""
-    measures = (wrong_breaks, wrong_coefficients, wrong_peak)
+    measures = (wrong_coefficients, wrong_peak)
     return [
         f"{entry.code} {law}: {words}"
         for law in (*entry.examples, *entry.beyond)

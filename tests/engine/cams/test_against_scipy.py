@@ -1,12 +1,12 @@
-"""SciPy as another hand: its splines and Hermite polynomials are ours."""
+"""SciPy as another hand: its Hermite polynomials are ours."""
 
 import numpy as np
 import pytest
-from scipy.interpolate import BPoly, CubicSpline
+from scipy.interpolate import BPoly
 
 from engine import law
 from engine.cams.certificate import equal_steps, spread
-from engine.cams.interpolation import hermite, parabolas, quintics, spline
+from engine.cams.interpolation import hermite, parabolas, quintics
 from engine.motion import Motion, Phase
 from engine.motion.profile import profile_of_motion
 
@@ -14,7 +14,6 @@ REST = law("dwell")
 PHASES = ((law("MTP"), 30.0, 70.0), (REST, 0.0, 40.0), (law("polynomial 4-5-6-7"), -30.0, 150.0), (REST, 0.0, 100.0))
 OF = profile_of_motion(Motion([Phase(*one) for one in PHASES]))
 DENSE = 100
-NAMES = {"natural": "natural", "not-a-knot": "not-a-knot", "periodic": "periodic", "clamped": (0.0, 0.0)}
 
 
 def dense(x: np.ndarray) -> np.ndarray:
@@ -28,19 +27,6 @@ def compared(x: np.ndarray, ours, theirs) -> None:
         other = theirs(at, order)
         rounding = 2e-12 / float(np.diff(x).min()) ** order  # of positions of 30, over the shortest step
         assert np.abs(mine - other).max() <= 1e-9 * max(float(np.abs(other).max()), 1e-12) + rounding, order
-
-
-@pytest.mark.parametrize("n", [17, 80, 400])
-@pytest.mark.parametrize("ends", NAMES)
-def test_a_cubic_spline_is_smooth_and_scipys(ends: str, n: int) -> None:
-    x = equal_steps(OF, n)
-    y = OF.at(x).y
-    y[-1] = y[0]
-    ours = spline(x, y, NAMES[ends])  # type: ignore[arg-type]
-    for before, after in list(zip(ours.at(x[1:-1], left=True), ours.at(x[1:-1]), strict=True))[:3]:
-        assert np.abs(before - after).max() <= 1e-10 * np.abs(after).max()
-    assert ours.at(x).y == pytest.approx(y, abs=1e-12)
-    compared(x, ours, CubicSpline(x, y, bc_type="clamped" if ends == "clamped" else ends))
 
 
 @pytest.mark.parametrize("n", [20, 60, 300])

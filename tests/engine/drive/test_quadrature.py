@@ -1,4 +1,4 @@
-"""The rule of points, and what a drive carries at them, by hand."""
+"""What a drive carries at the points of its cycle, by hand."""
 
 from dataclasses import replace
 from math import pi
@@ -9,16 +9,9 @@ import pytest
 from engine.drive import KINDS, Drive, Load, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
-from engine.drive.quadrature import SHARES, WEIGHTS
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from tests.engine.drive.machines import points_of
-
-
-def test_the_rule_integrates_polynomials_to_the_fifteenth_degree():
-    for n in range(16):
-        assert WEIGHTS @ SHARES**n == pytest.approx(1.0 / (n + 1), rel=1e-13)
-
 
 RISE = Motion.from_edges(np.radians([0, 90, 180, 270, 360]), [0.05, 0.0, -0.05, 0.0],
                          [law("CIC"), Dwell(), law("CIC"), Dwell()])  # fmt: skip

@@ -92,5 +92,5 @@ def test_parameters_reach_the_law():
 
 
 @LAWS
-def test_breaks_and_coefficients_are_those_of_the_law(entry):
+def test_coefficients_and_peak_are_those_of_the_law(entry):
     assert complaints(entry) == []

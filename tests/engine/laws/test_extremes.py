@@ -75,9 +75,3 @@ def test_extremes_of_a_piece_are_the_largest_of_many_samples(piece, v0):
         room = 1e-4 * (1 + np.abs(values).max())
         assert low - 1e-12 * room <= values.min() <= low + room
         assert high - room <= values.max() <= high + 1e-12 * room
-
-
-@pytest.mark.parametrize("c", [(0.0,) * 3, (0.0,) * 7])
-def test_a_piece_has_four_to_six_coefficients(c):
-    with pytest.raises(ValueError, match="expected c0 to c3, c4 or c5"):
-        Piece(1.0, c)
