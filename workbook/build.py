@@ -11,27 +11,24 @@ from openpyxl.worksheet.worksheet import Worksheet
 from workbook.book.declare import Book
 from workbook.book.quantity import OK, SAYS
 from workbook.book.rows import as_rows
-from workbook.entries.design import as_entered
 from workbook.entries.machine import Machine
 from workbook.errors import InputError, ReadError, WriteError
 from workbook.judging.carry_over import find_additions, not_carried, with_sheet
 from workbook.judging.matching import Match
 from workbook.judging.structure import refuse_cut_cells
 from workbook.pool import collecting_between, collector_paused
-from workbook.reading.descriptions import counted_from_1, make_machine, read_machine, require_possible, template_named
+from workbook.reading.descriptions import counted_from_1, read_machine, require_possible
 from workbook.reading.entries import Entries
 from workbook.reading.files import open_book
 from workbook.reading.guard import inspect
 from workbook.reading.rows import Refusal
-from workbook.selection.catalogue_files import Product, read_motors, read_reducers
-from workbook.selection.entries import MOST_PRODUCTS, Products
 from workbook.template import FOLDER
 from workbook.template_outputs import NOTHING_JUDGED, ExactJudgement
 from workbook.templates import TEMPLATES
 from workbook.witnesses.agreement import agreed_values
 from workbook.writing.archive import book_digest, same_book
 from workbook.writing.output_files import is_same_file, refuse_existing
-from workbook.writing.write import KEPT, NO_ADDITIONS, save
+from workbook.writing.write import KEPT, NO_ADDITIONS, pack, parts
 
 LARGE = 10_000_000  # bytes of a file: a smaller file is far within the limits of reading
 DIGESTS = "books.sha256"  # in the folder of the templates: a line for each workbook, in git or not
@@ -39,7 +36,6 @@ COMMITTED = "cutting-machine flying-cutter indexing-overlap motion-composer moti
 """the workbooks that are in git, beside motion-functions; `motionbook templates` builds the others"""
 NUMBERED = re.compile(r"\b[Aa]xis (\d+)(?=:|$)")
 ELSEWHERE = "another name (-o), or that the file is moved away"
-READERS: dict[str, Callable[[Path], list[Product]]] = {"motors": read_motors, "reducers": read_reducers}
 
 
 def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
@@ -47,19 +43,14 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
 
     Raises WriteError where ``path`` exists or cannot be written, InputError for a machine that the engine refuses.
     """
-    return judge_book(machine, write_book(machine, path, overwrite)).failing
+    return judge_book(machine, write_book(machine, path, overwrite)[0]).failing
 
 
-def write_book(machine: Machine, path: Path, overwrite: bool = False) -> Book:
-    """Write the workbook of a machine and return its declaration; raise as :func:`build` does."""
-    return write_keeping(machine, path, None, overwrite)[0]
-
-
-def write_keeping(
+def write_book(
     machine: Machine,
     path: Path,
-    old: Match | None,
     overwrite: bool = False,
+    old: Match | None = None,
     sheet: Callable[[Book], Worksheet] | None = None,
 ) -> tuple[Book, list[str]]:
     """Write the workbook of a machine, with what an engineer has added to an old book, and a ``sheet`` for it.
@@ -91,7 +82,7 @@ def write_keeping(
             own = with_sheet(own, sheet(book))
         is_kept = old is not None and is_same_file(path, old.file.path)
         refuse_loss(path, left if is_kept else own_work(path), is_kept)
-        save(book, type(machine), path, overwrite, require_readable, own)
+        pack(parts(book, type(machine), own=own), path, overwrite, require_readable)
     return book, [*left, *own.remarks]
 
 
@@ -158,33 +149,6 @@ def failing_checks(book: Book, exact: ExactJudgement = NOTHING_JUDGED) -> list[s
     return lines
 
 
-def read_description(path: Path, motors: Path | None = None, reducers: Path | None = None) -> Machine:
-    """Read a machine description, its choice of motor and reducer among the catalogues that are named.
-
-    Where none is named, and the description has none of its own, motors.csv and reducers.csv beside it are taken.
-    Raises ReadError and InputError, with a line for each fault.
-    """
-    machine = read_machine(path)
-    files = {entry: file for entry, file in (("motors", motors), ("reducers", reducers)) if file is not None}
-    choice = getattr(machine, "selection", None)
-    if not isinstance(choice, Products):
-        if not files:
-            return machine
-        unused = " and ".join(f"--{entry}" for entry in files)
-        raise InputError([f"{path}: {machine.template} chooses no motor; {unused} cannot be used"])
-    besides = {entry: path.parent / f"{entry}.csv" for entry in READERS if entry not in choice.model_fields_set}
-    files = {entry: beside for entry, beside in besides.items() if beside.exists()} | files
-    if not files:
-        return machine
-    data = as_entered(machine) | {"sizes": machine.sizes.model_dump()}
-    for entry, file in files.items():
-        products = data["selection"][entry] = READERS[entry](file)
-        if len(products) > MOST_PRODUCTS:
-            raise InputError([f"{file}: {len(products)} products; expected at most {MOST_PRODUCTS}"])
-        data["sizes"][entry] = max(data["sizes"][entry], len(products))  # tables have room for them
-    return make_machine(template_named(machine.template, str(path)), data, lambda key: f"{path}: {key}")
-
-
 def read_inputs(path: Path) -> tuple[Machine, list[str]]:
     """Return the entries of an engineer in a workbook, and lines on those that are not carried over."""
     match, machine, notes = read_entered(path)
@@ -211,10 +175,10 @@ def regenerate(path: Path, output: Path, overwrite: bool = False) -> BookVerdict
 
 
 def build_keeping(
-    machine: Machine, path: Path, old: Match, overwrite: bool = False, notes: Sequence[str] = ()
+    machine: Machine, path: Path, old: Match | None, overwrite: bool = False, notes: Sequence[str] = ()
 ) -> BookVerdict:
     """Write the workbook of a machine with what an engineer has added to an old book; return its verdict and notes."""
-    book, left = write_keeping(machine, path, old, overwrite)
+    book, left = write_book(machine, path, overwrite, old)
     failing, lines = judge_book(machine, book)
     return BookVerdict(failing, [*notes, *left, *lines])
 

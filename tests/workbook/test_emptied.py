@@ -10,18 +10,16 @@ from tests.workbook.test_unfinished import small
 from workbook.book.rows import as_rows
 from workbook.build import build, read_inputs
 from workbook.entries import rules
-from workbook.entries.design import mend_machine
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.laws.named import with_laws_by_code
-from workbook.reading.descriptions import counted_from_1, parse_machine
+from workbook.reading.descriptions import make_machine
 from workbook.templates import TEMPLATES
 
 
 def machine_of(name):
     data = small(name)
     template = TEMPLATES[data["template"]]
-    return mend_machine(template.model, template.check, with_laws_by_code(data, template.laws))
+    return make_machine(template, data, str, by_code=True)
 
 
 def defaulted(name):
@@ -113,7 +111,7 @@ LISTS = {
 @pytest.mark.parametrize("what", LISTS)
 @pytest.mark.sample(1)
 def test_a_list_without_rows_is_the_same_in_the_description_and_in_its_book(what, tmp_path):
-    given = parse_machine(TEMPLATES["machine"], description() | LISTS[what], counted_from_1)
+    given = make_machine(TEMPLATES["machine"], description() | LISTS[what], str, by_code=True)
     build(given, tmp_path / "book.xlsx")
     assert verify(tmp_path / "book.xlsx").findings == []
     back, _ = read_inputs(tmp_path / "book.xlsx")

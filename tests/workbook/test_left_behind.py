@@ -12,7 +12,7 @@ from openpyxl.workbook.defined_name import DefinedName
 
 from workbook import build as making
 from workbook import file_cache
-from workbook.build import build, read_description, read_inputs
+from workbook.build import build, read_inputs
 from workbook.commands import make
 from workbook.reading.descriptions import read_machine, write_machine
 from workbook.template import FOLDER
@@ -103,7 +103,7 @@ def test_the_committed_catalogues_are_referred_to(tmp_path):
     (tmp_path / "machine.toml").write_text(text, encoding="utf-8")
     head = "name,inertia_kgcm2,rated_torque_Nm,peak_torque_Nm,max_speed_rpm"
     (tmp_path / "motors.csv").write_text(f"{head}\nX,0.01,2,3,3000\n", encoding="utf-8")
-    again = read_description(tmp_path / "machine.toml")
+    again = read_machine(tmp_path / "machine.toml")
     assert again == machine
     build(machine, tmp_path / "one.xlsx")
     build(again, tmp_path / "other.xlsx")

@@ -8,7 +8,7 @@ import pytest
 import tomli_w
 
 from workbook.book.limits import EXPECTED, MESSAGES
-from workbook.build import build, read_description, read_inputs
+from workbook.build import build, read_inputs
 from workbook.errors import FAILS, InputError
 from workbook.judging.batch import Target, exit_code, verify_one
 from workbook.judging.verify import verify
@@ -160,7 +160,7 @@ def written(data, path):
 @pytest.mark.sample(1)
 def test_out_in_and_through(name, case, tmp_path):
     changes, check, sentence = CASES[name][case]
-    machine = read_description(written(changed(small(name), changes), tmp_path / "machine.toml"))
+    machine = read_machine(written(changed(small(name), changes), tmp_path / "machine.toml"))
     messages = [fault.message for fault in machine.design.faults]
     assert [line.partition(": ")[2] for line in build(machine, tmp_path / "book.xlsx")] == messages
     assert sentence in UNLIKE or any(message in sentence or sentence in message for message in messages), messages
@@ -176,7 +176,7 @@ def test_out_in_and_through(name, case, tmp_path):
     build(back, tmp_path / "again.xlsx")
     assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
     (tmp_path / "again.toml").write_text(write_machine(back), encoding="utf-8")
-    assert read_description(tmp_path / "again.toml") == machine
+    assert read_machine(tmp_path / "again.toml") == machine
 
 
 EDITED = {
@@ -203,7 +203,7 @@ PASTED = [pytest.param(name, edit, marks=[pytest.mark.nightly] if name in SLOW e
 @pytest.mark.sample(1)
 def test_what_is_pasted_into_a_book(name, edit, tmp_path):
     """No validation holds it back: the sheet, verify, inputs and regenerate take it alike."""
-    machine = read_description(written(small(name), tmp_path / "machine.toml"))
+    machine = read_machine(written(small(name), tmp_path / "machine.toml"))
     build(machine, tmp_path / "book.xlsx")
     block, column, row, value = edit
     place = TEMPLATES[machine.template].declare(machine).blocks[block]
@@ -222,9 +222,7 @@ def test_what_is_pasted_into_a_book(name, edit, tmp_path):
 
 def test_empty_cells_have_no_value(tmp_path):
     """A cell that is unfinished keeps its formula and is saved without a value; no cell has an error value."""
-    machine = read_description(
-        written(changed(small("cutting-machine"), [("master", "rate", 0.0)]), tmp_path / "m.toml")
-    )
+    machine = read_machine(written(changed(small("cutting-machine"), [("master", "rate", 0.0)]), tmp_path / "m.toml"))
     build(machine, tmp_path / "book.xlsx")
     declared = TEMPLATES["machine"].declare(machine)
     formulas = openpyxl.load_workbook(tmp_path / "book.xlsx")
@@ -241,7 +239,7 @@ def test_empty_cells_have_no_value(tmp_path):
 def test_faults_that_follow_from_a_missing_entry_are_not_named(tmp_path):
     """Another part's are: all that is wrong with a design is told at once."""
     changes = [(*MOVED, 1, "stop", None), ("axes", 2, "phases", 1, "start", 5.0), ("master", "rate", 0.0)]
-    machine = read_description(written(changed(small("cutting-machine"), changes), tmp_path / "m.toml"))
+    machine = read_machine(written(changed(small("cutting-machine"), changes), tmp_path / "m.toml"))
     named = ["master.rate", "axes.1.phases.1.stop", "axes.2.phases.1.start"]
     assert [fault.key for fault in machine.design.faults] == named
 
@@ -260,7 +258,7 @@ def test_faults_that_follow_from_a_missing_entry_are_not_named(tmp_path):
 )
 def test_structure_and_type_refuse_in_one_line(changes, line, tmp_path):
     with pytest.raises(InputError) as refused:
-        read_description(written(changed(small("cutting-machine"), changes), tmp_path / "machine.toml"))
+        read_machine(written(changed(small("cutting-machine"), changes), tmp_path / "machine.toml"))
     (told,) = refused.value.lines
     assert line in told
 

@@ -27,7 +27,6 @@ import re
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
-from functools import partial
 from operator import attrgetter
 from pathlib import Path
 from string import Formatter
@@ -35,25 +34,17 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from workbook.book.chart import Chart, Series
 from workbook.book.limits import RowRule
-from workbook.book.quantity import PLAIN, Block, Quantity, calc, check, constant, given, result
+from workbook.book.quantity import PLAIN, Block, Quantity, check
 from workbook.book.rows import filled
 from workbook.book.sentence import NOTHING, CheckSentence, exceeding
 
 if TYPE_CHECKING:
     from workbook.book.sheet import Sheet
 
-KINDS: dict[str, Callable[..., Quantity]] = {
-    "calc": calc,
-    "result": result,
-    "given": given,
-    "constant": constant,
-    "sentence": partial(Quantity, role="sentence"),
-    "verdict": partial(Quantity, role="check"),
-    "number": constant,
-    "check": check,
-    "limit": check,
-    "entry": given,
-}
+ROLES: dict[str, Any] = {
+    "calc": "calculation", "given": "input", "entry": "input", "number": "constant", "verdict": "check",
+}  # fmt: skip
+"""the roles of quantities by kinds whose names are others"""
 FORMULAS = {"given": "key", "entry": "key", "key": "key", "check": "condition", "limit": "condition"}
 """by kind, the attribute that stands in the column of formulas"""
 OWN = frozenset("formula source scale format align choices limit upper_limit wrap says".split())
@@ -156,8 +147,10 @@ class CellTable(dict[str, CellWords]):
         TypeError
             Where a part is missing, or something is given that no text has.
         """
-        kind = self[name].kind
-        return KINDS[kind](**{"ok" if kind == "check" else "value": value}, **self._filled(name, more))
+        kind, texts = self[name].kind, self._filled(name, more)
+        if kind == "check":
+            return check(ok=value, **texts)
+        return Quantity(role=ROLES.get(kind, kind), value=value, **texts)
 
     def limit(self, name: str, value: float, most: float, /, then: CheckSentence = NOTHING, **more: Any) -> Quantity:
         """Return the check that a value is within its limit: its row has the formula value<=limit, and their unit.
@@ -199,7 +192,7 @@ class CellTable(dict[str, CellWords]):
             texts = self._filled(name, more)
             value = attrgetter(texts["key"])(model)
             own = {"format": "" if isinstance(value, str) else PLAIN} | texts
-            return given(value=value, **own | {"key": f"{place}.{texts['key']}"})
+            return Quantity(role="input", value=value, **own | {"key": f"{place}.{texts['key']}"})
 
         return entry
 
@@ -209,7 +202,7 @@ class CellTable(dict[str, CellWords]):
         def column(name: str, /, **more: Any) -> Quantity:
             texts = self._filled(name, more)
             values = filled([getattr(model, texts["key"]) for model in models], rows, None)
-            return given(value=values, **texts | {"key": f"{place}.*.{texts['key']}"})
+            return Quantity(role="input", value=values, **texts | {"key": f"{place}.*.{texts['key']}"})
 
         return column
 

@@ -4,7 +4,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from workbook.build import failing_checks, read_description, read_entered, write_keeping
+from workbook.build import failing_checks, read_entered, write_book
 from workbook.cluster import pool
 from workbook.description.editing import edit_text
 from workbook.entries.machine import Machine
@@ -13,7 +13,7 @@ from workbook.fields.paths import spell
 from workbook.fields.units import PER_MINUTE, shown
 from workbook.improving import AIMS, AimName
 from workbook.pool import Pool
-from workbook.reading.descriptions import parse_toml
+from workbook.reading.descriptions import parse_toml, read_machine
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.reports.terminal import shown as escaped
 from workbook.studies.design import RATE, Design, first_design
@@ -62,7 +62,7 @@ def improve(
         def done(count: int, total: int, words: str) -> None:
             status.update(escaped(f"Trying {count} of {total}: {words}"))
 
-        machine, lines = read_description(path), list[str]()
+        machine, lines = read_machine(path), list[str]()
         design = first_design(machine, is_roomy(path), aim, axis)
         show_limits(design, lines)
         show_fit(design, lines)
@@ -87,7 +87,7 @@ def freeze(path: Path, output: Path | None, force: bool) -> int:
     if output is not None:
         refuse_existing(output, force)
     with ERR.status("Shaping laws for their drives …"):
-        laws = [*reshaped_laws(first_design(read_description(path), is_roomy(path), AIMS["acceleration"]))]
+        laws = [*reshaped_laws(first_design(read_machine(path), is_roomy(path), AIMS["acceleration"]))]
     for _, words, gain in laws:
         say(OUT, f"{words}, {gain or 'still fits'}")
     if not laws:
@@ -101,7 +101,7 @@ def freeze(path: Path, output: Path | None, force: bool) -> int:
 def write_sheet(machine: Machine, path: Path, lines: list[str], force: bool) -> None:
     """Write the book of a machine with lines on the sheet Improve, and what was added to the book that is there."""
     old = read_entered(path)[0] if path.exists() else None
-    _, notes = write_keeping(machine, path, old, force, partial(improve_sheet, lines, datetime.now()))
+    _, notes = write_book(machine, path, force, old, partial(improve_sheet, lines, datetime.now()))
     say(OUT, f"Built {path.absolute()}, with the sheet {TITLE}")
     for note in notes:
         say(ERR, f"Note: {note}")
@@ -166,7 +166,7 @@ def write_best(path: Path, best: Design, output: Path, force: bool) -> int:
         rate = best.rate_to_write
         changes = {**best.changes} | ({RATE: rate} if rate else {})
         write_text(output, edit_text(read_text(path, DESCRIPTION), changes.items()), force)
-        machine = read_description(output)
+        machine = read_machine(output)
         template = TEMPLATES[machine.template]
         failing = failing_checks(template.declare(machine), template.judge(machine))
     say(OUT, f"Wrote {output.absolute()}")

@@ -11,7 +11,7 @@ from workbook.description import schema as schemas
 from workbook.description.commented import commented_description
 from workbook.errors import AGREES, DISAGREES, FAILS, InputError, WriteError
 from workbook.file_cache import load_cached, store_cached
-from workbook.reading.descriptions import template_named, write_machine
+from workbook.reading.descriptions import read_machine, template_named, write_machine
 from workbook.reports.terminal import ERR, OUT, print_or_write, say, shown
 from workbook.template import FOLDER
 from workbook.templates import TEMPLATES
@@ -36,11 +36,9 @@ def build(
     refuse_itself(target, source)
     refuse_suffix(target)
     with ERR.status(shown(f"Building {target} …")):
-        described = making.read_description(source, motors, reducers)
-        if keep is None:
-            report = making.judge_book(described, making.write_book(described, target, overwrite=force))
-        else:
-            report = making.build_keeping(described, target, making.read_entered(keep)[0], force)
+        catalogues = {"motors": motors, "reducers": reducers}
+        described = read_machine(source, **{entry: file for entry, file in catalogues.items() if file})
+        report = making.build_keeping(described, target, making.read_entered(keep)[0] if keep else None, force)
     return show_built(target, report)
 
 

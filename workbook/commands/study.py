@@ -7,10 +7,10 @@ from datetime import datetime
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from workbook.build import read_description
 from workbook.cluster import pool
 from workbook.errors import AGREES, DISAGREES, FAILS, InputError, ReadError, WriteError
 from workbook.pool import Pool, cores
+from workbook.reading.descriptions import read_machine
 from workbook.reports import study as page
 from workbook.reports.console import progress
 from workbook.reports.differences import figure
@@ -149,7 +149,7 @@ def announce_duration(plan: Plan, seconds: float, at_once: int | None) -> list[s
 
 def listing(base: Path) -> int:
     """Print which results a study of a machine may ask for: first what is fast."""
-    for heading, names in listed_results(read_description(base)):
+    for heading, names in listed_results(read_machine(base)):
         say(OUT, f"{heading}: {len(names):,}", "bold")
         for name, (words, unit) in names:
             say(OUT, f"  {name}  {words}" + (f" [{unit}]" if unit else ""))

@@ -1,55 +1,28 @@
 """Unfinished designs: what was entered is shown with its faults, the engine works with other numbers in their place."""
 
 from collections.abc import Callable, Sequence
-from copy import deepcopy
 from typing import Any, Literal, TypeVar, get_origin
 
 from annotated_types import Ge
 from pydantic import BaseModel, ValidationError
 
 from workbook.entries import rules
-from workbook.entries.machine import Design, Fault, Machine
-from workbook.errors import LONGEST, quoted
+from workbook.entries.machine import Fault, Machine
+from workbook.errors import LONGEST, InputError, quoted
 from workbook.fields.paths import get, join, leaves, put, split
 from workbook.fields.types import LARGEST, SMALLEST, DesignError, DesignFaultsError, EntryError
 
 M = TypeVar("M", bound=Machine)
 BEYOND = ("greater_than", "greater_than_equal", "less_than", "less_than_equal")
-MOST_ROUNDS = 24
 Where = Callable[[str], str]  # how an entry is named, by its key
 
 
-class RefusedError(Exception):
+class RefusedError(InputError):
     """The faults in the structure or type of a description, pydantic's or a design's; faults of ``numbers`` beside."""
 
-    def __init__(self, faults: list[Any], numbers: Sequence[Fault] = ()) -> None:
-        super().__init__(f"{len(faults)} faults")
+    def __init__(self, faults: list[Any], numbers: Sequence[Fault] = (), lines: Sequence[str] = ()) -> None:
+        super().__init__(lines)
         self.faults, self.numbers = faults, numbers
-
-
-def mend_machine(model: type[M], check: Callable[[M], None], data: dict[str, Any]) -> M:
-    """Return a machine, with numbers that do in place of faulty ones; raise RefusedError for other faults."""
-    replaced: list[str] = []
-    faults: list[Fault] = []
-    data = model.expand_short_forms(data)
-    tried = deepcopy(data)
-    for _ in range(MOST_ROUNDS):
-        machine, refused = machine_or_faults(model, check, tried)
-        if machine is not None:
-            changed = differing_entries(model, data, machine.model_dump(), replaced)
-            machine._design = Design(changed, tuple(faults))
-            return machine
-        not_entered = tuple(f"{place}." for place in replaced)
-        faulty = {part_of(fault.key) for fault in faults}  # what lacks an entry of a part is no fault of its own
-        for fault in refused:
-            if not fault.key:
-                raise RefusedError(refused)
-            put(tried, split(fault.key), deepcopy(fault.fits))
-            if not f"{fault.key}.".startswith(not_entered):
-                replaced.append(fault.key)
-            if part_of(fault.key) not in faulty:
-                faults.append(fault)
-    raise RefusedError(refused)
 
 
 def part_of(key: str) -> str:

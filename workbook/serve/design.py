@@ -10,13 +10,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from workbook.entries.design import RefusedError, fault_line, mend_machine
+from workbook.entries.design import RefusedError, fault_line
 from workbook.entries.machine import Fault
 from workbook.errors import MotionbookError
 from workbook.fields.paths import get, split
-from workbook.fields.types import EntryError
-from workbook.laws.named import with_laws_by_code
-from workbook.reading.descriptions import parse_toml, template_named
+from workbook.reading.descriptions import make_machine, parse_toml, template_named
 from workbook.selection.entries import COMMITTED
 from workbook.serve.shown import design, failing, pictures
 from workbook.serve.words import sentence, spoken
@@ -43,17 +41,14 @@ class Judged(NamedTuple):
 
 def judge_entries(template: AnyTemplate, data: dict[str, Any]) -> Judged:
     """Return the machine of a description, or its faults by their keys."""
-    model = template.model
     try:
-        machine = mend_machine(model, template.check, with_laws_by_code(data, template.laws))
+        machine = make_machine(template, data, str, by_code=True)
         noted: Sequence[Any] = machine.design.faults
     except RefusedError as error:
         machine, noted = None, [*error.faults, *error.numbers]
-    except EntryError as error:
-        return Judged(None, {error.field: str(error)})
     faults = dict[str, str]()
     for fault in noted:
-        key, _, line = fault_line(fault, model, lambda key: f"{key}{MARK}").partition(f"{MARK}: ")
+        key, _, line = fault_line(fault, template.model, lambda key: f"{key}{MARK}").partition(f"{MARK}: ")
         is_missing = isinstance(fault, Fault) and fault.is_missing
         faults.setdefault(key, f"missing: {line}" if is_missing else line)
     return Judged(None if faults else machine, faults)

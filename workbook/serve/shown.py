@@ -14,7 +14,7 @@ from workbook.description.editing import edit_text
 from workbook.differences.design import Design, Figure, Key
 from workbook.entries.machine import Machine
 from workbook.pool import THIS_PROCESS
-from workbook.reading.descriptions import counted_from_1, parse_machine, parse_toml, template_named
+from workbook.reading.descriptions import counted_from_1, make_machine, parse_toml, template_named
 from workbook.reports.differences import figure
 from workbook.reports.html import Line, document, plot, render
 from workbook.studies.design import first_design
@@ -52,7 +52,7 @@ def design(name: str, text: str) -> ShownDesign:
     path = Path(name)
     data = parse_toml(text, path)
     template = template_named(data.get("template"), "template")
-    machine = parse_machine(template, data, counted_from_1)
+    machine = make_machine(template, data, counted_from_1, by_code=True)
     return ShownDesign(path, machine, template.declare(machine))
 
 

@@ -12,7 +12,6 @@ from urllib.parse import urlencode
 import tomlkit
 from pydantic import ValidationError
 
-from workbook.build import read_description
 from workbook.commands.study import announce_duration, summary_from
 from workbook.description.editing import edit_text
 from workbook.entries.machine import Machine
@@ -20,7 +19,7 @@ from workbook.errors import InputError, MotionbookError, ReadError
 from workbook.fields.paths import Place, get, join, leaves, spell, split, spread
 from workbook.laws.entries import ENTRIES, references
 from workbook.pool import cores
-from workbook.reading.descriptions import parse_toml, template_named, write_machine
+from workbook.reading.descriptions import parse_toml, read_machine, template_named, write_machine
 from workbook.reports import study as reported
 from workbook.reports.differences import figure
 from workbook.reports.html import shown
@@ -136,7 +135,7 @@ def forecast(path: Path) -> str:
 
 def choices(base: Path, picked: list[str]) -> dict[str, Any]:
     """Return the entries that can vary by their tables, results by their names, and those picked that cannot vary."""
-    machine = read_description(base)
+    machine = read_machine(base)
     tables = fields_of(machine)
     known = {row["at"] for rows in tables.values() for row in rows}
     others = [spoken(split(key), machine.model_dump()) for key in picked if key not in known]

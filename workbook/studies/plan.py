@@ -13,7 +13,6 @@ from pydantic import ValidationError
 
 import workbook
 from workbook.book.declare import Book
-from workbook.build import read_description
 from workbook.entries.design import RefusedError, machine_or_faults
 from workbook.entries.machine import Fault, Machine
 from workbook.errors import InputError, quoted
@@ -22,7 +21,7 @@ from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import ENTRIES, references
 from workbook.laws.named import with_laws_by_code
-from workbook.reading.descriptions import counted_from_1, parse_toml, write_machine
+from workbook.reading.descriptions import counted_from_1, parse_toml, read_machine, write_machine
 from workbook.studies.links import Link, followed, make_links
 from workbook.studies.paths import children, nearest, path_of
 from workbook.studies.space import Dimension, Space, Study, Vary, arrange
@@ -160,7 +159,7 @@ def line_of(fault: Any, place: list[str], where: str) -> str:
 
 def make_plan(study: Study, base: Path, where: str) -> Plan:
     """Return the plan of a study of the machine that a file describes; raise InputError, ReadError."""
-    machine = read_description(base)
+    machine = read_machine(base)
     for fault in machine.design.faults:
         raise InputError([f"{base}: {fault.key}: {fault.message}; a study expects a finished design"])
     roomy = "motion_pieces" in parse_toml(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})

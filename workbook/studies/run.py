@@ -196,7 +196,7 @@ def machine_of(plan: Plan, design: Design) -> Any:
 
 def build_design(plan: Plan, design: Design, path: Path, overwrite: bool) -> BookCheck:
     """Build the book of a design, verify it, and compare it with the study's results."""
-    book = write_book(machine := machine_of(plan, design), path, overwrite)
+    book, _ = write_book(machine := machine_of(plan, design), path, overwrite)
     # mass and cost of a motor stand in no book
     apart = {
         name: deviation(value, book_value(book, name))

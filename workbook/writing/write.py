@@ -32,7 +32,7 @@ from workbook.entries import rules
 from workbook.writing import archive, charts, layout, style
 from workbook.writing.archive import Cells, Strings
 from workbook.writing.layout import FULL, PossibleTexts, lines_of, widths
-from workbook.writing.output_files import refuse_existing, replace
+from workbook.writing.output_files import replace
 from workbook.writing.screen import add_validations, set_up_screen
 
 HIDDEN = 16_250
@@ -59,19 +59,6 @@ class Additions(NamedTuple):
 
 NO_ADDITIONS = Additions()
 KEPT = "with work of its engineer's own"  # the category of such a book in its properties
-
-
-def save(
-    book: Book,
-    model: type[BaseModel],
-    path: Path,
-    overwrite: bool = False,
-    check: Callable[[Path], None] | None = None,
-    own: Additions = NO_ADDITIONS,
-) -> None:
-    """Save a book, and what an engineer had added to an older book; ``check`` may refuse the draft of the file."""
-    refuse_existing(path, overwrite)
-    pack(parts(book, model, own=own), path, overwrite, check)
 
 
 def parts(

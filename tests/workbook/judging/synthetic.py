@@ -14,7 +14,7 @@ from workbook.judging.display.cells import check_display
 from workbook.judging.matching import Match
 from workbook.judging.report import Report
 from workbook.reading.files import open_book
-from workbook.writing.write import save
+from workbook.writing.write import pack, parts
 
 ROWS = 13
 LED_TO = ("Checks", "Drive")  # by links of the same words
@@ -77,7 +77,7 @@ class Small:
     def __init__(self, folder, limit=20.0):
         self.folder, self.book = folder, declared(limit)
         self.path = folder / "book.xlsx"
-        save(self.book, Given, self.path)
+        pack(parts(self.book, Given), self.path)
         self.parts = {i.filename: zipfile.ZipFile(self.path).read(i) for i in zipfile.ZipFile(self.path).infolist()}
 
     def at(self, block, row=0, column=0):

@@ -16,7 +16,6 @@ from workbook.judging.verify import judge
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.laws.entries import ENTRIES, LONGEST
 from workbook.laws.named import with_laws_by_code
-from workbook.reading import descriptions
 from workbook.reading.descriptions import counted_from_1, make_machine, write_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places
@@ -136,7 +135,7 @@ def test_a_law_of_the_description_goes_before_the_catalogues_of_like_name():
 @pytest.mark.parametrize("name", ["PO5", "quintic", "modified sine", "MT"])
 def test_a_law_of_the_description_hides_none_of_the_catalogue(name):
     with pytest.raises(InputError, match=r"laws\..*of the catalogue; expected its family, or another name"):
-        descriptions.parse_machine(MACHINE, described({name: {"family": "SCC"}}), counted_from_1)
+        make_machine(MACHINE, described({name: {"family": "SCC"}}), counted_from_1, by_code=True)
 
 
 def test_in_a_book_only_its_own_laws_have_names():

@@ -11,7 +11,7 @@ from tests.tiers import by_day, nights
 from tests.workbook.cells import computed
 from tests.workbook.edit import enter
 from tests.workbook.machines.in_seconds import convert_to_seconds
-from workbook.build import build, read_description, read_inputs
+from workbook.build import build, read_inputs
 from workbook.entries.design import as_entered
 from workbook.errors import InputError
 from workbook.judging.verify import verify
@@ -117,7 +117,7 @@ def test_out_in_and_through(tmp_path):
     build(back, tmp_path / "again.xlsx")
     assert same_book(tmp_path / "book.xlsx", tmp_path / "again.xlsx")
     (tmp_path / "again.toml").write_text(tomli_w.dumps(as_entered(back)), encoding="utf-8")
-    assert read_description(tmp_path / "again.toml") == given
+    assert read_machine(tmp_path / "again.toml") == given
 
 
 def test_instants_that_coincide_but_for_rounding_do():
@@ -147,7 +147,7 @@ CASES = {
 def test_what_does_not_do_is_told_by_row_and_amount(case, tmp_path):
     data, said = CASES[case]
     (tmp_path / "machine.toml").write_text(tomli_w.dumps(data), encoding="utf-8")
-    given = read_description(tmp_path / "machine.toml")
+    given = read_machine(tmp_path / "machine.toml")
     lines = build(given, tmp_path / "book.xlsx")
     assert any(line.endswith(f": {said}") for line in lines), lines
     report = verify(tmp_path / "book.xlsx")

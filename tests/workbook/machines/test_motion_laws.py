@@ -56,7 +56,7 @@ def test_the_least_are_those_of_the_modified_sine(value):
 
 def test_a_curve_may_take_a_law_by_any_name_and_the_book_has_it_once():
     data = {"template": "motion-laws", "title": "all", "comparison": {"curves": [{"law": "quintic"}, {"law": "MS"}]}}
-    machine = descriptions.parse_machine(TEMPLATE, data, str)
+    machine = descriptions.make_machine(TEMPLATE, data, str, by_code=True)
     assert [curve.law for curve in machine.comparison.curves] == ["Polynomial 3-4-5", "Modified sine"]
     assert len(machine.laws.names) == len(CATALOGUE)
 

@@ -133,7 +133,7 @@ def test_a_fault_of_ours_is_one_line_and_no_verdict(fault, motionbook, monkeypat
     def fail(*_, **__):
         raise fault
 
-    monkeypatch.setattr(make.making, "read_description", fail)
+    monkeypatch.setattr(make, "read_machine", fail)
     code, out, err = motionbook("build", "-o", tmp_path / "book.xlsx")
     assert (code, out) == (2, "")
     (line,) = err.splitlines()

@@ -12,7 +12,7 @@ from engine.selection.pair_matrix import RANKS
 from engine.selection.task import accelerating_factor
 from tests.mutation import draw_flying
 from tests.workbook.cells import computed, disagreeing
-from workbook.build import build, read_description, read_inputs
+from workbook.build import build, read_inputs
 from workbook.cli import app
 from workbook.errors import InputError, ReadError
 from workbook.judging.verify import verify
@@ -287,23 +287,23 @@ def test_catalogues_beside_a_description_are_taken_unless_it_has_its_own(tmp_pat
     path = tmp_path / "machine.toml"
     path.write_text(text)
     csv(tmp_path, MOTOR_HEAD, "A,0.02,180,600,3000")
-    assert [m.name for m in read_description(path).selection.motors] == ["A"]
-    assert read_description(path).selection.rank == "smallest motor"
+    assert [m.name for m in read_machine(path).selection.motors] == ["A"]
+    assert read_machine(path).selection.rank == "smallest motor"
     path.write_text(text + OWN_MOTOR)
-    assert [m.name for m in read_description(path).selection.motors] == ["own"]
+    assert [m.name for m in read_machine(path).selection.motors] == ["own"]
 
 
 def test_large_catalogues_get_larger_tables(tmp_path):
     many = csv(tmp_path, MOTOR_HEAD, *(f"motor {i},0.02,180,600,3000" for i in range(40)))
-    assert read_description(TEMPLATE.description, motors=many).sizes.motors == 40
+    assert read_machine(TEMPLATE.description, motors=many).sizes.motors == 40
     more = csv(tmp_path, MOTOR_HEAD, *(f"motor {i},0.02,180,600,3000" for i in range(101)))
     with pytest.raises(InputError, match="101 products; expected at most 100"):
-        read_description(TEMPLATE.description, motors=more)
+        read_machine(TEMPLATE.description, motors=more)
 
 
 def test_a_template_without_a_choice_of_motor_says_so():
     with pytest.raises(InputError, match="indexing-overlap chooses no motor; --motors cannot be used"):
-        read_description(TEMPLATES["indexing-overlap"].description, motors=MOTORS)
+        read_machine(TEMPLATES["indexing-overlap"].description, motors=MOTORS)
 
 
 def test_figure_11_has_a_logarithmic_axis_and_a_line_for_each_product(book):

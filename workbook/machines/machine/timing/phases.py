@@ -10,7 +10,7 @@ from workbook.book.declare import Quantity, Sheet, check
 from workbook.book.rows import filled
 from workbook.book.sentence import amount, first_text
 from workbook.entries.abscissa import Abscissa
-from workbook.entries.phase import AT_REST, TURN
+from workbook.entries.phase import TURN
 from workbook.fields.units import shown
 from workbook.law_sheets.page import finite
 from workbook.laws import sampling
@@ -22,18 +22,6 @@ from workbook.motion.pieces import room_check
 from workbook.motion.requirements import rate_columns
 
 CELLS = cell_tables(__file__)
-
-
-def phases_table(sheet: Sheet, tables: AxisTables, behind: int) -> None:
-    """Declare the phases of an axis, below the heads of all, and their workings from the column ``behind`` on."""
-    title = f"Phases of axis {tables.axis.number}"
-    block = sheet.table(tables.name, title, tables.rows, *phase_columns(tables), rules=[AT_REST], heads=False)
-    sheet.workings(block, tables.taken, "Workings", behind, *phase_workings(tables))
-
-
-def phase_columns(tables: AxisTables) -> list[Quantity]:
-    """Return the columns of phases: entries, and what each movement comes to."""
-    return [*entered_columns(tables), *extremes(tables)]
 
 
 def phase_workings(tables: AxisTables) -> list[Quantity]:
@@ -67,8 +55,8 @@ def own(tables: AxisTables, column: str, formula: str) -> str:
     return every_second_row(tables.ends.own(column, formula)) if tables.ends else formula
 
 
-def entered_columns(tables: AxisTables) -> list[Quantity]:
-    """Return the columns of kind and entries, of rates at the ends too if phases hand over."""
+def phase_columns(tables: AxisTables) -> list[Quantity]:
+    """Return the columns of phases: kind and entries, rates at the ends too if they hand over; greatest rates."""
     over, axis = tables.machine.over, tables.axis
     key = f"axes.{axis.number - 1}.phases.*"
 
@@ -89,6 +77,7 @@ def entered_columns(tables: AxisTables) -> list[Quantity]:
         cell("lift", entry("lift"), unit=axis.given.unit),
         cell("law", entry("law")),
         *passing,
+        *extremes(tables),
     ]
 
 

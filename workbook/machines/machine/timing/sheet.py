@@ -10,11 +10,12 @@ from workbook.book.chart import Chart, Series, colour
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, constant
 from workbook.entries.abscissa import TAKEN
 from workbook.entries.facts import entry_cells, table_of
+from workbook.entries.phase import AT_REST
 from workbook.fields.units import PER_MINUTE, shown, si
 from workbook.machines.machine.entries import Axis
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.cycle import CURVES, LANE_SHARE
-from workbook.machines.machine.timing.phases import axis_checks, phase_columns, phase_workings, phases_table
+from workbook.machines.machine.timing.phases import axis_checks, phase_columns, phase_workings
 from workbook.machines.machine.timing.stops import stop_cell, stops_of
 from workbook.machines.machine.view import MachineView, MovingAxis
 
@@ -30,7 +31,8 @@ NARROW = 6.0  # width of the columns over which charts lie, behind phases that h
 def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> None:
     """Declare the sheet: what to enter, the diagram beside it, the axes, and the phases of each with its curves."""
     sheet = book.sheet("Timing", f"What the axes do over {machine.over.cycle}; between phases they rest.")
-    behind = FIRST + len(phase_columns(axes[0]))
+    columns = [phase_columns(tables) for tables in axes]
+    behind = FIRST + len(columns[0])
     sheet.print_columns, sheet.folded = behind + LANES - 1, behind + LANES
     narrow = range(behind, behind + LANES) if machine.hands_over else ()
     sheet.widths = {FIRST: LABELS} | dict.fromkeys(narrow, NARROW)
@@ -39,7 +41,7 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
     sheet.rows(*pace(machine), *rarely, section="Rarely changed", first=next(iter(rarely), None))
     draw_diagram(sheet, machine, axes)
     axes_table(sheet, machine)
-    phases_of_axes(sheet, machine, axes, behind)
+    phases_of_axes(sheet, machine, axes, columns)
     stops = [stop_cell(stop) for tables in axes for stop in stops_of(tables.axis)]
     if stops:
         sheet.heading("Hard stops")
@@ -64,22 +66,24 @@ def rarely_changed(machine: MachineView) -> list[Quantity]:
     return [*([cell("gravity", given.gravity)] if given.weighs else []), *limits]
 
 
-def phases_of_axes(sheet: Sheet, machine: MachineView, axes: list[AxisTables], behind: int) -> None:
-    """Declare the phases of all axes in a table, and beside each axis its curves in lanes."""
+def phases_of_axes(sheet: Sheet, machine: MachineView, axes: list[AxisTables], columns: list[list[Quantity]]) -> None:
+    """Declare the phases of all axes, whose columns are given, in a table, and beside each axis its curves in lanes."""
     sheet.heading("Phases", "Fill one row each, in order; leave spare rows empty. Beside: the rates of each axis.")
-    top, taken = sheet.row, behind + LANES + 1
+    top, taken = sheet.row, sheet.folded + 1
     workings = with_all_units([phase_workings(tables) for tables in axes])
     sheet.heads("Workings", [q._replace(source="") for q in workings], taken)  # whose equations are with the cells
     sheet.row = top
-    sheet.heads("", with_all_units([phase_columns(tables) for tables in axes]))
-    for tables in axes:
+    sheet.heads("", with_all_units(columns))
+    for tables, own in zip(axes, columns, strict=True):
         top, i, unit = sheet.row, tables.axis.number, tables.axis.given.unit
         cell = CELLS["timing_sheet"]
         sheet.put(cell("axis{i}_name", tables.axis.given.name, i=i), sheet.row, FIRST)
         sheet.put(constant(f"axis{i}_unit", "Moves in", "", "", unit, align="left"), sheet.row, FIRST + 1)
         sheet.row += 1
-        phases_table(sheet, tables, taken)
-        draw_lanes(sheet, machine, tables.axis, top, behind)
+        title = f"Phases of axis {i}"
+        block = sheet.table(tables.name, title, tables.rows, *own, rules=[AT_REST], heads=False)
+        sheet.workings(block, tables.taken, "Workings", taken, *phase_workings(tables))
+        draw_lanes(sheet, machine, tables.axis, top, sheet.folded - LANES)
 
 
 def with_all_units(each: list[list[Quantity]]) -> list[Quantity]:
