@@ -1,12 +1,10 @@
-"""The functions by which a rate and a lift get into their cells and back, as docs/architecture.md counts them.
-
-They are those that are at work, one within the other, wherever the entry takes another form.
-"""
+"""The functions by which a rate and a lift get into their cells and back, as docs/architecture.md counts them."""
 
 import re
 import sys
 from itertools import chain
 from pathlib import Path
+from traceback import walk_stack
 
 import pytest
 import tomli_w
@@ -33,7 +31,7 @@ ASIDE = {("read_entered", "_declare_empty"), ("read_entered", "declare")}
 
 
 def rows_of_the_way(column):
-    """Return the rows of the way of the rate (1) or the lift (2): functions by name, files left out; and the counts."""
+    """Return the functions of the rate (1) or the lift (2), there and back, as the page names and counts them."""
     way = PAGE.read_text(encoding="utf-8").split("## The way of an entry")[1].split("\n## ")[0]
     rows = [row.split("|")[1:-1] for row in re.findall(r"^\|.*\|$", way, re.MULTILINE)][2:]
     names = [[n for n in FUNCTION.findall(cells[1] + cells[1 + column]) if not n.endswith(".py")] for cells in rows]
@@ -49,11 +47,8 @@ def functions_on_the_way(run, entry):
     def look(frame, event, _):
         takes = PLACES.get(frame.f_code.co_qualname) if event == "call" else None
         if takes and takes(frame.f_locals, entry):
-            stack = []
-            while frame:
-                stack.append(frame.f_code)
-                frame = frame.f_back
-            own = [c for c in stack[::-1] if c.co_filename.startswith(ours) and not c.co_name.startswith("<")]
+            codes = [caller.f_code for caller, _ in walk_stack(frame)][::-1]
+            own = [code for code in codes if code.co_filename.startswith(ours) and not code.co_name.startswith("<")]
             if ASIDE.isdisjoint((own[0].co_name, code.co_name) for code in own):
                 way.update(dict.fromkeys(own))
 
@@ -62,7 +57,7 @@ def functions_on_the_way(run, entry):
         run()
     finally:
         sys.setprofile(None)
-    return [code.co_name for code in way if code.co_name not in ("_expand_short_forms", "_goes_together")]
+    return [code.co_name for code in way]
 
 
 @pytest.mark.parametrize("column", [1, 2], ids=ENTRIES)

@@ -43,16 +43,27 @@ def described(name, change, **more):
     return make_machine(TEMPLATES[data["template"]], data, lambda key: key)
 
 
+@pytest.fixture(scope="module", params=TEMPLATES)
+def book(request):
+    """The book of each template, as declared."""
+    return TEMPLATES[request.param].declare(read_machine(FOLDER / f"{request.param}.toml"))
+
+
+@pytest.fixture(scope="module")
+def wrapping():
+    """That of the machine to begin with."""
+    return TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
+
+
 def mended(book):
     """Return what the first sheet says of checks that fail."""
     (says,) = book.blocks["mend"].by_column()
     return [cell.expected for cell in says]
 
 
-def test_a_book_whose_checks_hold_has_nothing_to_mend():
-    book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
-    assert book.sheets[0].title == "Summary"
-    assert mended(book) == [f"Nothing: {len(book.checks)} checks OK.", *[""] * (FAILING["mend"] - 1)]
+def test_a_book_whose_checks_hold_has_nothing_to_mend(wrapping):
+    assert wrapping.sheets[0].title == "Summary"
+    assert mended(wrapping) == [f"Nothing: {len(wrapping.checks)} checks OK.", *[""] * (FAILING["mend"] - 1)]
 
 
 @pytest.mark.parametrize("rate", [300.0, 1000.0])
@@ -74,16 +85,17 @@ def test_the_first_checks_that_fail_stand_on_the_first_sheet(rate):
     assert [*links.values()] == [(b.sheet.title, f"{get_column_letter(b.column)}{b.row}") for b in blocks]
 
 
-def test_the_verdict_says_what_the_drives_hold_and_the_figures_why():
-    book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
-    says = {name: book.blocks[name].quantities[0].value for name in ("about_verdict", "about_reached", "about_gap_of")}
+def test_the_verdict_says_what_the_drives_hold_and_the_figures_why(wrapping):
+    says = {
+        name: wrapping.blocks[name].quantities[0].value for name in ("about_verdict", "about_reached", "about_gap_of")
+    }
     assert says == {
         "about_verdict": "All 101 checks hold. "
         "The drives hold from 0 to 205 cycles/min; reached first: MC01: RMS torque.",
         "about_reached": "cycles/min, MC01: RMS torque",
         "about_gap_of": "mm, Punch over cutter",
     }
-    inks = next(q.inks for q in book.blocks["axes_short"].quantities if q.name == "axis")
+    inks = next(q.inks for q in wrapping.blocks["axes_short"].quantities if q.name == "axis")
     assert inks == ("0072B2", "D55E00", "009E73", "CC79A7")
 
 
@@ -150,24 +162,22 @@ def letters_of(left, top, right, bottom, word):
     return (width if height > 1.4 * width else height) / HIGH
 
 
-@pytest.mark.parametrize("template", TEMPLATES)
-def test_the_checks_that_fail_and_the_counts_are_printed_and_all_stand_below(template):
-    book = TEMPLATES[template].declare(read_machine(FOLDER / f"{template}.toml"))
+def test_the_checks_that_fail_and_the_counts_are_printed_and_all_stand_below(book):
     failing, counted, every = (book.blocks[name] for name in ("failing", "by_sheet", "checks"))
     sheet = every.sheet
     assert failing.row < counted.row < counted.row + counted.size <= sheet.print_rows < every.row
     assert sum(counted.quantities[1].value) == every.size == len(book.checks)
 
 
-@pytest.mark.parametrize("template", TEMPLATES)
-def test_each_sheet_has_its_own_verdict_over_the_books(template):
-    book = TEMPLATES[template].declare(read_machine(FOLDER / f"{template}.toml"))
+def test_each_sheet_has_its_own_verdict_over_the_books_at_the_right_edge_of_what_a_screen_shows(book):
     judged = {sheet.title for sheet, _ in book.checks}
     for i, sheet in enumerate(book.sheets, 1):
         whole, own = book.blocks[f"status{i}"], book.blocks.get(f"status{i}_own")
         assert (whole.row, whole.column) == (2, sheet.last_column)
         assert (own is not None) == (sheet.title in judged)
         assert own is None or (own.row, own.column) == (1, whole.column)
+        width = sum((WIDTHS | sheet.widths).get(column, COLUMN_WIDTH) for column in range(1, sheet.last_column + 1))
+        assert width <= ON_SCREEN
 
 
 def test_the_first_page_tells_the_rate_that_the_drives_figures_hold_at():
@@ -180,17 +190,8 @@ def test_the_first_page_tells_the_rate_that_the_drives_figures_hold_at():
     assert sized.value == [80.0, "–", "–"]
 
 
-@pytest.mark.parametrize("template", TEMPLATES)
-def test_the_verdict_of_each_sheet_is_at_the_right_edge_of_what_a_screen_shows(template):
-    book = TEMPLATES[template].declare(read_machine(FOLDER / f"{template}.toml"))
-    for sheet in book.sheets:
-        width = sum((WIDTHS | sheet.widths).get(column, COLUMN_WIDTH) for column in range(1, sheet.last_column + 1))
-        assert width <= ON_SCREEN
-
-
-@pytest.mark.parametrize("template", TEMPLATES)
-def test_the_first_page_shows_each_column_of_its_tables(template):
-    sheet = TEMPLATES[template].declare(read_machine(FOLDER / f"{template}.toml")).sheets[0]
+def test_the_first_page_shows_each_column_of_its_tables(book):
+    sheet = book.sheets[0]
     printed = [block for block in sheet.blocks if block.row < sheet.print_rows]
     assert printed
     tables = [block for block in printed if block.lead is None]
@@ -209,14 +210,12 @@ def test_an_axis_has_its_laws_and_the_verdict_of_its_own_checks():
     assert [law.upper() for law in found["law"]] == ["MTP", "MTP", "MTP", "SEVERAL"]
 
 
-def test_the_first_sheet_is_titled_by_what_is_entered():
-    book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
-    (heading,) = book.blocks["book_heading"].cells()
+def test_the_first_sheet_is_titled_by_what_is_entered(wrapping):
+    (heading,) = wrapping.blocks["book_heading"].cells()
     assert (heading.row, heading.expected) == (1, "Wrapping machine")
 
 
-def test_no_chart_of_a_machine_mixes_travelling_and_turning_axes():
-    book = TEMPLATES["machine"].declare(read_machine(FOLDER / "machine.toml"))
-    labels = [text for sheet in book.sheets for chart, *_ in sheet.charts for text in (chart.title, chart.y)]
+def test_no_chart_of_a_machine_mixes_travelling_and_turning_axes(wrapping):
+    labels = [text for sheet in wrapping.sheets for chart, *_ in sheet.charts for text in (chart.title, chart.y)]
     assert [label for label in labels if "[" in label and "," in label] == []
     assert {"ẏ [m/s]", "ẏ [rad/s]"} <= set(labels)

@@ -1,10 +1,11 @@
-"""A symbol stands for one thing on the sheets of a machine."""
+"""A symbol stands for one thing on the sheets of a machine; power has one unit."""
 
 import re
 from collections import defaultdict
 
 import pytest
 
+from workbook.book.rows import as_rows
 from workbook.build import committed_descriptions
 from workbook.reading.descriptions import read_machine
 from workbook.template import FOLDER
@@ -61,7 +62,8 @@ def kind(unit, symbol):
 
 
 @pytest.mark.parametrize("path", committed_descriptions(), ids=lambda path: path.stem)
-def test_a_symbol_measures_one_kind_of_quantity_in_every_book(path):
+def test_a_symbol_measures_one_kind_of_quantity_and_power_has_one_unit_in_every_book(path):
+    """Power has no more than three digits before its point."""
     book = TEMPLATES[read_machine(path).template].declare(read_machine(path))
     kinds = defaultdict(lambda: defaultdict(set))
     for block in book.blocks.values():
@@ -69,3 +71,7 @@ def test_a_symbol_measures_one_kind_of_quantity_in_every_book(path):
             if q.symbol and (q.unit or q.symbol not in SCALED):
                 kinds[q.symbol][kind(q.unit, q.symbol)].add(f"{q.label} [{q.unit}]")
     assert {symbol: dict(found) for symbol, found in kinds.items() if len(found) > 1} == {}
+    powers = [(block, q) for block in book.blocks.values() for q in block.quantities if q.unit in {"W", "kW", "MW"}]
+    assert len({q.unit for _, q in powers}) <= 1
+    values = (value for block, q in powers for value in as_rows(q.value, block.size, q.name) if value is not None)
+    assert max(map(abs, values), default=0.0) < 1000

@@ -1,4 +1,4 @@
-"""Several tools over one transfer: each as if it were alone, what they come to together, entries, books."""
+"""Several tools over one transfer: each as if it were alone, together, entries, books; and how smooth all must be."""
 
 import random
 
@@ -154,3 +154,33 @@ def test_a_book_of_any_number_of_tools_comes_back_and_agrees(number, tmp_path):
     assert entered(TEMPLATE, machine) == (machine, [])
     text.write_text(write_machine(machine), encoding="utf-8")
     assert read_machine(text) == machine
+
+
+def asking(transfer, tool):
+    data = read_machine(TEMPLATE.description).model_dump()
+    data["sizes"] |= SMALL
+    data["overlap"]["transfer"] |= transfer
+    data["overlap"]["tools"][0] |= tool
+    return make_machine(TEMPLATE, data, counted_from_1)
+
+
+MILL, DIE = "Indexing mill dwell to movement at 0°: ", "Die way in to {} at 0° after its arrival: "
+SAID = {
+    "smooth": ({}, {}, "", ""),
+    "a way that begins with a jump": ({}, {"law_in": "ACS", "dwell": 0.0}, "", f"{DIE.format('way out')}acceleration"),
+    "less is asked": ({"law": "ACS", "smoothness": "velocity"}, {"law_in": "CUB", "smoothness": "velocity"}, "", ""),
+    "more is asked": ({"smoothness": "jerk"}, {"smoothness": "jerk"}, f"{MILL}jerk", f"{DIE.format('dwell')}jerk"),
+    "within a law": ({"law": "TVP"}, {}, f"{MILL}acceleration jumps by", ""),
+}
+
+
+@pytest.mark.parametrize("what", SAID)
+@pytest.mark.sample(3)
+def test_the_joint_that_is_less_smooth_than_asked_is_named(what):
+    transfer, tool, mill, die = SAID[what]
+    one = asking(transfer, tool)
+    value = computed(TEMPLATE, one)
+    for name, says in (("overlap_ok_smooth", mill), ("tool1_ok_smooth", die)):
+        assert value(name) == ("FAIL" if says else "OK")
+        assert not says or value(f"{name}_says").startswith(says)
+    assert disagreeing(TEMPLATE, one)[0] == []

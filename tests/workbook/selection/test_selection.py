@@ -289,6 +289,8 @@ def test_catalogues_beside_a_description_are_taken_unless_it_has_its_own(tmp_pat
     csv(tmp_path, MOTOR_HEAD, "A,0.02,180,600,3000")
     assert [m.name for m in read_machine(path).selection.motors] == ["A"]
     assert read_machine(path).selection.rank == "smallest motor"
+    path.write_text(f'{text}\n[selection]\nmotor = "A"\n')
+    assert read_machine(path).selection.motor == "A"
     path.write_text(text + OWN_MOTOR)
     assert [m.name for m in read_machine(path).selection.motors] == ["own"]
 
