@@ -55,19 +55,9 @@ def write_book(
 ) -> tuple[Book, list[str]]:
     """Write the workbook of a machine, with what an engineer has added to an old book, and a ``sheet`` for it.
 
-    Returns
-    -------
-    book : Book
-        Its declaration.
-    notes : list of str
-        A line for what of the engineer's own stays behind, and for what its formulas have in place of what they had.
-
-    Raises
-    ------
-    WriteError
-        Where ``path`` exists or cannot be written, or holds work of the engineer's own that would be lost.
-    InputError
-        For a machine that the engine refuses.
+    Returns its declaration, and a line for what of the engineer's own stays behind, and for what its formulas have in
+    place of what they had. Raises WriteError where ``path`` exists or cannot be written, or holds work of the
+    engineer's own that would be lost, InputError for a machine that the engine refuses.
     """
     refuse_existing(path, overwrite)
     template = TEMPLATES[machine.template]

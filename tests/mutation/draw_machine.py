@@ -7,9 +7,10 @@ from typing import Any, get_args
 from engine.selection.pair_matrix import Rank
 from tests.laws import MOVING
 from tests.mutation.machines import draw, shares, vary_laws
+from workbook.entries.phase import AxisPhase
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive_entries import AxisLoad, AxisMotor, PowerEntry, Reducer, StageEntry, lacking
-from workbook.machines.machine.entries import AxisPhase, Closes, MachineSizes, rests
+from workbook.machines.machine.entries import Closes, MachineSizes, rests
 from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops
 from workbook.machines.machine.mechanism import LINKED, MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units

@@ -98,10 +98,7 @@ class CellWords(NamedTuple):
     def filled(self, more: dict[str, Any]) -> dict[str, Any]:
         """Return the attributes of a cell: its words with their parts, and those attributes that are given.
 
-        Raises
-        ------
-        TypeError
-            Where a part is missing, or something is given that no text has.
+        Raises TypeError where a part is missing, or something is given that no text has.
         """
         own = {key: more.pop(key) for key in OWN & more.keys()}
         if more.keys() != self.parts:
@@ -128,24 +125,11 @@ class CellTable(dict[str, CellWords]):
         return table
 
     def __call__(self, name: str, value: Any, /, **more: Any) -> Quantity:
-        """Return the quantity of a row.
+        """Return the quantity of the cell of this name; raise KeyError where the table has none.
 
-        Parameters
-        ----------
-        name : str
-            Of the cell, as the table has it.
-        value : object
-            What the engine says of it, in its unit; of a given cell what is entered; of a check whether it holds; of
-            a column a sequence.
-        **more
-            What the texts of the row have in braces, and attributes that are no fixed words.
-
-        Raises
-        ------
-        KeyError
-            Where the table has no such cell.
-        TypeError
-            Where a part is missing, or something is given that no text has.
+        ``value`` is what the engine says of it, in its unit; of a given cell what is entered; of a check whether it
+        holds; of a column a sequence. ``more`` is what its texts have in braces, and attributes of :data:`OWN`; raises
+        TypeError where a part is missing, or something is given that no text has.
         """
         kind, texts = self[name].kind, self._filled(name, more)
         if kind == "check":

@@ -6,7 +6,7 @@ Programs enforce validations on what is typed alone: what is pasted, or written 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from workbook.book.quantity import WANTED, Quantity, calc, check
+from workbook.book.quantity import WANTED, Block, Quantity, calc, check
 from workbook.book.sentence import first_text, quoted
 
 MESSAGES, MESSAGE, USED = "_messages", "message", "used"
@@ -47,18 +47,7 @@ class RowRule(NamedTuple):
     words: str
 
 
-class Guard(NamedTuple):
-    """The check of a table of inputs: its entries and rules, in the order in which it reports them."""
-
-    table: str
-    rows: int
-    entries: tuple[tuple[Quantity, Limit], ...]
-    rules: tuple[RowRule, ...]
-
-    @property
-    def columns(self) -> list[str]:
-        """The columns of a table's messages, by entry and rule, without that of the row."""
-        return [column_of(q.name) for q, _ in self.entries] + [column_of(rule.rule) for rule in self.rules]
+Entries = Sequence[tuple[Quantity, Limit]]
 
 
 def column_of(name: str) -> str:
@@ -85,7 +74,7 @@ def message_beside(q: Quantity, limit: Limit) -> Quantity:
     return Quantity(f"{q.name}{EXPECTED}", label, "", "", "sentence", formula, q.source, align="left")
 
 
-def cells_check(name: str, label: str, entries: Sequence[tuple[Quantity, Limit]]) -> Quantity:
+def cells_check(name: str, label: str, entries: Entries) -> Quantity:
     """Return the check that counts the messages beside single cells."""
     first, last = (f"[{q.name}{EXPECTED}.{q.name}{EXPECTED}]" for q in (entries[0][0], entries[-1][0]))
     messages = f"{first}:{last}"
@@ -104,10 +93,16 @@ def all_empty(inputs: Sequence[Quantity]) -> str:
     return f"AND({empty})" if empty else ""
 
 
-def guard_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: bool) -> tuple[list[Quantity], Quantity]:
-    """Return a table's messages, a column for each entry and rule, and the check; ``filled``: a row must be."""
-    table = f"{guard.table}{MESSAGES}"
-    first, last = guard.columns[0], guard.columns[-1]
+def guard_rows(
+    block: Block, entries: Entries, rules: Sequence[RowRule], label: str, filled: bool
+) -> tuple[list[Quantity], Quantity]:
+    """Return the messages of a table of inputs, a column for each entry and rule, and the check that counts them.
+
+    ``filled``: a row must be.
+    """
+    table, inputs = f"{block.name}{MESSAGES}", [q for q in block.quantities if q.role == "input"]
+    messages = [*message_columns(entries, rules)]
+    first, last = messages[0].name, messages[-1].name
     among = f"[{first}:{last}]"
     of_row = f"[{first}]" if first == last else f'IF(COUNTIF({among},"?*")=0,"",INDEX({among},{first_text(among)}))'
     used = calc(
@@ -116,16 +111,16 @@ def guard_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: boo
         "",
         "",
         f"=IF({all_empty(inputs)},0,1)",
-        in_use(guard.rows, inputs),
+        in_use(block.size, inputs),
         format="0",
         source="1 where anything is entered",
     )
-    required = any(limit.required for _, limit in guard.entries)
+    required = any(limit.required for _, limit in entries)
     of_all = message_column(MESSAGE, "what is expected", f"={of_row}")
-    columns = [*([used] if required else []), *message_columns(guard), of_all]
+    columns = [*([used] if required else []), *messages, of_all]
     message, row = f"[{table}.{MESSAGE}]", '"row 1, "&'
     condition, says = f'[{table}.{MESSAGE}.1]=""', f"[{table}.{MESSAGE}.1]"
-    if guard.rows > 1:
+    if block.size > 1:
         row_text = first_text(message)
         condition, says = f'COUNTIF({message},"?*")=0', f"INDEX({message},{row_text})"
         row = f'"row "&{row_text}&", "&'
@@ -133,14 +128,14 @@ def guard_rows(guard: Guard, label: str, inputs: Sequence[Quantity], filled: boo
     if filled and required:
         says = f"IF({condition},{quoted(EMPTY)},{says})"
         condition = f"AND(SUM([{table}.{USED}])>0,{condition})"
-    return columns, check(f"{guard.table}_entries", label, condition, True, says=says)
+    return columns, check(f"{block.name}_entries", label, condition, True, says=says)
 
 
-def room_cell(guard: Guard, rows: Sequence[int]) -> Quantity:
+def room_cell(table: str, rows: Sequence[int]) -> Quantity:
     """Return the cell under the last row of a table, which says that it is full; by whether each row is in use."""
-    used = f"[{guard.table}{MESSAGES}.{USED}]"
+    used = f"[{table}{MESSAGES}.{USED}]"
     formula = f'=IF(SUM({used})=COUNT({used}),{quoted(IS_FULL)},"")'
-    return message_column(f"{guard.table}{FULL}", "Room in the table", formula, IS_FULL if all(rows) else "")
+    return message_column(f"{table}{FULL}", "Room in the table", formula, IS_FULL if all(rows) else "")
 
 
 def in_use(rows: int, inputs: Sequence[Quantity]) -> list[int]:
@@ -149,13 +144,13 @@ def in_use(rows: int, inputs: Sequence[Quantity]) -> list[int]:
     return [int(any(value not in (None, "") for value in row)) for row in zip(*held, strict=True)]
 
 
-def message_columns(guard: Guard) -> Iterator[Quantity]:
+def message_columns(entries: Entries, rules: Sequence[RowRule]) -> Iterator[Quantity]:
     """Yield the column of messages on each entry, and on each rule."""
-    for q, limit in guard.entries:
+    for q, limit in entries:
         cell = f"[{q.name}]"
         holds = f"OR([{USED}]=0,{limit.holds(cell)})" if limit.required else limit.holds(cell)
         yield message_column(column_of(q.name), q.label, f'=IF({holds},"",{limit_message(q.label, cell, limit)})')
-    for rule in guard.rules:
+    for rule in rules:
         says = f"{quoted(f'{rule.words}: ')}&{entered_text(f'[{rule.column}]')}" if rule.column else quoted(rule.words)
         yield message_column(column_of(rule.rule), rule.rule, f'=IF({rule.condition},"",{says})')
 

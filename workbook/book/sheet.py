@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from workbook.book import limits
 from workbook.book.chart import Chart, Text, in_scope
-from workbook.book.limits import Guard, Limit, RowRule
+from workbook.book.limits import Entries, RowRule
 from workbook.book.quantity import Block, Quantity, sentence, side_of
 from workbook.book.rows import as_rows
 
@@ -122,7 +122,7 @@ class Sheet:
             name = f"{watched[0][0].name}_entries"
             self.checks(limits.cells_check(name, f"{self.called or self.title}: entries within limits", watched))
 
-    def limited(self, quantities: Sequence[Quantity]) -> list[tuple[Quantity, Limit]]:
+    def limited(self, quantities: Sequence[Quantity]) -> Entries:
         """Return the inputs that have limits, with these."""
         inputs = [(q, self.book.limit(q.key, q.upper_limit)) for q in self._own(quantities) if q.role == "input"]
         return [(q, limit) for q, limit in inputs if limit is not None]
@@ -188,7 +188,7 @@ class Sheet:
         block.shared_heads = 0 if heads else self.shared_heads
         self.row = top + size + 1
         if watched := self.limited(quantities):
-            self._guard(block, watched, rules, inputs)
+            self._guard(block, watched, rules)
         return block
 
     def list_at(self, name: str, title: str, row: int, column: int, quantity: Quantity) -> Block:
@@ -196,18 +196,16 @@ class Sheet:
         self._heads(title, row, column, False, ())
         return self._place(Block(name, self, row + 1, column, self._own((quantity,)), len(quantity.value), title))
 
-    def _guard(
-        self, block: Block, watched: Sequence[tuple[Quantity, Limit]], rules: Sequence[RowRule], inputs: list[Quantity]
-    ) -> None:
+    def _guard(self, block: Block, watched: Entries, rules: Sequence[RowRule]) -> None:
         """Give a table of inputs its messages, and below it the check that counts them."""
-        guard = Guard(block.name, block.size, tuple(watched), tuple(rules))
+        first = next(q for q in block.quantities if q.role == "input")
         label = f"{self.called or self.title}, {re.split(r'[:;(]', block.title)[0].strip()}: entries within limits"
-        some = self.book.limit(inputs[0].key.partition(".*")[0], inf)
-        columns, verdict = limits.guard_rows(guard, label, inputs, some is not None and some.required)
+        some = self.book.limit(first.key.partition(".*")[0], inf)
+        columns, verdict = limits.guard_rows(block, watched, rules, label, some is not None and some.required)
         self.messages.append((block, tuple(columns)))  # until all of the sheet is placed
         if columns[0].name == limits.USED:
-            room = limits.room_cell(guard, as_rows(columns[0].value, block.size, limits.USED))
-            self.put(room, block.row + block.size, block.columns[inputs[0].name])
+            room = limits.room_cell(block.name, as_rows(columns[0].value, block.size, limits.USED))
+            self.put(room, block.row + block.size, block.columns[first.name])
         if block.shared_heads:
             self.later.append(verdict)
             return

@@ -1,4 +1,4 @@
-"""Phases as they are entered wherever they follow one another; those of an axis over a turn of the master shaft."""
+"""Phases of an axis as they are entered."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
@@ -6,46 +6,31 @@ from typing import Any
 
 from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
-from workbook.fields.types import Angle, DesignError, EntryError, Model, Number
+from workbook.fields.types import DesignError, EntryError, Model, NotNegative, Number
 from workbook.laws.entries import LawName, Laws
 
 TURN = 360.0  # degrees
-
-
-class Passing(Model):
-    """The rates with which a phase passes its begin, between two curved phases, in the units of the motion; else 0."""
-
-    velocity: Number | None = None
-    acceleration: Number | None = None
-
-    @property
-    def passes(self) -> bool:
-        """Whether any of them is entered."""
-        return self.velocity is not None or self.acceleration is not None
-
-
-NO_LINE = 'a velocity or acceleration is entered; expected a straight line among the laws: [laws.LIN] family = "LIN"'
-
-
-def require_straight(laws: Laws, phases: Mapping[str, Sequence[Passing]]) -> None:
-    """Raise EntryError for a velocity or acceleration that is entered in a book without straight lines."""
-    for key, rows in phases.items():
-        for i, phase in enumerate(rows):
-            if phase.passes and not laws.of("LIN"):
-                raise EntryError(f"{key}.{i}", NO_LINE)
 
 
 AT_REST = RowRule("dwell", 'OR(AND([law]<>"DWL",[law]<>""),[lift]+0=0)', "lift", "lift of a dwell or without a law")
 """a row of phases whose law is the dwell, or that names none, does not lift"""
 
 
-class TurnPhase(Model):
-    """One phase of an axis: angles of the master shaft in degrees, a lift in the axis' unit."""
+class AxisPhase(Model):
+    """A phase, its lift in the axis' unit, and what it passes its begin with, in lift by rad, or as rates are shown."""
 
-    start: Angle
-    stop: Angle
+    # between two curved phases; else 0
+    velocity: Number | None = None
+    acceleration: Number | None = None
+    start: NotNegative
+    stop: NotNegative
     lift: Number = 0.0
     law: LawName = "DWL"
+
+    @property
+    def passes(self) -> bool:
+        """Whether a velocity or acceleration is entered for its begin."""
+        return self.velocity is not None or self.acceleration is not None
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield a dwell that is to lift."""
@@ -53,7 +38,18 @@ class TurnPhase(Model):
             yield DesignError("lift", AT_REST.words, 0.0)
 
 
-def forward(name: str, phases: Sequence[TurnPhase], unit: str = "°", length: float = TURN) -> Iterator[DesignError]:
+NO_LINE = 'a velocity or acceleration is entered; expected a straight line among the laws: [laws.LIN] family = "LIN"'
+
+
+def require_straight(laws: Laws, phases: Mapping[str, Sequence[AxisPhase]]) -> None:
+    """Raise EntryError for a velocity or acceleration that is entered in a book without straight lines."""
+    for key, rows in phases.items():
+        for i, phase in enumerate(rows):
+            if phase.passes and not laws.of("LIN"):
+                raise EntryError(f"{key}.{i}", NO_LINE)
+
+
+def forward(name: str, phases: Sequence[AxisPhase], unit: str = "°", length: float = TURN) -> Iterator[DesignError]:
     """Yield the first phase of an axis that runs backwards, or does not last, of a cycle of a length."""
     for row, phase in enumerate(phases, 1):
         if phase.stop <= phase.start:
@@ -63,7 +59,7 @@ def forward(name: str, phases: Sequence[TurnPhase], unit: str = "°", length: fl
             return
 
 
-def filling(phases: Sequence[TurnPhase], length: float = TURN) -> list[dict[str, Any]]:
+def filling(phases: Sequence[AxisPhase], length: float = TURN) -> list[dict[str, Any]]:
     """Return the phases, evenly spread over the cycle."""
     step = length / len(phases)
     ends = pairwise([*(i * step for i in range(len(phases))), length])

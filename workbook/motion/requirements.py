@@ -7,14 +7,10 @@ from typing import Any, Literal, get_args
 
 from engine.laws import Law
 from engine.laws.inverse import law_pieces
-from workbook.book.cell_tables import cell_tables
-from workbook.book.declare import Quantity
 from workbook.entries.machine import Machine
 from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import Laws
-
-CELLS = cell_tables(__file__)
 
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 """what must be continuous: velocity; acceleration too; jerk too"""
@@ -62,21 +58,6 @@ def jump_values(required: RequiredSmoothness, x: float, size: float, order: int)
     if required.speed is None:
         return x, size
     return x / required.speed[1], size * required.speed[1] ** order / required.lift[1]
-
-
-def rate_columns(
-    velocities: list[Any],
-    accelerations: list[Any],
-    key: str,
-    units: tuple[str, str],
-    symbols: tuple[str, str] = ("y'", "y''"),
-) -> list[Quantity]:
-    """Return the columns of velocity and acceleration entered; ``key`` is that of the rows in the description."""
-    cell = CELLS["rate_columns"]
-    return [
-        cell("velocity", velocities, symbol=symbols[0], unit=units[0], key=key),
-        cell("acceleration", accelerations, symbol=symbols[1], unit=units[1], key=key),
-    ]
 
 
 FEW = 8  # rows more than are used, where a description does not say how many

@@ -24,7 +24,7 @@ from workbook.entries.machine import Design, Fault, Machine
 from workbook.errors import InputError, ReadError, quoted
 from workbook.fields.paths import key_of, put, spell, split
 from workbook.fields.types import EntryError
-from workbook.laws.named import with_laws_by_code
+from workbook.laws.entries import with_laws_by_code
 from workbook.selection.catalogue_files import Product, read_motors, read_reducers
 from workbook.selection.entries import MOST_PRODUCTS, Products, refer_to_catalogues
 from workbook.template import M, Template

@@ -19,8 +19,7 @@ from workbook.errors import InputError, quoted
 from workbook.fields.paths import Place, get, join, replaced, spell, split, table
 from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
-from workbook.laws.entries import ENTRIES, references
-from workbook.laws.named import with_laws_by_code
+from workbook.laws.entries import ENTRIES, references, with_laws_by_code
 from workbook.reading.descriptions import counted_from_1, parse_toml, read_machine, write_machine
 from workbook.studies.links import Link, followed, make_links
 from workbook.studies.paths import children, nearest, path_of

@@ -14,8 +14,7 @@ from workbook.errors import InputError
 from workbook.judging.report import Report
 from workbook.judging.verify import judge
 from workbook.law_sheets.book_laws import BookLaws
-from workbook.laws.entries import ENTRIES, LONGEST
-from workbook.laws.named import with_laws_by_code
+from workbook.laws.entries import ENTRIES, LONGEST, with_laws_by_code
 from workbook.reading.descriptions import counted_from_1, make_machine, write_machine
 from workbook.reading.entries import Entries
 from workbook.reading.files import BookFile, find_places

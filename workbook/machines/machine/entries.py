@@ -7,7 +7,7 @@ from pydantic import Field, WrapValidator, model_validator
 
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.machine import Exporting
-from workbook.entries.phase import TURN, Passing, TurnPhase, require_straight
+from workbook.entries.phase import TURN, AxisPhase, require_straight
 from workbook.fields.paths import join, spread
 from workbook.fields.texts import Text, place_of, require_distinct
 from workbook.fields.types import (
@@ -33,13 +33,6 @@ Unit = Literal["mm", "°"]
 Closes = Literal["position", "feed", "open"]
 NO_TIME = "a cycle in {} does not tell how time passes, which a drive needs; expected none, or a cycle in s"
 OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
-
-
-class AxisPhase(TurnPhase, Passing):
-    """A phase, its lift in the axis' unit, and what it passes its begin with, in lift by rad, or as rates are shown."""
-
-    start: NotNegative
-    stop: NotNegative
 
 
 class Axis(beside.NamedPart):

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from workbook.book.sentence import figure
 from workbook.entries.abscissa import Abscissa, length_abscissa
-from workbook.entries.phase import TURN, TurnPhase, filling, forward
+from workbook.entries.phase import TURN, AxisPhase, filling, forward
 from workbook.fields.types import ANGLE_TOLERANCE, DesignError, Model
 from workbook.fields.units import shown, si
 from workbook.machines.machine.entries_beside import KEYS, UNUSED, SwitchEntry
@@ -54,7 +54,7 @@ def axis_faults(axis: "Axis", over: Abscissa) -> list[DesignError]:
     return [*(wrong or beyond), *forces]
 
 
-def following(name: str, phases: Sequence[TurnPhase], over: Abscissa) -> Iterator[DesignError]:
+def following(name: str, phases: Sequence[AxisPhase], over: Abscissa) -> Iterator[DesignError]:
     """Yield the first phase of an axis that begins before the phase above ends."""
     reached = 0.0
     for i, phase in enumerate(phases):

@@ -5,11 +5,12 @@ from typing import Any
 
 from engine.selection.pair_matrix import RANKS
 from workbook.entries.facts import vary
+from workbook.entries.phase import AxisPhase
 from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing, variations, vary_laws
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
-from workbook.machines.machine.entries import AnyMachine, AxisPhase, MachineSizes, rests
+from workbook.machines.machine.entries import AnyMachine, MachineSizes, rests
 from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops, Vibration
 from workbook.machines.machine.mechanism import MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units

@@ -8,7 +8,7 @@ import numpy as np
 from engine.laws.base import Array
 from workbook.book.checks import ZERO
 from workbook.book.sentence import figure
-from workbook.entries.phase import TURN
+from workbook.entries.phase import TURN, AxisPhase
 from workbook.errors import InputError
 from workbook.fields.paths import Place
 from workbook.fields.texts import place_of
@@ -16,7 +16,7 @@ from workbook.fields.types import ANGLE_TOLERANCE
 from workbook.fields.units import DEGREE, shown, si
 from workbook.improving import Room
 from workbook.law_sheets.library import laws
-from workbook.machines.machine.entries import AnyMachine, Axis, AxisPhase
+from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.entries_beside import EdgeOfPhase, Lasting
 from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.gap import ClearanceView

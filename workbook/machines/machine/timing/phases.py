@@ -19,7 +19,6 @@ from workbook.machines.machine.entries import OPEN_DRIVE
 from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.stops import stop_check, stops_of
 from workbook.motion.pieces import room_check
-from workbook.motion.requirements import rate_columns
 
 CELLS = cell_tables(__file__)
 
@@ -69,7 +68,8 @@ def phase_columns(tables: AxisTables) -> list[Quantity]:
         units, symbols = (tables.at.unit(1), tables.at.unit(2)), ("y'", "y''")
         if over.measured:
             units, symbols = over.rates(axis.given.unit)[:2], over.symbols[1:3]
-        passing = rate_columns(entry("velocity"), entry("acceleration"), key, units, symbols)
+        rates = zip(("velocity", "acceleration"), units, symbols, strict=True)
+        passing = [cell(name, entry(name), unit=unit, symbol=symbol) for name, unit, symbol in rates]
     return [
         cell("kind", sampling.kinds(axis.phases, tables.rows), formula=every_second_row(sampling.kind(tables.at.ends))),
         cell("start", entry("start"), format=over.format, upper_limit=over.upper_limit),
