@@ -9,11 +9,11 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive.drivetrain import Drivetrain, Force, LoadMotion, ShaftMotion, TorqueCoefficients, dwell_times
-from engine.drive.search import NOISE, crossings, largest_size, sign_changes
+from engine.drive.search import NOISE, crossings, sign_changes
 from engine.laws.base import Array
-from engine.laws.extremes import Curve
+from engine.laws.extremes import Curve, largest_size
 from engine.motion import Motion
-from engine.motion.pieces import MotionPiece, motion_pieces
+from engine.motion.pieces import MotionPiece, MotionPieces
 
 NARROW = 1e-9  # share of a piece: shorter parts are left out
 NODES = 32  # parts, of an interval and of each half turn of its sines, in which functions are searched by samples
@@ -123,30 +123,6 @@ class Span(NamedTuple):
     direction: float  # 1, −1, or 0 at rest
     force: Force
     dwell: float = 0.0  # duration of its dwell (s); 0 if it moves
-
-
-@dataclass(frozen=True)
-class MotionPieces:
-    """A motion over a cycle as a table of pieces."""
-
-    pieces: tuple[MotionPiece, ...]
-    begin: float  # abscissa of the begin of the cycle
-    total: float  # length of the cycle, in units of the abscissa
-
-    @classmethod
-    def of(cls, motion: Motion) -> "MotionPieces":
-        """Return the pieces of a motion."""
-        return cls(tuple(motion_pieces(motion)), float(motion.edges[0]), motion.total)
-
-    @property
-    def moved(self) -> list[MotionPiece]:
-        """The pieces of any duration."""
-        return [piece for piece in self.pieces if piece.duration > 0.0]
-
-    @cached_property
-    def fastest(self) -> float:
-        """The largest |y'| of the motion."""
-        return max(largest_size(piece.curves[1], piece.duration) for piece in self.moved)
 
 
 @dataclass(frozen=True)

@@ -143,11 +143,6 @@ def sign_changes(curve: Curve, low: float, high: float) -> list[float]:
     return [curve.root(a, b) for (a, at_a), (b, at_b) in pairwise(clear) if (at_a > 0.0) != (at_b > 0.0)]
 
 
-def largest_size(curve: Curve, d: float) -> float:
-    """Return the largest absolute value of a curve from 0 to d."""
-    return max(abs(curve(u)) for u in (0.0, *zeros(curve.slope, d), d))
-
-
 def least_use(
     uses: Callable[[Array], Array],
     start: Array,

@@ -10,14 +10,14 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.drive import KINDS, Drive, Load, Part, Stage
-from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain
 from engine.drive.quadrature import STANDSTILL, Interval, QuadratureCycle
 from engine.flying.cut import Cut
 from engine.laws import Dwell
 from engine.laws.base import BREAK_TOLERANCE
 from engine.motion.joining import Joint, Rates, Smoothness, joints
-from engine.motion.pieces import MotionPiece, ScaledLaw
+from engine.motion.pieces import MotionPiece, MotionPieces, ScaledLaw
 
 
 class CutPart(NamedTuple):
@@ -149,6 +149,6 @@ def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.
 def cycle_of(cut: Cut, train: Drivetrain) -> CutCycle:
     """Return the drive cycle of a cut's shaft, at nine points of each piece of the tool's motion."""
     pieces, still = cut_pieces(cut), STANDSTILL * max(map(abs, cut.speed_range))
-    drive_cycle = DriveCycle(train, MotionPieces(tuple(pieces), 0.0, cut.cycle_time))
+    drive_cycle = DriveCycle(train, MotionPieces(tuple(pieces), cut.cycle_time))
     turns = 2 if cut.slowest_speed < -still else 0
     return CutCycle(drive_cycle, pieces, cut.time_tolerance, (), still, cut.slowest, turns)

@@ -96,6 +96,11 @@ def _of_sine(sine: Sine, d: float) -> list[float]:
     return sorted(min(max(u, 0.0), d) for u in places)
 
 
+def largest_size(curve: Curve, d: float) -> float:
+    """Return the largest absolute value of a curve from 0 to d."""
+    return max(abs(curve(u)) for u in (0.0, *zeros(curve.slope, d), d))
+
+
 PARTS = 256  # of a bracket, in a round
 
 

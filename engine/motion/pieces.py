@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from engine.laws import Law
 from engine.laws.base import BREAK_TOLERANCE, Array
-from engine.laws.extremes import Curve
+from engine.laws.extremes import Curve, largest_size
 from engine.laws.inverse import law_pieces
 from engine.laws.piece import POWERS, PlacedPiece, Sine
 from engine.motion.motion import Motion
@@ -112,20 +112,45 @@ class Located(NamedTuple):
     u: Array  # abscissa from its origin
 
 
-class PieceTable(NamedTuple):
-    """All pieces of a motion, in order of the abscissa."""
+@dataclass(frozen=True)
+class MotionPieces:
+    """A motion over a cycle as a table of pieces, in order of the abscissa."""
 
     pieces: Sequence[MotionPiece]
-    end: float  # abscissa at which the motion ends
+    end: float  # abscissa at which the cycle ends
+
+    @classmethod
+    def of(cls, motion: Motion) -> "MotionPieces":
+        """Return the pieces of a motion."""
+        return cls(tuple(motion_pieces(motion)), float(motion.edges[-1]))
+
+    @property
+    def begin(self) -> float:
+        """Abscissa of the begin of the cycle."""
+        return self.pieces[0].begin
+
+    @property
+    def total(self) -> float:
+        """Length of the cycle, in units of the abscissa."""
+        return self.end - self.begin
+
+    @property
+    def moved(self) -> list[MotionPiece]:
+        """The pieces of any duration."""
+        return [piece for piece in self.pieces if piece.duration > 0.0]
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest |y'| of the motion."""
+        return max(largest_size(piece.curves[1], piece.duration) for piece in self.moved)
 
     @property
     def begins(self) -> Array:
-        """Begin of each piece as a share of the motion."""
+        """Begin of each piece as a share of the cycle."""
         return self._shares(np.array([piece.begin for piece in self.pieces]))
 
     def _shares(self, x: Array) -> Array:
-        begin = self.pieces[0].begin
-        return np.asarray((x - begin) / (self.end - begin))
+        return np.asarray((x - self.begin) / self.total)
 
     def located(self, x: Array) -> Located:
         """Return the piece at each abscissa (n,): the last that begins at or before it, or less than rounding after it.

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from engine.laws.base import Array
-from engine.motion.pieces import PieceTable
+from engine.motion.pieces import MotionPieces
 from engine.motion.shifted import Unshifted
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity
@@ -80,7 +80,7 @@ def columns(axis: Exportable, n: int) -> list[Quantity]:
     cell, rows, later, unit = CELLS["columns"], axis.rows, axis.later, axis.unit[0]
     at = np.linspace(0.0, rows.end, n + 1)
     unshifted = later.unshifted(at) if later else Unshifted(np.zeros(n + 1), at)
-    samples = PieceTable(rows.pieces, rows.end).at(unshifted.x)
+    samples = MotionPieces(rows.pieces, rows.end).at(unshifted.x)
     values = samples.y + unshifted.cycles * (later.lifts if later else 0.0), samples.y1, samples.y2
 
     def derivative(name: str, order: int, goes_on: str = "") -> Quantity:

@@ -9,7 +9,7 @@ import numpy as np
 
 from engine.laws.base import Array
 from engine.laws.piece import Sine
-from engine.motion.pieces import MotionPiece, PieceTable
+from engine.motion.pieces import MotionPiece, MotionPieces
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import in_scope
 from workbook.book.declare import Quantity, Sheet
@@ -108,7 +108,7 @@ def piece_columns(rows: PieceRows, room: int) -> list[Quantity]:
         return cell(name, values, unit=called, begin=begin, scale=end)
 
     begin = f"MAX({at.of_phase('opens')},{origin})" if at.opens else origin
-    share = cell("share", filled(PieceTable(rows.pieces, rows.end).begins, room, 1.0))
+    share = cell("share", filled(MotionPieces(rows.pieces, rows.end).begins, room, 1.0))
     durations = filled([piece.duration for piece in rows.pieces], room)
     return [
         cell("r", list(range(1, room + 1))),
@@ -184,7 +184,7 @@ def sine(at: Cells, mark: str, sines: Sequence[Sine], sizes: Sizes) -> list[Quan
 
 def workings_at(rows: PieceRows, x: str, values: Array, of: str = "", suffix: str = "") -> list[Quantity]:
     """Return the workings of samples at a column ``x``, with its ``values``: the piece, u in it, arguments of sines."""
-    at, place = rows.at, PieceTable(rows.pieces, rows.end).located(values)
+    at, place = rows.at, MotionPieces(rows.pieces, rows.end).located(values)
     cell, q = CELLS["finding"].sharing(at=at, of=of, suffix=suffix), f"[q{suffix}]"
     local = f"[{x}]-INDEX({at.named('origin' if at.opens else 'at')},{q})"
     return [

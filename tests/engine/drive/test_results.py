@@ -8,13 +8,14 @@ import numpy as np
 import pytest
 
 from engine.drive import KINDS, Drive, Load, Part, Stage
-from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.results import DriveResults
 from engine.flying.cut import Cut, rotary_drum
 from engine.flying.pieces import cut_pieces
 from engine.laws import Dwell, law
 from engine.motion import Motion, Phase
+from engine.motion.pieces import MotionPieces
 from engine.selection.task import Task
 from tests.engine.drive.machines import SIZES, drive_cycle_of, electric, sampled
 from tests.engine.families import integrals
@@ -85,7 +86,7 @@ def test_s5_drum(length, name):
     """S5, eqs. (10) to (13): an inertial load asks for J_L ω̇; the tool's law rides on the speed of the line."""
     cut = Cut(rotary_drum(3, 0.12, radians(30)), length, 1.5, law(name))
     drive = Drive(KINDS["belt"].of(Load(0.0), 0.24, parts=[Part("drum", 0.02)]), 0.0)
-    found = DriveResults(DriveCycle(Drivetrain(drive), MotionPieces(tuple(cut_pieces(cut)), 0.0, cut.cycle_time)))
+    found = DriveResults(DriveCycle(Drivetrain(drive), MotionPieces(tuple(cut_pieces(cut)), cut.cycle_time)))
     assert found.speed.highest.value == pytest.approx(cut.max_angular_speed, rel=1e-12)
     assert found.torque.peak == pytest.approx(0.02 * cut.max_angular_acceleration, rel=1e-11)
     assert found.rms_torque == pytest.approx(0.02 * cut.rms_angular_acceleration, rel=1e-11)

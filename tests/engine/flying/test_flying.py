@@ -14,7 +14,7 @@ from engine.laws import CATALOGUE, Dwell, Piece, PieceLaw
 from engine.laws.modified import ModifiedTrapezoidal
 from engine.laws.ramps import TrapezoidalVelocity
 from engine.laws.simple import Cycloidal
-from engine.motion.pieces import PieceTable
+from engine.motion.pieces import MotionPieces
 
 DRUM = rotary_drum(tools=3, radius=0.1, tool_angle=radians(30))
 SAW = flying_saw(tool_length=0.3, metres_per_radian=0.01)
@@ -177,6 +177,6 @@ def test_one_tool_that_works_for_an_instant():
 def test_pieces_give_the_same_motion(law, length, way, tool):
     cut = Cut(tool, length + tool.tool_length, 1.2, law, way)
     time = np.linspace(0.0, cut.cycle_time, 1501)
-    found = PieceTable(cut_pieces(cut), cut.cycle_time).at(time)
+    found = MotionPieces(cut_pieces(cut), cut.cycle_time).at(time)
     for order, (one, other) in enumerate(zip(found, cut.at(time), strict=True)):
         assert np.abs(one - other).max() <= 1e-11 * max(cut.size(order), np.abs(other).max())

@@ -11,7 +11,7 @@ from engine.laws.polynomials import Polynomial4567
 from engine.laws.ramps import SCurve
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, StraightLine
 from engine.motion import Motion, Phase
-from engine.motion.pieces import PieceTable, ScaledLaw, motion_pieces
+from engine.motion.pieces import MotionPieces, ScaledLaw, motion_pieces
 from tests.engine.families import ENTRIES
 
 LAWS = [law for entry in ENTRIES for law in entry.examples] + [
@@ -29,7 +29,7 @@ LAWS = [law for entry in ENTRIES for law in entry.examples] + [
 
 
 def agree(motion: Motion, x: np.ndarray) -> None:
-    exact, found = motion.at(x), PieceTable(motion_pieces(motion), motion.edges[-1]).at(x)
+    exact, found = motion.at(x), MotionPieces(motion_pieces(motion), motion.edges[-1]).at(x)
     sizes = [max(np.abs(y).max(), motion.size(n)) for n, y in enumerate(exact)]
     for one, other, size in zip(exact, found, sizes, strict=True):
         assert np.abs(one - other).max() <= 1e-12 * size
@@ -57,7 +57,7 @@ def test_on_every_break_a_sample_has_the_later_piece_and_at_the_end_the_left_lim
     begins = np.array([piece.begin for piece in pieces])
     last = [int(np.flatnonzero(begins == begin)[-1]) for begin in begins]
     for shift in (-1e-10, 0.0, 1e-10):
-        assert PieceTable(pieces, 360.0).located(begins + shift).piece.tolist() == last
+        assert MotionPieces(pieces, 360.0).located(begins + shift).piece.tolist() == last
     agree(motion, np.append(begins, 360.0))
 
 
@@ -67,7 +67,7 @@ def test_what_moves_besides_adds_its_velocity():
     assert (at.y.tolist(), at.y1.tolist(), at.y2.tolist()) == ([5.0, 6.5], [3.0, 3.0], [0.0, 0.0])
     moving = ScaledLaw(Cycloidal(), 2.0, 4.0, 0.0, 0.0, 3.0).pieces()
     x = np.linspace(0.0, 4.0, 33)
-    assert PieceTable(moving, 4.0).at(x).y == pytest.approx(2.0 * Cycloidal().s(x / 4.0) + 3.0 * x, abs=1e-13)
+    assert MotionPieces(moving, 4.0).at(x).y == pytest.approx(2.0 * Cycloidal().s(x / 4.0) + 3.0 * x, abs=1e-13)
 
 
 def test_pieces_of_no_length_at_the_end_are_left_out():

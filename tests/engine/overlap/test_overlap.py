@@ -13,7 +13,7 @@ from engine.laws.modified import ModifiedTrapezoidal
 from engine.laws.polynomials import Cubic
 from engine.laws.ramps import TrapezoidalVelocity
 from engine.laws.simple import ConstantAcceleration, Cycloidal
-from engine.motion.pieces import PieceTable
+from engine.motion.pieces import MotionPieces
 from engine.overlap.plan import Station, colliding
 from engine.overlap.schedule import Passage, Schedule, Tool, Transfer, movement_time, pieces_of_parts
 from tests.engine.motion.junctions import runs_smoothly
@@ -96,7 +96,7 @@ def test_pieces_give_the_same_motion(law_in, law_out, split):
     transfer, _ = mill_and_die()
     tool = Tool(law_in, 0.05, radians(100), law_out)
     schedule = Station(transfer, tool, Passage(0.01, 0.02, 0.001, split=split)).overlapping()
-    found = PieceTable(pieces_of_parts(schedule.parts), 2 * pi).at(schedule.since(TURN))
+    found = MotionPieces(pieces_of_parts(schedule.parts), 2 * pi).at(schedule.since(TURN))
     assert found.y == pytest.approx(schedule.travel(TURN), abs=1e-12)
     for order, values in enumerate(schedule.rates(TURN, 1.0), 1):
         assert found[order] * (2 * pi) ** order == pytest.approx(values, abs=1e-11 * np.abs(values).max())
@@ -108,7 +108,7 @@ def test_just_below_a_whole_turn_counts_as_on_it():
     schedule = station().one_after_the_other()
     found = schedule.since(np.array([schedule.arrival - 1e-9, schedule.arrival, schedule.arrival - 1e-7]))
     assert found == pytest.approx([-1e-9, 0.0, 2 * pi - 1e-7], abs=1e-12)
-    place = PieceTable(pieces_of_parts(schedule.parts), 2 * pi).located(found)
+    place = MotionPieces(pieces_of_parts(schedule.parts), 2 * pi).located(found)
     assert [pieces_of_parts(schedule.parts)[k].phase for k in place.piece] == [0, 0, 3]
 
 

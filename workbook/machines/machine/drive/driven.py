@@ -6,7 +6,7 @@ from math import radians
 from typing import TypeVar
 
 from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
-from engine.drive.cycle import DriveCycle, MotionPieces
+from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Brake, Drivetrain, Window
 from engine.drive.limits import LimitChecks
 from engine.drive.mechanisms import by_angle
@@ -15,6 +15,7 @@ from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
 from engine.drive.motor import LEVEL
 from engine.drive.results import DriveResults
+from engine.motion.pieces import MotionPieces
 from workbook.fields.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.machines.machine import mechanism as kinds
 from workbook.machines.machine.drive.in_use import falling_of, left_of, motor_in_use, reducer_in_use
