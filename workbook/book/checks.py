@@ -22,7 +22,7 @@ FAILS = '1-COUNTIF([verdict]:[verdict],"OK")'
 """1 where a check does not hold, be it for an error value; a range, for IronCalc counts in no single cell"""
 
 
-def checks_sheet(book: Book) -> Sheet:
+def checks_sheet(book: Book) -> None:
     """Declare the sheet; to be called when every check of the book is declared. All of them stand below the print."""
     sheet = book.sheet("Checks", "What fails, and how many checks each sheet has; one FAIL fails the book.")
     sheet.one_page, sheet.print_columns, sheet.widths = True, 12, {2: 22, 6: 58}
@@ -36,7 +36,7 @@ def checks_sheet(book: Book) -> Sheet:
         cell("checks_ok", summed.verdicts.count("OK")),
         cell("checks_all", len(checks)),
         cell("check_zero", ZERO),
-        cell("overall", summed.overall == "OK"),
+        cell("overall", "FAIL" not in summed.verdicts),
     )
     sheet.heading("Every check")
     every = sheet.table(
@@ -53,7 +53,6 @@ def checks_sheet(book: Book) -> Sheet:
     links = ((row, book.blocks[q.name]) for row, (_, q) in enumerate(checks, every.row))
     sheet.texts += [Text(row, FIRST, "", "link", own.sheet.title, own.at) for row, own in links]
     failing_table(sheet, "failing", "What fails", top)
-    return sheet
 
 
 def by_sheet(sheet: Sheet) -> None:
@@ -71,20 +70,19 @@ def by_sheet(sheet: Sheet) -> None:
 
 
 class Summary(NamedTuple):
-    """The sum of the checks of a book."""
+    """The checks of a book, in their order."""
 
     verdicts: list[str]
     sentences: list[str]
     so_far: list[int]  # of each check how many up to it do not hold
-    overall: str
 
 
 def summary(book: Book) -> Summary:
-    """Return the counts of the checks and their joint verdict."""
+    """Return the verdict of each check, its sentence, and how many fail up to it."""
     judged = [(q.value, book.blocks[f"{q.name}{SAYS}"].quantities[0].value) for _, q in book.checks]
     verdicts, sentences = [verdict for verdict, _ in judged], [sentence for _, sentence in judged]
     so_far = list(accumulate(int(verdict != "OK") for verdict in verdicts))
-    return Summary(verdicts, sentences, so_far, joint_verdict(verdicts))
+    return Summary(verdicts, sentences, so_far)
 
 
 def joint_verdict(verdicts: Sequence[str]) -> str:

@@ -74,8 +74,8 @@ SIX = 6  # variations of a template, unless its laws need more to have their tur
 MOST = 300  # turns after which a law that has not come never will
 
 
-def law_for(turn: int, names: Iterable[str]) -> str:
-    """Return the law whose turn it is: by their order, round and round."""
+def pick_in_turn(turn: int, names: Iterable[str]) -> str:
+    """Return the name (of a law, say) whose turn it is: by their order, round and round."""
     known = list(names)
     return known[turn % len(known)]
 

@@ -26,8 +26,8 @@ def finite(value: float) -> float | str:
     return value if math.isfinite(value) else "∞"
 
 
-def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> Sheet:
-    """Declare the sheet of a law, and return it."""
+def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces) -> None:
+    """Declare the sheet of a law."""
     cell = CELLS["pieces"]
     page, law, entered = named.page, named.law, named.entered
     title = sheet_title(named.called, [sheet.title for sheet in book.sheets])
@@ -75,7 +75,6 @@ def law_sheet(book: Book, named: NamedLaw, sizes: Sizes, stack: sampling.Pieces)
         sheet.heading("Table")
         samples(sheet, rise, entered.lift, sizes.law, stack, page.of_pieces or page.columns)
         page.detail(sheet, named, stack, sizes)
-    return sheet
 
 
 def entries(sheet: Sheet, named: NamedLaw) -> None:

@@ -11,8 +11,7 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.sentence import figure
 from workbook.fields.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws import family
-from workbook.laws.family import BRIEF, LawSheet
-from workbook.laws.page_tables import checks_in, parameters_in
+from workbook.laws.family import BRIEF, LawSheet, checks_in, parameters_in
 
 CELLS = cell_tables(__file__)
 

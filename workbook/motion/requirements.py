@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, Literal, get_args
+from typing import Any, Literal
 
 from engine.laws import Law
 from engine.laws.inverse import law_pieces
@@ -15,12 +15,6 @@ from workbook.laws.entries import Laws
 Smoothness = Literal["velocity", "acceleration", "jerk"]
 """what must be continuous: velocity; acceleration too; jerk too"""
 ABOUT = "what must not jump: velocity; acceleration too; jerk too"
-
-
-def smoothness_for(turn: int) -> str:
-    """Return the smoothness whose turn it is, by their order."""
-    words: tuple[str, ...] = get_args(Smoothness)
-    return words[turn % len(words)]
 
 
 @dataclass(frozen=True)

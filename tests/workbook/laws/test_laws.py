@@ -10,7 +10,7 @@ from engine.motion.handover import PULSES, early_of, end_mode
 from tests.laws import MOVING
 from tests.workbook.composed import composed
 from workbook.fields.types import Model
-from workbook.law_sheets.library import SIX, law_for, laws_in, variations
+from workbook.law_sheets.library import SIX, laws_in, pick_in_turn, variations
 from workbook.law_sheets.page import COEFFICIENTS
 from workbook.laws.entries import ENTRIES, Laws
 from workbook.laws.registry import CODES, FAMILY, PAGES
@@ -102,14 +102,16 @@ def named(entries):
 def test_a_template_with_one_law_at_a_time_gives_each_its_turn_however_many_there_are(count):
     machine = composed().model_copy(update={"laws": Laws({f"CUB{8 + i}": {"family": "CUB"} for i in range(count)})})
     names = machine.laws.names[1:]
-    made = variations(machine, lambda data, turn: {"axes": [{"phases": [{"law": law_for(turn + 4, data["laws"])}]}]})
+    made = variations(
+        machine, lambda data, turn: {"axes": [{"phases": [{"law": pick_in_turn(turn + 4, data["laws"])}]}]}
+    )
     assert len(made) == max(SIX, len(names))
     assert set().union(*(laws_in(one, names) for one in made)) == set(names)
 
 
 def test_a_law_that_a_template_never_takes_is_named():
     def without_cubic(data, turn):
-        return {"axes": {"law": law_for(turn, [name for name in data["laws"] if name != "CUB"])}}
+        return {"axes": {"law": pick_in_turn(turn, [name for name in data["laws"] if name != "CUB"])}}
 
     with pytest.raises(LookupError, match=r"machine ever has the law CUB$"):
         variations(composed(), without_cubic)

@@ -12,7 +12,7 @@ from workbook.book.sentence import figure
 from workbook.fields.types import SUM_TOLERANCE, DesignError, Share
 from workbook.laws import family, seven_stages
 from workbook.laws.edged import edged, stages_in
-from workbook.laws.page_tables import checks_in, parameters_in, variations_in
+from workbook.laws.family import checks_in, parameters_in, variations_in
 
 CELLS = cell_tables(__file__)
 

@@ -20,9 +20,8 @@ from workbook.book.sentence import amount, figure
 from workbook.fields.texts import Text
 from workbook.fields.types import SMALLEST, SUM_TOLERANCE, DesignError, EntryError, Model, NotNegative, Number, Positive
 from workbook.laws import sampling
-from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page
+from workbook.laws.family import BEHIND, ENTRIES, LABELS, LawSheet, Page, coefficients_in
 from workbook.laws.own import OWN_ENTRIES, extremes, missing, points_table
-from workbook.laws.page_tables import coefficients_in
 
 CELLS = cell_tables(__file__)
 

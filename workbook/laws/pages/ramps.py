@@ -11,8 +11,7 @@ from workbook.book.sentence import figure
 from workbook.fields.types import DesignError
 from workbook.laws import family, seven_stages
 from workbook.laws.edged import edged, stages_in
-from workbook.laws.family import LawSheet, Page
-from workbook.laws.page_tables import checks_in, coefficients_in, parameters_in, pieces_in, variations_in
+from workbook.laws.family import LawSheet, Page, checks_in, coefficients_in, parameters_in, pieces_in, variations_in
 
 CELLS = cell_tables(__file__)
 

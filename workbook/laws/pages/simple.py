@@ -5,8 +5,18 @@ from engine.laws.polynomials import Cubic, Polynomial345, Polynomial4567
 from engine.laws.simple import ConstantAcceleration, Cycloidal, DoubleHarmonic, SimpleHarmonic, StraightLine
 from workbook.book.cell_tables import cell_tables
 from workbook.laws.edged import FLAT, HALF_SINE, LINE_IN, SINE_IN, Stage, edged
-from workbook.laws.family import COEFFICIENTS, POLYNOMIAL, REVERSAL, SHARED, Page, PieceRow, Reversal, parameters_of
-from workbook.laws.page_tables import coefficients_in, pieces_in
+from workbook.laws.family import (
+    COEFFICIENTS,
+    POLYNOMIAL,
+    REVERSAL,
+    SHARED,
+    Page,
+    PieceRow,
+    Reversal,
+    coefficients_in,
+    parameters_of,
+    pieces_in,
+)
 
 CELLS = cell_tables(__file__)
 

@@ -14,8 +14,7 @@ from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.book.sentence import CheckSentence, figure, sentence_formula
 from workbook.fields.types import DesignError, Model, Number, Share
-from workbook.laws.family import BEHIND, ENTRIES, LawCheck, LawSheet, Page
-from workbook.laws.page_tables import coefficients_in
+from workbook.laws.family import BEHIND, ENTRIES, LawCheck, LawSheet, Page, coefficients_in
 
 CELLS = cell_tables(__file__)
 
@@ -128,9 +127,8 @@ class SplinePage(Page):
 
     def verdicts(self, named: Any, sizes: Any) -> list[Quantity]:
         """Return the checks of the points, and that of the law's end."""
-        cell = CELLS["verdicts"]
         says = CheckSentence('"s(1) = "&ROUND([@samples.s.last],9)', "s(1) = 1")
-        end = cell("@ends", True, named=named, says=says)
+        end = CELLS["verdicts"]("@ends", True, named=named, says=says)
         return [*super().verdicts(named, sizes)[:-1], end]
 
 

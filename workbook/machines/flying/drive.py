@@ -105,9 +105,8 @@ def in_use(sheet: Sheet, view: ToolDrive) -> None:
     fastest, strongest, lasting = view.limits
 
     def row(kind: str, column: str, place: int) -> Quantity:
-        cell = CELLS["row"]
         listed = f"SUMPRODUCT(([{kind}s.name]=@{kind}_name)*[sel_{kind}s.k])"
-        return cell("@{kind}_row", place, kind=kind, product=kind.capitalize(), column=column, listed=listed)
+        return CELLS["row"]("@{kind}_row", place, kind=kind, product=kind.capitalize(), column=column, listed=listed)
 
     sheet.heading("Motor and reducer in use")
     sheet.rows(

@@ -37,7 +37,8 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
     cell = CELLS["fastest"]
     peaks = [0.0 if isinstance(law.law, Dwell) else fastest(law.law) for law in laws]
     sheet = book.sheet("Cutter", "The tool works at line speed, and makes up for the product's length in between.")
-    entries(sheet, machine)
+    sheet.heading("Enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft.")
+    place_by_kind(sheet, machine, OF_KIND, [*entry_cells(machine.given, "cutter", ["lengths"])], BELOW_PRINT)
     sheet.heading("Results")
     cycle(sheet, machine)
     kinematics(sheet, machine, stroke)
@@ -57,12 +58,6 @@ def cutter_sheet(book: Book, machine: CutterView, joints: Joints, stroke: float,
         cell("at", peaks, fastest=[law.own(law.page.fastest) for law in laws]),
     )
     sheet.print_columns, sheet.widths = 16, {FIRST: 37}
-
-
-def entries(sheet: Sheet, machine: CutterView) -> None:
-    """Declare what the engineer enters."""
-    sheet.heading("Enter", "Product and line, the kind of machine with its own entries, load and limits of its shaft.")
-    place_by_kind(sheet, machine, OF_KIND, [*entry_cells(machine.given, "cutter", ["lengths"])], BELOW_PRINT)
 
 
 def place_by_kind(

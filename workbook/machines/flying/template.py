@@ -110,7 +110,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     k = turn % library.SIX
     entries = data["cutter"]
     library.vary_laws(data["laws"], k, library.factors(k), data["sizes"]["pieces"])
-    law = library.law_for(turn + 4, library.single_humped(data["laws"]))
+    law = library.pick_in_turn(turn + 4, library.single_humped(data["laws"]))
     if law in library.own_in(data["laws"]):
         data["laws"][law]["pieces"] = library.RISING
     vary(entries, CutterEntry, k)

@@ -7,7 +7,7 @@ from workbook.book.declare import Book
 from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.law_sheets.book_laws import BookLaws
-from workbook.law_sheets.library import SIX, factors, law_for, vary_laws, varying
+from workbook.law_sheets.library import SIX, factors, pick_in_turn, vary_laws, varying
 from workbook.laws.registry import CODES, FAMILY
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 from workbook.machines.laws.sheet import comparison_sheet, names_sheet
@@ -46,7 +46,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     vary_laws(data["laws"], k, factors(k), data["sizes"]["pieces"])
     count = (MOST_CURVES, 1, 3, MOST_CURVES, 2, MOST_CURVES)[k]
     names = ["DWL", *data["laws"]]
-    data["comparison"]["curves"] = [{"law": law_for(MOST_CURVES * turn + i, names)} for i in range(count)]
+    data["comparison"]["curves"] = [{"law": pick_in_turn(MOST_CURVES * turn + i, names)} for i in range(count)]
     return data
 
 

@@ -7,7 +7,7 @@ from pydantic import Field, WrapValidator, model_validator
 
 from workbook.entries.abscissa import ANGLE, Abscissa
 from workbook.entries.machine import Exporting
-from workbook.entries.phase import TURN, AxisPhase, require_straight
+from workbook.entries.phase import TURN, AxisPhase
 from workbook.fields.paths import join, spread
 from workbook.fields.texts import Text, place_of, require_distinct
 from workbook.fields.types import (
@@ -31,6 +31,7 @@ from workbook.selection.entries import UNCHOSEN, Limits, OwnLimits, SelectionSiz
 MOST_AXES = 24
 Unit = Literal["mm", "°"]
 Closes = Literal["position", "feed", "open"]
+NO_LINE = 'a velocity or acceleration is entered; expected a straight line among the laws: [laws.LIN] family = "LIN"'
 NO_TIME = "a cycle in {} does not tell how time passes, which a drive needs; expected none, or a cycle in s"
 OPEN_DRIVE = "is open, so its cycle does not follow upon itself; expected position or feed of an axis with a drive"
 
@@ -145,7 +146,9 @@ class AnyMachine(Exporting):
         require_room(self.selection, self.sizes)
         self._require_axis_to_choose()
         self._require_rows()
-        require_straight(self.laws, {f"axes.{i}.phases": axis.phases for i, axis in enumerate(self.axes)})
+        passing = [(i, k) for i, axis in enumerate(self.axes) for k, phase in enumerate(axis.phases) if phase.passes]
+        for i, k in passing if not self.laws.of("LIN") else ():
+            raise EntryError(f"axes.{i}.phases.{k}", NO_LINE)
         self._require_pieces()
         return self
 

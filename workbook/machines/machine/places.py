@@ -1,11 +1,12 @@
 """Places of a cycle (phases, process forces, times of switches): their faults, and their conversion to degrees."""
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from workbook.book.sentence import figure
 from workbook.entries.abscissa import Abscissa, length_abscissa
-from workbook.entries.phase import TURN, AxisPhase, filling, forward
+from workbook.entries.phase import TURN, AxisPhase
 from workbook.fields.types import ANGLE_TOLERANCE, DesignError, Model
 from workbook.fields.units import shown, si
 from workbook.machines.machine.entries_beside import KEYS, UNUSED, SwitchEntry
@@ -47,11 +48,30 @@ def places_beyond_turn(machine: "AnyMachine") -> Iterator[DesignError]:
 def axis_faults(axis: "Axis", over: Abscissa) -> list[DesignError]:
     """Return the faults of an axis' phases, their order first, and of its process forces."""
     phases, windows = axis.phases, axis.load.windows
-    wrong = [*forward(axis.name, phases, over.after, over.length), *following(axis.name, phases, over)]
+    wrong = [*forward(axis.name, phases, over), *following(axis.name, phases, over)]
     beyond = within(f"{axis.name} row", phases, over, "phases", filling(phases, over.length))
     inside = [window.model_dump() | {end: min(getattr(window, end), over.length) for end in KEYS} for window in windows]
     forces = within(f"{axis.name} process force", windows, over, "load.windows", inside)
     return [*(wrong or beyond), *forces]
+
+
+def forward(name: str, phases: Sequence[AxisPhase], over: Abscissa) -> Iterator[DesignError]:
+    """Yield the first phase of an axis that runs backwards, or does not last."""
+    for row, phase in enumerate(phases, 1):
+        if phase.stop <= phase.start:
+            stop, short = (f"{figure(x)}{over.after}" for x in (phase.stop, phase.start - phase.stop))
+            message = f"{name} row {row} ends at {stop}, {short} before it begins"
+            yield DesignError("phases", message, filling(phases, over.length))
+            return
+
+
+def filling(phases: Sequence[AxisPhase], length: float) -> list[dict[str, Any]]:
+    """Return the phases, evenly spread over a cycle of a length."""
+    step = length / len(phases)
+    ends = pairwise([*(i * step for i in range(len(phases))), length])
+    return [
+        phase.model_dump() | {"start": start, "stop": stop} for phase, (start, stop) in zip(phases, ends, strict=True)
+    ]
 
 
 def following(name: str, phases: Sequence[AxisPhase], over: Abscissa) -> Iterator[DesignError]:

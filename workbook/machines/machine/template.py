@@ -159,7 +159,6 @@ LAW = f'=IF({OTHERS},"{SEVERAL}",IF({LAST}={DWELL},"{NO_DRIVE}",INDEX(law_code,{
 
 def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> None:
     """Declare the law of all movements of an axis, and whether the checks of its phases and its drive hold."""
-    cell = CELLS["judge_axes"]
     block = book.blocks["axes_short"]
     texts, checks, of_phases = [], [], []
     for axis in axes:
@@ -174,7 +173,7 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
         "",
         max(block.columns.values()) + 1,
         group_verdict_column(book, "axes_judged", "its checks", checks),
-        cell("law", texts, formula=[LAW.format(axis.number) for axis in axes]),
+        CELLS["judge_axes"]("law", texts, formula=[LAW.format(axis.number) for axis in axes]),
     )
     for axis, places in zip(axes, of_phases, strict=True):
         phases = book.blocks[f"axis{axis.number}"]

@@ -1,12 +1,12 @@
 """Other inputs at which ``verify`` evaluates a machine's book: every law, axis by axis, rests of every kind, shifts."""
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, get_args
 
 from engine.selection.pair_matrix import RANKS
 from workbook.entries.facts import vary
 from workbook.entries.phase import AxisPhase
-from workbook.law_sheets.library import SIX, factors, law_for, page_of, passing, variations, vary_laws
+from workbook.law_sheets.library import SIX, factors, page_of, passing, pick_in_turn, variations, vary_laws
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
@@ -14,7 +14,7 @@ from workbook.machines.machine.entries import AnyMachine, MachineSizes, rests
 from workbook.machines.machine.entries_beside import TIMES, ClearanceEntry, HardStops, Vibration
 from workbook.machines.machine.mechanism import MECHANISMS, SLIDING
 from workbook.machines.machine.places import to_units
-from workbook.motion.requirements import dwells_for_room, smoothness_for
+from workbook.motion.requirements import Smoothness, dwells_for_room
 from workbook.selection.entries import Limits, OwnLimits
 
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
@@ -58,7 +58,7 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         room = MachineSizes(**sizes).pieces_of(i + 1) - resting - cuts
         axis |= {
             "closes": "feed" if (i + k) % 2 else "position",
-            "smoothness": smoothness_for(turn + i),
+            "smoothness": pick_in_turn(turn + i, get_args(Smoothness)),
             "shift": SHIFTS[(i + k) % SIX],
             "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
             "phases": dwells_for_room(rows, laws, room),
@@ -197,7 +197,7 @@ def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[st
         if rest and i and (axis + k) % 2:
             continue
         lift = 0.0 if rest else (40.0 + 11 * axis + 3 * i) * (-1) ** (i + k)
-        law = "DWL" if rest else law_for(axis + turn + i, laws)
+        law = "DWL" if rest else pick_in_turn(axis + turn + i, laws)
         stop = edges[i + 1] - (3.7 if (i + k) % 3 == 1 else 0.0)
         rows.append({"start": edges[i], "stop": stop, "lift": lift, "law": law})
     return rows

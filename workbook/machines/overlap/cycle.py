@@ -97,10 +97,9 @@ def rows_of(at: Cells, parts: Sequence[ScaledLaw], pieces: Pieces) -> PieceRows:
 
 def transfer_columns(machine: OverlapView, theta: Array, pieces: Pieces) -> list[Quantity]:
     """Return the travel of the transfer and its workings."""
-    cell = CELLS["transfer_columns"]
     angle, rows = si(theta, DEGREE), rows_of(TRANSFER, machine.transfer.parts, pieces)
     return [
-        cell(
+        CELLS["transfer_columns"](
             "yt",
             shown(machine.transfer.travel(angle), MM),
             sampled=at_sample(rows, 0, "t"),

@@ -44,13 +44,12 @@ class States:
 
 def picture_sheet(book: Book, machine: OverlapView, pieces: sampling.Pieces) -> None:
     """Declare the sheet."""
-    cell = CELLS["picture_sheet"]
     sheet = book.sheet(
         "Picture", "All parts at one angle of the master shaft: change the angle and both pictures move."
     )
     sheet.one_page = True
     sheet.heading("Enter")
-    sheet.rows(cell("overlap_view", machine.given.view))
+    sheet.rows(CELLS["picture_sheet"]("overlap_view", machine.given.view))
     states = States(machine, pieces)
     outcome(sheet, machine, states)
     sheet.not_printed_below()

@@ -110,10 +110,12 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     library.vary_laws(data["laws"], k, library.factors(k), data["sizes"]["pieces"])
     vary(entries, OverlapEntry, k)
     entries["view"] = (97.0, 0.0, 133.5, 140.0, 360.0, 41.0)[k]
-    entries["transfer"]["law"] = library.law_for(turn, data["laws"])
+    entries["transfer"]["law"] = library.pick_in_turn(turn, data["laws"])
     for i, entered in enumerate(entries["tools"]):
         vary(entered, ToolEntry, turn + i)
-        entered |= {f"law_{way}": library.law_for(turn + 2 * i + n, data["laws"]) for way, n in (("in", 2), ("out", 5))}
+        entered |= {
+            f"law_{way}": library.pick_in_turn(turn + 2 * i + n, data["laws"]) for way, n in (("in", 2), ("out", 5))
+        }
     codes = [entries["transfer"]["law"], *(tool[law] for tool in entries["tools"] for law in ("law_in", "law_out"))]
     for name in set(library.own_in(data["laws"])) & set(codes):
         data["laws"][name]["pieces"] = library.RISING
@@ -202,8 +204,7 @@ def sums(sheet: Sheet, machine: OverlapView) -> None:
 
 def rising() -> Quantity:
     """Return the check of the only law that may move backwards: the engineer's own."""
-    cell = CELLS["rising"]
-    return cell("overlap_ok_rises", True, backwards=BACKWARDS)
+    return CELLS["rising"]("overlap_ok_rises", True, backwards=BACKWARDS)
 
 
 def workings(machine: OverlapView) -> tuple[Quantity, ...]:

@@ -43,7 +43,7 @@ def declare(
 ) -> None:
     """Declare a tool: charts from the row ``beside``, tables from ``below``; ``shared`` are checks of all tools."""
     with sheet.scoped(station.scope):
-        entries(sheet, station)
+        sheet.rows(*entry_cells(station.given, station.key))
         outcome(sheet, station)
         sheet.checks(*shared)
         charts(sheet, beside)
@@ -55,11 +55,6 @@ def declare(
         sheet.rows(*workings)
         steps(sheet, station)
         corners_table(sheet, station, pieces)
-
-
-def entries(sheet: Sheet, station: Station) -> None:
-    """Declare what the engineer enters."""
-    sheet.rows(*entry_cells(station.given, station.key))
 
 
 def outcome(sheet: Sheet, station: Station) -> None:

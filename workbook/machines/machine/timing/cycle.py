@@ -56,7 +56,6 @@ def cycle_sheet(book: Book, machine: MachineView, tables: AxisTables, floor: int
 
 def results(tables: AxisTables) -> list[Quantity]:
     """Return the motion of an axis in time, or by the abscissa whose length is entered alone."""
-    cell = CELLS["results"]
     axis, unit, over = tables.axis, tables.axis.given.unit, tables.machine.over
     timed = axis.motion.at_speed(axis.unshifted(tables.machine.samples).x, axis.speed)
     y, lift = at_sample(tables.pieces, 0), over.lift(unit).shown
@@ -70,7 +69,7 @@ def results(tables: AxisTables) -> list[Quantity]:
         return table(name, axis.rate(timed[order]), sampled=place, scale=axis.size(order), **own)
 
     return [
-        cell("y", position, unit=unit, either=either, source=POSITION),
+        CELLS["results"]("y", position, unit=unit, either=either, source=POSITION),
         rate("v", 1, "y' ω"),
         rate("a", 2, "y'' ω²"),
         rate("j", 3, "y''' ω³, between jumps"),

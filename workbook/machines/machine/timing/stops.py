@@ -87,7 +87,6 @@ def stop_cell(stop: HardStop) -> Quantity:
 
 def stop_check(stop: HardStop) -> Quantity:
     """Return the check that an axis, its overshoot included, does not go beyond a stop."""
-    cell = CELLS["stop_check"]
     i, unit, called, entered = stop.axis.number, stop.axis.given.unit, CALLED[stop.end], stop.name
     reached, travel, lift = f"[axes.{stop.end}.{i}]", f"[axes.travel.{i}]", f"[axes_taken.lift.{i}]"
     beyond, onwards = (f"{entered}-{reached}", f"0-{travel}") if stop.end == "low" else (f"{reached}-{entered}", travel)
@@ -98,4 +97,4 @@ def stop_check(stop: HardStop) -> Quantity:
     stays = f'OR([axes.closes.{i}]<>"feed",{onwards}<=check_zero*{lift})'
     parts = {"entered": entered, "i": i, "called": called, "stays": stays, "beyond": beyond, "lift": lift}
     is_kept = stop.outwards * stop.reached <= stop.outwards * stop.position + stop.tolerance
-    return cell("{entered}_kept", is_kept, says=says, **parts)
+    return CELLS["stop_check"]("{entered}_kept", is_kept, says=says, **parts)
