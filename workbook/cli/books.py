@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 import typer
 from typer import Argument, Option
 
-from workbook import __version__
+from workbook import __version__, commands
 from workbook.controllers.registry import TARGETS
 from workbook.errors import AGREES
 from workbook.witnesses.registry import ALL, WITNESSES
@@ -85,9 +85,7 @@ def new(
     force: Force = False,
 ) -> None:
     """Write a description with every key explained, to be changed and built; its schema beside it."""
-    from workbook.commands import make
-
-    make.new(template, output, force)
+    commands.make.new(template, output, force)
 
 
 @app.command("new-template")
@@ -96,9 +94,7 @@ def new_template(
     output: Path | None = to("FOLDER", "The folder to make; else motionbook-NAME, here."),
 ) -> None:
     """Write a package with a template of your own, to be changed: it installs, builds, verifies and tests itself."""
-    from workbook.commands import make
-
-    make.new_template(name, output)
+    commands.make.new_template(name, output)
 
 
 @app.command()
@@ -108,9 +104,7 @@ def schema(
     force: Force = False,
 ) -> None:
     """Write the JSON Schema of descriptions, from which an editor completes their keys."""
-    from workbook.commands import make
-
-    make.schema(template, output, force)
+    commands.make.schema(template, output, force)
 
 
 MACHINE = "Machine description; the cutting machine when none is named."
@@ -132,9 +126,7 @@ def build(
     What of its numbers does not do, or is missing, is built too: its checks FAIL, and are named here. Exit code 3 then,
     0 where all hold.
     """
-    from workbook.commands import make
-
-    raise typer.Exit(make.build(machine, output, motors, reducers, force, keep))
+    raise typer.Exit(commands.make.build(machine, output, motors, reducers, force, keep))
 
 
 PLACES = "Workbooks built by motionbook, or folders of them."
@@ -174,15 +166,11 @@ def verify(
     if in_place and not stamp:
         raise typer.BadParameter("--in-place says where the stamp goes; expected --stamp with it")
     if against is not None:
-        from workbook.commands import oracle as command
-
         if len(books) != 1:
             raise typer.BadParameter(f"--against takes one workbook; {len(books)} are named")
-        raise typer.Exit(command.against(books[0], against, cases, cover, marked, as_json, force, witnesses))
-    from workbook.commands.verify import verify as run
-
+        raise typer.Exit(commands.oracle.against(books[0], against, cases, cover, marked, as_json, force, witnesses))
     more = everything, scheduler, stamp, in_place
-    raise typer.Exit(run(books, as_json, report, junit, sarif, force, witnesses, jobs, *more))
+    raise typer.Exit(commands.verify.verify(books, as_json, report, junit, sarif, force, witnesses, jobs, *more))
 
 
 @app.command()
@@ -192,9 +180,7 @@ def inputs(
     force: Force = False,
 ) -> None:
     """Read what was entered into a workbook, as a machine description."""
-    from workbook.commands import make
-
-    make.inputs(book, output, force)
+    commands.make.inputs(book, output, force)
 
 
 @app.command()
@@ -205,9 +191,7 @@ def regenerate(
 
     Exit code 3 where its checks FAIL, as of build.
     """
-    from workbook.commands import make
-
-    raise typer.Exit(make.regenerate(book, output, force))
+    raise typer.Exit(commands.make.regenerate(book, output, force))
 
 
 @app.command()
@@ -223,14 +207,10 @@ def diff(
 
     Exit code 0: nothing differs. 1: something does. 2: one of them cannot be read.
     """
-    from workbook.commands import oracle as command
-
-    raise typer.Exit(command.diff(old, new, as_json, html, force, everything))
+    raise typer.Exit(commands.oracle.diff(old, new, as_json, html, force, everything))
 
 
 @app.command()
 def templates(check: bool = flag("--check", "Write nothing; fail if a template is stale.")) -> None:
     """Generate the workbooks in templates/ from the machine descriptions beside them."""
-    from workbook.commands import make
-
-    raise typer.Exit(make.templates(check))
+    raise typer.Exit(commands.make.templates(check))

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 import typer
 from typer import Argument, Option
 
+from workbook import commands
 from workbook.cli.books import (
     PLACES,
     Book,
@@ -62,10 +63,12 @@ def export(
 
     Exit code 0: written. 1: the book disagrees, its design is unfinished, or a tolerance is not kept. 2: it cannot be.
     """
-    from workbook.commands import export as exporting
-
-    asked = exporting.parse_options(to_target, points, tolerance or (), separator, decimal, unverified, equidistant, of)
-    raise typer.Exit(exporting.export(book, axis, asked, output, everything, force, as_json, report, switches, fresh))
+    asked = commands.export.parse_options(
+        to_target, points, tolerance or (), separator, decimal, unverified, equidistant, of
+    )
+    raise typer.Exit(
+        commands.export.export(book, axis, asked, output, everything, force, as_json, report, switches, fresh)
+    )
 
 
 @app.command()
@@ -84,12 +87,10 @@ def read(
     (0.01 % of the reach unless told otherwise). A turn of a shaft that begins on the way is written as an axis
     with a shift. Build, verify and export what is written: the way back is closed.
     """
-    from workbook.commands import cams
-
     if switches:
-        cams.read_switches(file, source, output)
+        commands.cams.read_switches(file, source, output)
     else:
-        cams.read(file, source, output, force, tolerance)
+        commands.cams.read(file, source, output, force, tolerance)
 
 
 @app.command()
@@ -109,9 +110,9 @@ def compare(
 
     Exit code 0: within the tolerance over the whole cycle. 1: beyond it, or the book disagrees. 2: it cannot be read.
     """
-    from workbook.commands import cams
-
-    raise typer.Exit(cams.compare(book, file, axis, source, tolerance or (), unverified, as_json, switches, of, fresh))
+    raise typer.Exit(
+        commands.cams.compare(book, file, axis, source, tolerance or (), unverified, as_json, switches, of, fresh)
+    )
 
 
 @app.command()
@@ -135,13 +136,11 @@ def study(
 
     Exit code 0: there are feasible designs. 1: a design's book disagrees. 2: it cannot be done. 3: none is feasible.
     """
-    from workbook.commands import study as studying
-
     if results is not None:
-        raise typer.Exit(studying.listing(results))
+        raise typer.Exit(commands.study.listing(results))
     if path is None:
         raise typer.BadParameter("expected STUDY.toml, or --results BASE")
-    raise typer.Exit(studying.study(path, output, scheduler, jobs, resume, pick, unverified, force))
+    raise typer.Exit(commands.study.study(path, output, scheduler, jobs, resume, pick, unverified, force))
 
 
 @app.command()
@@ -176,16 +175,14 @@ def improve(
     Exit code 0: done. 2: it cannot be done. 3: a check of what was written fails; with --freeze and nothing written, a
     law would gain.
     """
-    from workbook.commands import improve as improving
-
     if freeze and sheet is not None:
         raise typer.BadParameter("--freeze prints no gains for a sheet; expected --sheet without it")
     if freeze:
-        raise typer.Exit(improving.freeze(machine, output, force))
+        raise typer.Exit(commands.improve.freeze(machine, output, force))
     if aim != "vibration" and frequency > 0.0:
         raise typer.BadParameter("expected --frequency with --for vibration alone")
     asked = aim, frequency, damping
-    raise typer.Exit(improving.improve(machine, output, change, asked, axis, (jobs, scheduler), force, sheet))
+    raise typer.Exit(commands.improve.improve(machine, output, change, asked, axis, (jobs, scheduler), force, sheet))
 
 
 @app.command()
@@ -237,9 +234,7 @@ def oracle(
     proposed: bool = flag("--proposed", "Translate formulas to Python, each marked as a proposal."),
 ) -> None:
     """Write a first file of declarations for any workbook, for `motionbook verify BOOK --against FILE.py`."""
-    from workbook.commands import oracle as command
-
-    command.write_draft(book, output, force, proposed)
+    commands.oracle.write_draft(book, output, force, proposed)
 
 
 @app.command()
@@ -255,9 +250,7 @@ def audit(
     Nothing is evaluated, and no workbook is written to. Exit code 0: nothing found. 1: findings. 2: a book cannot
     be read.
     """
-    from workbook.commands import audit as command
-
-    raise typer.Exit(command.audit(books, as_json, sarif, force, everything))
+    raise typer.Exit(commands.audit.audit(books, as_json, sarif, force, everything))
 
 
 @app.command()
