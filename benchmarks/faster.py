@@ -8,7 +8,6 @@ import tempfile
 from pathlib import Path
 
 from workbook.build import build
-from workbook.commands.improve import is_roomy
 from workbook.description.editing import edit_text
 from workbook.judging.verify import verify
 from workbook.pool import THIS_PROCESS
@@ -37,7 +36,7 @@ def main(names: list[str]) -> None:
     with tempfile.TemporaryDirectory() as folder:
         for name in names or NAMES:
             path = TEMPLATES["machine"].description.with_name(f"{name}.toml")
-            best = {"": first_design(read_machine(path), is_roomy(path))}
+            best = {"": first_design(read_machine(path))}
             for stage, (_, kinds, begin) in TRIED.items():
                 best[stage] = best[begin]
                 for other in better(best[begin], kinds, THIS_PROCESS, lambda *_: None):

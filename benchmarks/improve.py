@@ -83,7 +83,7 @@ def main() -> None:
         measure(f"a law of degree {degree}", lambda degree=degree: Splines(degree).shape(bolt_torque, LIFT, TIME))
         evolve_law(degree)
     measure("a law of eight pieces of degree 5", lambda: Splines(5, pieces=8).shape(bolt_torque, LIFT, TIME))
-    design = first_design(read_machine(CUTTING), True)
+    design = first_design(read_machine(CUTTING))
     measure("what limits the cutting machine", lambda: obstacles(design))
     measure("its single changes", lambda: [*single_gains(design, THIS_PROCESS, lambda *_: None)])
     for words, kinds, _ in STAGES.values():

@@ -13,7 +13,7 @@ from workbook.fields.paths import spell
 from workbook.fields.units import PER_MINUTE, shown
 from workbook.improving import AIMS, AimName
 from workbook.pool import Pool
-from workbook.reading.descriptions import parse_toml, read_machine
+from workbook.reading.descriptions import read_machine
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.reports.terminal import shown as escaped
 from workbook.studies.design import RATE, Design, first_design
@@ -63,7 +63,7 @@ def improve(
             status.update(escaped(f"Trying {count} of {total}: {words}"))
 
         machine, lines = read_machine(path), list[str]()
-        design = first_design(machine, is_roomy(path), aim, axis)
+        design = first_design(machine, aim, axis)
         show_limits(design, lines)
         show_fit(design, lines)
         for line in design.improving.crossings(machine):
@@ -76,18 +76,13 @@ def improve(
     return AGREES if output is None else write_best(path, best, output, force)
 
 
-def is_roomy(path: Path) -> bool:
-    """Return whether a description says how many pieces of a motion there is room for."""
-    return "motion_pieces" in parse_toml(read_text(path, DESCRIPTION), path).get("sizes", {})
-
-
 def freeze(path: Path, output: Path | None, force: bool) -> int:
     """Shape the laws anew that are shaped for their drives; print what that gains; return the exit code."""
     refuse_itself(output, path)
     if output is not None:
         refuse_existing(output, force)
     with ERR.status("Shaping laws for their drives …"):
-        laws = [*reshaped_laws(first_design(read_machine(path), is_roomy(path), AIMS["acceleration"]))]
+        laws = [*reshaped_laws(first_design(read_machine(path), AIMS["acceleration"]))]
     for _, words, gain in laws:
         say(OUT, f"{words}, {gain or 'still fits'}")
     if not laws:

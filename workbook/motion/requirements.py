@@ -82,7 +82,9 @@ def settle_room(machine: Machine, needed: Sequence[int], rest: int, at_once: int
     if min(rooms) < least:
         raise EntryError("sizes.motion_pieces", f"{min(rooms)} pieces are too few; expected at least {least}")
     if stated is None:
-        object.__setattr__(machine, "sizes", machine.sizes.model_copy(update={"motion_pieces": rooms}))
+        sizes = machine.sizes.model_copy(update={"motion_pieces": rooms})
+        sizes.model_fields_set.discard("motion_pieces")  # a machine with other entries settles it anew
+        object.__setattr__(machine, "sizes", sizes)
 
 
 def dwells_for_room(phases: list[dict[str, Any]], given: dict[str, Any], room: int) -> list[dict[str, Any]]:

@@ -11,10 +11,10 @@ from engine.drive.limits import LimitChecks
 from engine.drive.rate_range import RateLimit, at_points, highest_rate
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
-from workbook.fields.paths import Place, get, table
+from workbook.fields.paths import Place, get
 from workbook.fields.units import PER_MINUTE, shown, si
 from workbook.improving import AIMS, Aim, Change
-from workbook.studies.plan import changed_machine
+from workbook.studies.plan import as_description, changed_machine
 from workbook.templates import TEMPLATES
 
 RATE = ("master", "rate")
@@ -145,16 +145,14 @@ class Design:
         return highest_rate(self.limits(axis))
 
 
-def first_design(machine: Machine, is_roomy: bool, aim: Aim = AIMS["rate"], axis: str = "") -> Design:
+def first_design(machine: Machine, aim: Aim = AIMS["rate"], axis: str = "") -> Design:
     """Return the design to begin with; raise InputError where no drive limits its rate.
 
-    Unless ``is_roomy``, the description says nothing of the room for pieces of a motion, and there is what it needs. An
-    ``aim`` beside the rate is that of an ``axis``, by default that which has most of it.
+    An ``aim`` beside the rate is that of an ``axis``, by default that which has most of it.
     """
     for fault in machine.design.faults:
         raise InputError([f"{fault.key}: {fault.message}; improve expects a finished design"])
-    sizes = {} if is_roomy else {"sizes": machine.sizes.model_dump(exclude={"motion_pieces"})}
-    design = Design(machine, table(machine) | sizes, machine, {}, {}, aim, {})
+    design = Design(machine, as_description(machine), machine, {}, {}, aim, {})
     improving = design.improving
     for sentence in (name for name in design.breaks() if name.startswith("timing.")):
         raise InputError([sentence])

@@ -44,7 +44,6 @@ class Plan:
     study: Study
     base: Machine
     space: Space
-    roomy: bool  # whether the base says how many pieces of a motion there is room for
     links: tuple[Link, ...] = ()
 
     @property
@@ -60,9 +59,8 @@ class Plan:
 
     @cached_property
     def data(self) -> dict[str, Any]:
-        """The base as a description, all below its first level as it is."""
-        sizes = {} if self.roomy else {"sizes": self.base.sizes.model_dump(exclude={"motion_pieces"})}
-        return table(self.base) | sizes
+        """The base as a description."""
+        return as_description(self.base)
 
     def changes(self, chosen: dict[Dimension, Any]) -> dict[Place, Any]:
         """Return the entries that these values change, by their paths."""
@@ -85,6 +83,11 @@ class Plan:
     def machine(self, chosen: dict[Dimension, Any]) -> Machine | str:
         """Return the machine with these values, or why there is none such."""
         return changed_machine(self.base, self.data, self.changes(chosen))
+
+
+def as_description(machine: Machine) -> dict[str, Any]:
+    """Return a machine as a description, all below its first level as it is, of its sizes those that were stated."""
+    return table(machine) | {"sizes": machine.sizes.model_dump(exclude_unset=True)}
 
 
 def changed_machine(base: Machine, data: dict[str, Any], changes: Mapping[Place, Any]) -> Machine | str:
@@ -161,9 +164,8 @@ def make_plan(study: Study, base: Path, where: str) -> Plan:
     machine = read_machine(base)
     for fault in machine.design.faults:
         raise InputError([f"{base}: {fault.key}: {fault.message}; a study expects a finished design"])
-    roomy = "motion_pieces" in parse_toml(read_text(base, "a machine description, a .toml file"), base).get("sizes", {})
     links = make_links(machine, study.links, where)
-    draft = Plan(study, machine, Space((), study.way), roomy, links)
+    draft = Plan(study, machine, Space((), study.way), links)
     dimensions = [make_dimension(draft, vary, f"{where}: vary {i}") for i, vary in enumerate(study.vary, 1)]
     space = arrange(dimensions, study.way)
     varied = [path for dimension in space.dimensions for path in dimension.paths]
@@ -177,7 +179,7 @@ def make_plan(study: Study, base: Path, where: str) -> Plan:
     if study.way.kind == "full" and space.size > MOST_IN_FULL:
         problem = f"{where}: {space.size:,} designs in full; expected at most {MOST_IN_FULL:,}"
         raise InputError([f'{problem}: take fewer steps, or way.kind = "sobol" with way.designs'])
-    return Plan(study, machine, space, roomy, links)
+    return Plan(study, machine, space, links)
 
 
 def make_dimension(plan: Plan, vary: Vary, where: str) -> Dimension:

@@ -131,12 +131,12 @@ def test_studies_and_improve_know_it():
     assert found.named["vib1_left"]() == pytest.approx(expected)
     assert found.named["vib1_settles"]().tolist() == ["OK", "OK"]
     alike = swinging(LOAD, (30, 90, 20.0, "MTP"), (180, 240, -20.0, "MTP"))
-    design = first_design(alike, False, AIMS["vibration"])
+    design = first_design(alike, AIMS["vibration"])
     assert design.cost == pytest.approx(swings_of(axes_of(alike))[0].exact.max())
     gains = [gain for gain in single_gains(design, THIS_PROCESS, lambda *_: None) if "phase 1" in gain.words]
     assert gains  # though the other of both moves that leave alike stays
     with pytest.raises(InputError, match="expected --frequency of a load"):
-        first_design(swinging(None), False, AIMS["vibration"])
+        first_design(swinging(None), AIMS["vibration"])
 
 
 def given_out(folder, load, phases=MOVES, of="MTP", **entries):
@@ -206,7 +206,7 @@ def test_a_shaper_and_its_law_are_entered_together(entries):
 
 
 def test_improve_tries_shapers_for_a_vibration():
-    design = first_design(swinging({"frequency": 45.0}), False, AIMS["vibration"])
+    design = first_design(swinging({"frequency": 45.0}), AIMS["vibration"])
     tried = {change.words.partition(" → ")[2]: change for change in design.tries("A1") if " of " in change.words}
     assert [*tried][:2] == ["ZV of MTP, which costs 11.11 of 50 ms", "ZVD of MTP, which costs 22.22 of 50 ms"]
     other = design.changed(tried["ZVD of MTP, which costs 22.22 of 50 ms"])

@@ -49,7 +49,7 @@ def at_rate(design, rate):
 
 @pytest.fixture(scope="module")
 def cutting():
-    return first_design(read_machine(CUTTING), True)
+    return first_design(read_machine(CUTTING))
 
 
 def test_the_limits_of_the_cutting_machine_come_in_their_order(cutting) -> None:
@@ -107,7 +107,7 @@ NUMBERS = [*((k, "faster") for k in range(7)), (198, "1, faster")]  # the last r
 @pytest.mark.sample(3)
 def test_a_drawn_machine_is_never_slower_and_holds_its_limits_at_its_rate(number: int, drawn_from: str) -> None:
     try:
-        design = first_design(drawn_machine(number, drawn_from), True)
+        design = first_design(drawn_machine(number, drawn_from))
     except InputError:
         return  # no drive limits it
     best = design
@@ -156,7 +156,7 @@ def failing(machine):
 def test_a_drawn_machine_improved_is_never_worse_and_its_book_verifies(number: int, tmp_path) -> None:
     """Laws and edges, clearances kept; the book is built at the rate that would be written, and verified."""
     try:
-        design = first_design(apart(drawn_machine(number, seed("improved"))), False)
+        design = first_design(apart(drawn_machine(number, seed("improved"))))
     except InputError:
         return  # no drive limits it
     best = design
@@ -180,7 +180,7 @@ def test_what_is_written_keeps_comments_and_is_the_best_design(tmp_path) -> None
     path.write_text(text, encoding="utf-8")
     assert command.improve(path, faster, "laws", RATE_AIM, "", (None, None), False) == AGREES
     assert "# a remark" in faster.read_text("utf-8")
-    before, after = (first_design(read_machine(file), False) for file in (path, faster))
+    before, after = (first_design(read_machine(file)) for file in (path, faster))
     assert after.rate > before.rate * 1.01
     assert after.machine.per_minute == pytest.approx(after.rate_to_write, abs=0.02)
     untouched = [line for line in text.splitlines() if not re.search(r"\b(rate|law) = ", line)]
@@ -270,7 +270,7 @@ def test_a_law_is_frozen_and_fits_until_the_drive_changes(aim: str, tmp_path, ca
     assert "→ shaped for its drive, " in capsys.readouterr().out
     assert command.freeze(path, frozen, False) == AGREES
     assert "[laws.OPT]  # a remark" in frozen.read_text("utf-8")
-    before, after = (first_design(read_machine(file), False) for file in (path, frozen))
+    before, after = (first_design(read_machine(file)) for file in (path, frozen))
     assert after.rate > before.rate or aim == "torque"
     assert after.machine.laws["OPT"].shaped == aim
     assert after.machine.master == before.machine.master
@@ -287,7 +287,7 @@ def test_a_law_is_shaped_with_no_more_jerk_than_its_bound(tmp_path, capsys) -> N
     law = read_machine(frozen).laws["OPT"]
     assert 69.0 < PieceLaw([piece.engine_piece for piece in law.pieces]).coefficients.cj <= 70.0
     assert law.max_jerk == 70.0
-    command.show_fit(first_design(read_machine(frozen), False), lines := [])
+    command.show_fit(first_design(read_machine(frozen)), lines := [])
     assert [line.partition(", ")[2] for line in lines] == ["still fits"]
 
 
@@ -345,7 +345,7 @@ def test_laws_between_velocities_are_frozen_verify_and_follow_moved_edges(phases
     write_book(machine, book)
     assert [str(finding) for finding in verify(book).findings] == []
     assert read_entered(book)[1].laws == machine.laws
-    design = first_design(machine, False)
+    design = first_design(machine)
     assert design.breaks() == set()
     for change in changes.edge_changes(machine, 0):
         moved = design.changed(change)
@@ -356,7 +356,7 @@ def test_laws_between_velocities_are_frozen_verify_and_follow_moved_edges(phases
 def test_axes_that_limit_alike_have_better_laws_both(tmp_path) -> None:
     machine = read_machine(base(tmp_path))
     twin = machine.axes[0].model_copy(update={"name": "MC02"})
-    design = first_design(machine.model_copy(update={"axes": [machine.axes[0], twin]}), True)
+    design = first_design(machine.model_copy(update={"axes": [machine.axes[0], twin]}))
     best = list(better(design, ("law",), THIS_PROCESS, silent))[-1]
     assert best.rate > design.rate * 1.01
     laws = {path[1]: law for path, law in best.changes.items() if path[-1] == "law"}
@@ -369,16 +369,16 @@ def test_a_drive_that_holds_at_no_rate_says_so(tmp_path) -> None:
     weak = machine.axes[0].motor.model_copy(update={"rated_torque": 0.01, "peak_torque": 0.02})
     axes = [machine.axes[0].model_copy(update={"motor": weak})]
     with pytest.raises(InputError, match="MC01: its drive holds its limits at no rate"):
-        first_design(machine.model_copy(update={"axes": axes}), True)
+        first_design(machine.model_copy(update={"axes": axes}))
 
 
 def test_a_machine_without_drives_says_so() -> None:
     machine = read_machine(TEMPLATES["motion-laws"].description)
     with pytest.raises(InputError, match="expected machine"):
-        first_design(machine, True)
+        first_design(machine)
     axes = [axis.model_copy(update={"motor": None, "mechanism": None}) for axis in read_machine(CUTTING).axes[1:]]
     with pytest.raises(InputError, match="no drive of this machine limits its rate"):
-        first_design(read_machine(CUTTING).model_copy(update={"axes": axes}), True)
+        first_design(read_machine(CUTTING).model_copy(update={"axes": axes}))
 
 
 def test_a_law_that_nothing_takes_any_more_is_not_written(cutting) -> None:

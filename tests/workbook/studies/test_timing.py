@@ -81,7 +81,7 @@ def edge(axis, phase, name, earliest, latest):
 def test_the_die_of_s2_comes_out_as_the_overlap_is_worked_out(press) -> None:
     """The die's acceleration falls from 4.154 m/s² as far as the clearance lets it; S2 rounds its 124.73° to 125°."""
     schedule = STATION.overlapping()
-    design = first_design(press, False, AIMS["acceleration"], "Die")
+    design = first_design(press, AIMS["acceleration"], "Die")
     assert design.cost == pytest.approx(4.154172, abs=1e-6)
     best = best_timing(design, 0, silent)
     assert best.cost == pytest.approx(schedule.peak_acceleration(press.per_minute / 60.0), rel=1e-3)
@@ -104,7 +104,7 @@ def test_no_whole_degrees_of_three_edges_are_better(tmp_path) -> None:
         orders=[{"axis": "MC02", "phase": 1, "edge": "start", "other": "MC01", "above": 299.9}],
         lasting=[{"axis": "MC02", "phase": 1, "least": 0.035}],
     )
-    design = first_design(machine, True)
+    design = first_design(machine)
     best = best_timing(design, 0, silent)
     search = TimingSearch(design, design.improving.timing.rooms(machine, machine, design.limiting))
     by_hand = design
@@ -139,7 +139,7 @@ def test_no_whole_degrees_of_three_edges_are_better(tmp_path) -> None:
 def test_a_timing_that_does_not_fit_the_machine_says_so(press, timing, words) -> None:
     machine = with_timing(press, **timing)
     with pytest.raises(InputError, match=words):
-        best_timing(first_design(machine, False, AIMS["acceleration"], "Die"), 0, silent)
+        best_timing(first_design(machine, AIMS["acceleration"], "Die"), 0, silent)
 
 
 def test_a_book_keeps_the_timing_by_the_numbers_of_its_axes(press) -> None:
@@ -156,24 +156,24 @@ def test_a_move_leaves_the_vibration_of_its_law(press) -> None:
     time = 55.0 / 360.0 / (press.per_minute / 60.0)
     for periods, share in ((1.5, 0.16977), (2.0, 0.0)):
         aim = AIMS["vibration"]._replace(frequency=periods / time)
-        assert first_design(press, False, aim, "Die").cost == pytest.approx(50.0 * share, abs=5e-4)
+        assert first_design(press, aim, "Die").cost == pytest.approx(50.0 * share, abs=5e-4)
 
 
 @pytest.mark.parametrize("aim", ["torque", "power", "energy"])
 def test_another_aim_keeps_the_rate_and_has_less(tmp_path, aim) -> None:
-    design = first_design(read_machine(base(tmp_path)), True, AIMS[aim])
+    design = first_design(read_machine(base(tmp_path)), AIMS[aim])
     best = next(better(design, ("law",), THIS_PROCESS, silent))
     assert best.cost < design.cost * 0.99
-    assert first_design(best.machine, True).rate >= design.rate * (1.0 - 1e-9)
+    assert first_design(best.machine).rate >= design.rate * (1.0 - 1e-9)
 
 
 def test_an_axis_that_is_not_there_is_told(press) -> None:
     with pytest.raises(
         InputError, match="no axis with a greatest acceleration is named 'X'; expected one of Mill, Die"
     ):
-        first_design(press, False, AIMS["acceleration"], "X")
+        first_design(press, AIMS["acceleration"], "X")
     with pytest.raises(InputError, match="no axis has a drive"):
-        first_design(press, False, AIMS["torque"])
+        first_design(press, AIMS["torque"])
 
 
 def test_edges_move_by_whole_steps_within_their_room() -> None:
