@@ -6,11 +6,10 @@ from typing import Any
 
 import numpy as np
 
-import workbook
 from engine.cams.certificate import Certificate
 from workbook.controllers.tabulation import ORDERS, CertifiedTable, automatic, curve, placed_otherwise, rules_of
 from workbook.controllers.target import Target
-from workbook.reports.html import Line, document, plot, render
+from workbook.reports.html import Line, document, plot
 from workbook.reports.terminal import OUT, show_table, shown
 from workbook.template_outputs import CamAxis
 
@@ -95,34 +94,17 @@ def page(
     switches: Sequence[Sequence[str]] = (),
 ) -> str:
     """Return the page of the axes that were exported to a target, and of its switches, a row of texts each."""
-
-    def advice(axis: CamAxis) -> str:
-        """Return how many points it should have."""
-        best = automatic(target, axis, tolerance)
-        asked = ", ".join(f"{WORDS[ORDERS.index(o)]} {percent(t)}" for o, t in tolerance.items())
-        words = "the fewest that keep" if best.excess(tolerance) <= 1.0 else "the best there is, which does not keep"
-        return f"Recommended: {best.points} points, {words} to {asked} of its peak."
-
-    title = f"Cam tables for {target.title}"
     claims = (*target.claims, *(target.tappets.claims if switches and target.tappets else ()))
-    return document(
-        title,
-        render(
-            "reports/cams.html",
-            title=title,
-            version=workbook.__version__,
-            target=target,
-            claims=claims,
-            axes=axes,
-            advice=advice,
-            headings=HEADINGS,
-            rows=rows,
-            placing=placing_line,
-            pictures=pictures,
-            switched=SWITCHED,
-            switches=switches,
-        ),
-    )
+    given = {"target": target, "claims": claims, "axes": axes, "tolerance": tolerance, "switches": switches}
+    return document(f"Cam tables for {target.title}", "reports/cams.html", **given)
+
+
+def advice(axis: CamAxis, target: Target, tolerance: Mapping[str, float]) -> str:
+    """Return in a sentence how many points an axis should have."""
+    best = automatic(target, axis, tolerance)
+    asked = ", ".join(f"{WORDS[ORDERS.index(o)]} {percent(t)}" for o, t in tolerance.items())
+    words = "the fewest that keep" if best.excess(tolerance) <= 1.0 else "the best there is, which does not keep"
+    return f"Recommended: {best.points} points, {words} to {asked} of its peak."
 
 
 def pictures(axis: CamAxis, certified: CertifiedTable, target: Target) -> Iterator[str]:

@@ -7,7 +7,7 @@ import numpy as np
 from rich.console import Console
 
 from workbook.differences.design import Change, Design, Differences
-from workbook.reports.html import Line, document, plot, render
+from workbook.reports.html import Line, document, plot
 from workbook.reports.terminal import say, show_table
 from workbook.templates import TEMPLATES
 
@@ -93,23 +93,8 @@ def sign_lines(lines: dict[str, list[str]]) -> list[tuple[str, str]]:
 
 def page(old: Design, new: Design, differences: Differences) -> str:
     """Return the page of all differences, with the motions of both sides over one another."""
-    title = f"{old.path.name} and {new.path.name}"
-    return document(
-        title,
-        render(
-            "reports/differences.html",
-            title=title,
-            old=old,
-            new=new,
-            differences=differences,
-            kinds=KINDS,
-            lines=LINES,
-            row=row,
-            headings=HEADINGS,
-            signed=sign_lines,
-            drawn=diagrams(old, new),
-        ),
-    )
+    title, given = f"{old.path.name} and {new.path.name}", {"old": old, "new": new, "differences": differences}
+    return document(title, "reports/differences.html", **given)
 
 
 def diagrams(old: Design, new: Design) -> list[str]:

@@ -33,13 +33,17 @@ ROOM = 24  # beside the front, to the right
 Box = tuple[float, float, float, float]  # left, top, right and bottom of what is taken
 
 
-def document(title: str, body: str, above: str = "") -> str:
-    """Return a page of HTML, with what stands above its body."""
+def document(title: str, template: str, above: str = "", /, **values: Any) -> str:
+    """Return a page of HTML: a template filled with values, which has the title too, and HTML ``above`` it."""
+    body = render(template, title=title, **values)
     return render("reports/document.html", title=title, style=STYLE, body=body, above=above)
 
 
 def render(template: str, /, **values: Any) -> str:
-    """Return a template beside the modules, such as ``reports/page.html``, filled with values; texts are escaped."""
+    """Return a template beside the modules, such as ``reports/page.html``, filled with values; texts are escaped.
+
+    It imports what it calls.
+    """
     return PAGES.load(template).generate(**values).decode()
 
 

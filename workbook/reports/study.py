@@ -19,6 +19,7 @@ from workbook.studies.run import BookCheck
 from workbook.studies.space import Dimension, Study
 from workbook.studies.summary import Design, Summary
 
+TEMPLATE = "reports/study.html"
 MOST = 200  # designs that the page lists
 
 
@@ -29,42 +30,25 @@ def page(plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None, 
     varied = {path for dimension in plan.space.dimensions for path in dimension.paths}
     data = plan.base.model_dump(exclude_none=True, exclude={"selection", "sizes", "laws"})
     fixed = [(path, value) for path, value in leaves(data) if path not in varied and value != {}]
-    more: dict[str, Any] = {"versions": versions, "fixed": fixed, "plan_page": True}
-    more |= {"varied": varied_words, "spell": spell}
-    return document(plan.study.title, front(plan, summary, named, judged, **more))
+    more = {"judged": judged, "versions": versions, "fixed": fixed, "plan_page": True}
+    return document(plan.study.title, TEMPLATE, **contents(plan, summary, named), **more)
 
 
-def front(
-    plan: Plan, summary: Summary, named: Labels, judged: BookCheck | None = None, links: Sequence[str] = (), **page: Any
-) -> str:
-    """Return the results of a study as HTML: the best designs, as links where given, and the excluding bounds.
+def front(plan: Plan, summary: Summary, named: Labels, links: Sequence[str]) -> str:
+    """Return the results of a study as HTML: the best designs, each a link, and the excluding bounds."""
+    return render(TEMPLATE, **contents(plan, summary, named, links), judged=None, plan_page=False)
 
-    What the page has besides is in ``page``.
-    """
+
+def contents(plan: Plan, summary: Summary, named: Labels, links: Sequence[str] = ()) -> dict[str, Any]:
+    """Return what both pages show, by the names in their template."""
     shown, names = summary.best[:MOST], list(dict.fromkeys([*plan.study.goals, *plan.study.names]))
     first = [*shown[0].entries.values(), *(shown[0].results[name] for name in names)] if shown else []
     heads = [*(dimension.label for dimension in plan.space.dimensions), *(heading(name, named) for name in names)]
     css = ["" if isinstance(value, str) else ' class="number"' for value in first]
     drawn = picture(plan.study, shown, named, links) if shown and len(plan.study.goals) > 1 else ""
-    return render(
-        "reports/study.html",
-        plan=plan,
-        summary=summary,
-        named=named,
-        judged=judged,
-        links=links,
-        picture=drawn,
-        columns=list(zip(heads, css, strict=False)),
-        shown_best=shown,
-        names=names,
-        unranked=unranked_designs,
-        parted=breakable,
-        judged_line=judged_line,
-        excluding=excluding,
-        heading=heading,
-        figure=figure,
-        **{"plan_page": False} | page,
-    )
+    columns = list(zip(heads, css, strict=False))
+    given: dict[str, Any] = {"plan": plan, "summary": summary, "named": named, "links": links, "drawn": drawn}
+    return given | {"columns": columns, "shown_best": shown, "names": names}
 
 
 def excluding(plan: Plan, summary: Summary) -> list[tuple[str, str, int, int]]:

@@ -6,7 +6,6 @@ import tempfile
 from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 from workbook.build import read_inputs
 from workbook.controllers.registry import STATED, TARGETS
@@ -59,9 +58,8 @@ async def controller(page: Page, name: str) -> str:
     """Show the form of an export, with the axes of the workbook."""
     path = page.folder.file(name)
     names = [*await page.work.in_worker(axes, path, state(path)), ALL]
-    given: dict[str, Any] = {"name": name, "axes": names, "targets": TARGETS, "orders": ORDERS}
     titles = {target: str(STATED[target]["title"]) for target in TARGETS}
-    return pages.page(f"{name}: controller", "controller", **given, titles=titles)
+    return pages.page(f"{name}: controller", "controller", name=name, axes=names, titles=titles)
 
 
 async def export(page: Page) -> str:

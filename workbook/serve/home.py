@@ -19,7 +19,6 @@ from workbook.serve.editing import draft_of
 from workbook.serve.handler import BRIEF, JSON, JUDGED, Page, state
 from workbook.serve.parts import TURN, new_axis
 from workbook.serve.work import NOT_WRITTEN
-from workbook.templates import TEMPLATES
 from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
 
@@ -72,7 +71,6 @@ async def home(page: Page) -> str:
         groups=groups_of_files(files),
         names=[path.name for path in files],
         waiting=page.work.waiting,
-        templates=TEMPLATES,
         bin=len([*deleted.iterdir()]) if deleted.is_dir() else 0,
         brief=lambda path: load_cached(BRIEF, state(path)),
         verdict_on=lambda path: (load_cached(JUDGED, state(path)) or {}).get("verdict"),

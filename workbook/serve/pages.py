@@ -34,8 +34,7 @@ class Item(NamedTuple):
 
 def page(title: str, template: str, do: Sequence[str] = (), at_home: bool = False, **values: Any) -> str:
     """Return a page; ``do`` are links and buttons of the bar above it, which leads home but ``at_home``."""
-    given = {"title": title, "link": link, "address": address, "post": post, "choice": choice, "item": item}
-    return document(title, render(f"serve/{template}.html", **given | values), bar(*do, at_home=at_home))
+    return document(title, f"serve/{template}.html", bar(*do, at_home=at_home), **values)
 
 
 def bar(*do: str, at_home: bool = False) -> str:

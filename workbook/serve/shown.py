@@ -16,7 +16,7 @@ from workbook.entries.machine import Machine
 from workbook.pool import THIS_PROCESS
 from workbook.reading.descriptions import counted_from_1, make_machine, parse_toml, template_named
 from workbook.reports.differences import figure
-from workbook.reports.html import Line, document, plot, render
+from workbook.reports.html import Line, document, plot
 from workbook.studies.design import first_design
 from workbook.studies.improve import single_gains
 
@@ -61,8 +61,7 @@ def gains(name: str, text: str) -> list[dict[str, str]]:
 
     Raises MotionbookError for a text that describes no finished machine whose drives limit its rate.
     """
-    machine = design(name, text).machine
-    first = first_design(machine, "motion_pieces" in parse_toml(text, Path(name)).get("sizes", {}))
+    first = first_design(design(name, text).machine)
     rows = sorted(single_gains(first, THIS_PROCESS, lambda *_: None), key=lambda gain: gain.after)
     return [{"sentence": gain.sentence(first), "text": edit_text(text, gain.changes.items())} for gain in rows]
 
@@ -108,17 +107,14 @@ def sheet(name: str, text: str) -> str:
     drawn = pictures(shown, 1 + (FEWER if len(shown.axes) > MANY else DRAWN))
     return document(
         machine.title,
-        render(
-            "serve/sheet.html",
-            title=machine.title,
-            lines=[": ".join(map(str, row)) for row in failing(shown)],
-            most=LINES,
-            known=[name, machine.template, *(f"{word} {value}" for word in KNOWN if (value := getattr(machine, word)))],
-            whole=whole,
-            names=names,
-            axes=[[axis, *(row.get(what, "") for what in names)] for axis, row in of.items()],
-            drawn=drawn,
-        ),
+        "serve/sheet.html",
+        lines=[": ".join(map(str, row)) for row in failing(shown)],
+        most=LINES,
+        known=[name, machine.template, *(f"{word} {value}" for word in KNOWN if (value := getattr(machine, word)))],
+        whole=whole,
+        names=names,
+        axes=[[axis, *(row.get(what, "") for what in names)] for axis, row in of.items()],
+        drawn=drawn,
     )
 
 

@@ -58,7 +58,7 @@ async def vary(page: Page, name: str) -> str:
     """Show the form of a study of a description."""
     path = page.folder.file(name)
     picked, design = page.get_query_arguments("vary"), pages.link(pages.address("edit", name), f"Design {name}")
-    given = await page.work.in_worker(choices, path, picked) | {"rows": ROWS, "asked": ASKED, "ways": WAYS}
+    given = await page.work.in_worker(choices, path, picked)
     return pages.page(f"{name}: study", "vary", do=[design], name=name, picked=picked, **given)
 
 
@@ -236,7 +236,7 @@ def front(path: Path) -> str:
         f"{pages.address('edit', str(plan.study.base))}?{urlencode({'study': path.name, 'pick': n})}"
         for n in range(1, len(summary.best) + 1)
     ]
-    return reported.front(plan, summary, named, links=links)
+    return reported.front(plan, summary, named, links)
 
 
 def read_results(path: Path) -> tuple[Plan, Summary]:

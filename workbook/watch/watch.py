@@ -102,10 +102,6 @@ class Watch:
             verdicts=verdicts,
             waiting=waiting,
             state="" if not verdicts else "OK" if is_ok else "FAIL",
-            row=differences.row,
-            headings=differences.HEADINGS[:-1],
-            line=line,
-            most=MOST,
         )
 
     def _tell(self, path: Path, verdict: Verdict) -> None:
