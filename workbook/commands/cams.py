@@ -35,9 +35,8 @@ def read(file: Path, source: str, output: Path | None, force: bool, tolerance: s
     order, share = parse_tolerance(tolerance) if tolerance is not None else ("y", THINNED)
     if order != "y":
         raise TargetError(f"--tolerance {tolerance}: expected y and a share of the reach, as y=0.01%")
-    if output is not None:
-        refuse_itself(output, file)
-        refuse_existing(output, force)
+    refuse_itself(output, file)
+    refuse_existing(output, force)
     table = read_table(file, target)
     told = as_description.UNITS.search(text_of(file, target))
     units = (told[1], told[2]) if told else ("°", "mm")

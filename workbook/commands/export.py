@@ -46,6 +46,17 @@ class AxisFile(NamedTuple):
     certified: CertifiedTable
     path: Path
 
+    def show(self, target: Target) -> None:
+        """Print its certificate, and what the places of its points gain or cost."""
+        cams.show(self.axis, self.certified, target)
+        if line := cams.placing_line(self.axis, self.certified, target):
+            say(OUT, line)
+
+    def as_data(self, target: Target) -> dict[str, Any]:
+        """Return the same as data."""
+        data = cams.certificate_data(self.axis, self.certified, target, str(self.path))
+        return data | {"position": cams.placing(self.axis, self.certified, target)}
+
 
 def parse_options(
     to: str, points: str, tolerance: Sequence[str], separator: str, decimal: str, unverified: bool, equal: bool = False,
@@ -107,7 +118,11 @@ def export(
         if lanes:
             turned = export_switches(machine.heading, lanes, asked.target, asked.signs, mark, paths[-1])
             written.append(turned)
-    if not show_certificates(files, turned, asked, as_json):
+    if as_json:
+        say_json([file.as_data(asked.target) for file in written])
+    for file in () if as_json else written:
+        file.show(asked.target)
+    if not tell_missed(files, turned, asked):
         return DISAGREES
     page.write(report, lambda: cams.page([(file.axis, file.certified) for file in files], asked.target, asked.tolerance,
                                          turned.rows if turned else []), force)  # fmt: skip
@@ -171,26 +186,6 @@ def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
         except ValueError as error:
             raise TargetError(f"{axis.name}: its mechanism cannot do this motion: {error}") from None
     return drives
-
-
-def show_certificates(files: Sequence[AxisFile], turned: SwitchFile | None, asked: Options, as_json: bool) -> bool:
-    """Print the certificates and what :func:`tell_missed` tells; return whether all keeps to what was asked."""
-    target = asked.target
-    if as_json:
-        certificates: list[Any] = [
-            cams.certificate_data(file.axis, file.certified, target, str(file.path))
-            | {"position": cams.placing(file.axis, file.certified, target)}
-            for file in files
-        ]
-        say_json([*certificates, *([turned.as_data(target)] if turned else [])])
-    else:
-        for file in files:
-            cams.show(file.axis, file.certified, target)
-            if line := cams.placing_line(file.axis, file.certified, target):
-                say(OUT, line)
-        if turned:
-            turned.show(target)
-    return tell_missed(files, turned, asked)
 
 
 def tell_missed(files: Sequence[AxisFile], turned: SwitchFile | None, asked: Options) -> bool:

@@ -17,14 +17,7 @@ from workbook.reading.descriptions import read_machine
 from workbook.reports.terminal import ERR, OUT, say
 from workbook.reports.terminal import shown as escaped
 from workbook.studies.design import RATE, Design, first_design
-from workbook.studies.improve import (
-    STAGES,
-    better,
-    gain_in_words,
-    obstacles,
-    reshaped_laws,
-    single_gains,
-)
+from workbook.studies.improve import STAGES, better, gain_in_words, obstacles, reshaped_laws, single_gains
 from workbook.studies.improve_sheet import TITLE, improve_sheet
 from workbook.studies.timing import Done
 from workbook.templates import TEMPLATES
@@ -52,8 +45,7 @@ def improve(
     name, frequency, damping = asked
     aim = AIMS[name]._replace(frequency=frequency, damping=damping)
     refuse_itself(output, path)
-    if output is not None:
-        refuse_existing(output, force)
+    refuse_existing(output, force)
     if sheet is not None:
         refuse_suffix(sheet)
         refuse_existing(sheet, force)
@@ -79,8 +71,7 @@ def improve(
 def freeze(path: Path, output: Path | None, force: bool) -> int:
     """Shape the laws anew that are shaped for their drives; print what that gains; return the exit code."""
     refuse_itself(output, path)
-    if output is not None:
-        refuse_existing(output, force)
+    refuse_existing(output, force)
     with ERR.status("Shaping laws for their drives …"):
         laws = [*reshaped_laws(first_design(read_machine(path), AIMS["acceleration"]))]
     for _, words, gain in laws:

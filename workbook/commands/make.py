@@ -53,8 +53,7 @@ def show_built(target: Path, verdict: making.BookVerdict) -> int:
 def inputs(book: Path, output: Path | None, force: bool) -> None:
     """Read what was entered into a workbook, and what that leaves behind; once for the same bytes."""
     refuse_itself(output, book)
-    if output is not None:
-        refuse_existing(output, force)
+    refuse_existing(output, force)
     with ERR.status(shown(f"Reading {book} …")):
         sha256 = digest_of(book)
         known = load_cached(INPUTS, sha256) if sha256 else None

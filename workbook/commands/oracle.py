@@ -61,8 +61,7 @@ def against(
 ) -> int:
     """Compare a workbook with its oracle, print what came of it; return the exit code."""
     refuse_itself(marked, path)
-    if marked is not None:
-        refuse_existing(marked, force)
+    refuse_existing(marked, force)
     with ERR.status(shown(f"Comparing {path} with {declarations} …")):
         file = open_book(path)
         asked = witnesses or present(NAMES)

@@ -126,9 +126,7 @@ def deviation(value: float | None) -> str:
 
 def require_writable(path: Path | None, suffixes: Sequence[str], overwrite: bool) -> None:
     """Raise WriteError, before the work begins, where a report may not be written to ``path``."""
-    if path is None:
-        return
-    if path.suffix.lower() not in suffixes:
+    if path is not None and path.suffix.lower() not in suffixes:
         raise WriteError(f"{path}: expected the name of a report, ending in {' or '.join(suffixes)}")
     refuse_existing(path, overwrite)
 

@@ -21,8 +21,7 @@ from workbook.fields.types import EntryError
 from workbook.law_sheets.library import laws
 from workbook.laws.entries import ENTRIES, references, with_laws_by_code
 from workbook.reading.descriptions import counted_from_1, parse_toml, read_machine, write_machine
-from workbook.studies.links import Link, followed, make_links
-from workbook.studies.paths import children, nearest, path_of
+from workbook.studies.paths import Link, children, followed, make_links, nearest, path_of
 from workbook.studies.space import Dimension, Space, Study, Vary, arrange
 from workbook.templates import TEMPLATES, AnyTemplate
 from workbook.text_files import read_text

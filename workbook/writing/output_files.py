@@ -10,8 +10,10 @@ from workbook.errors import WriteError
 from workbook.text_files import irregular_kind
 
 
-def refuse_existing(path: Path, overwrite: bool) -> None:
+def refuse_existing(path: Path | None, overwrite: bool) -> None:
     """Raise WriteError where something stands at ``path`` that may not be replaced: only a file, and only if asked."""
+    if path is None:
+        return
     try:
         path.lstat()
         if not overwrite:
