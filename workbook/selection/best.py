@@ -6,7 +6,7 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.fields.units import PER_RPM, RPM, shown
-from workbook.selection.pair_selection import BEST, PairSelection, rms_of, torque_of
+from workbook.selection.pair_selection import BEST, PairSelection
 
 CELLS = cell_tables(__file__)
 
@@ -75,8 +75,6 @@ def figures(view: PairSelection) -> list[Quantity]:
     scale = max([*(abs(pair.peak) for pair in view.listed), *map(abs, asked), 1e-3])
     motors, reducers = (list(rows) for rows in zip(*pairs, strict=True)) if pairs else ([], [])
     mixed, square = view.load.mixed(view.bare)[reducers], view.load.square(view.bare)[reducers]
-    rms = rms_of("[j]", "[i]", "[mixed]", "[square]")
-    torque = torque_of("[j]", "[i]", "[out]", "[back]", "[own]")
     return [
         cell("j", filled([pair.inertia for pair in each], BEST)),
         cell("i", filled([pair.ratio for pair in each], BEST)),
@@ -85,10 +83,10 @@ def figures(view: PairSelection) -> list[Quantity]:
         cell("own", filled([pair.no_load for pair in each], BEST)),
         cell("mixed", filled(mixed, BEST), scale=view.shaft.product),
         cell("square", filled(square, BEST), scale=view.shaft.torque**2),
-        cell("rms", filled([pair.rms for pair in view.listed], BEST), rms=rms, scale=scale),
+        cell("rms", filled([pair.rms for pair in view.listed], BEST), scale=scale),
         cell("tp", filled(m.peak_torque[motors] / least, BEST)),
         cell("knee", filled(shown(m.knee[motors], RPM), BEST)),
         cell("fall", filled(shown(m.fall[motors] / least, PER_RPM), BEST)),
-        cell("asked", filled(asked, BEST), torque=torque, scale=scale),
+        cell("asked", filled(asked, BEST), scale=scale),
         cell("spare", filled([pair.spare for pair in view.listed], BEST), scale=scale),
     ]

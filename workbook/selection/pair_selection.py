@@ -101,16 +101,6 @@ class Shaft:
         self.product = self.turning * self.torque  # the scale of means of ω̇ S (W/s)
 
 
-def torque_of(inertia: str, ratio: str, out: str, back: str, own: str) -> str:
-    """Return the formula of the torques of a motor at the points of the cycle; ``out`` is 1/(η i), ``back`` η/i."""
-    return f"{inertia}*{ratio}*@al+{out}*@out+{back}*(@all-@out)+{own}*@dir"
-
-
-def rms_of(inertia: str, ratio: str, mixed: str, square: str) -> str:
-    """Return the formula of the RMS torque of a motor: √((J i)² ω̇_rms² + 2 J mean(ω̇ S') + mean(S'²)/i²)."""
-    return f"SQRT(MAX(0,({inertia}*{ratio})^2*@own+2*{inertia}*{mixed}+{square}))"
-
-
 def column(rows: Sequence[MotorRow | ReducerRow], entry: str, missing: float = math.nan) -> Array:
     """Return an entry of each product, ``missing`` where it is not given."""
     values = [getattr(row, entry) for row in rows]

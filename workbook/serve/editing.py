@@ -66,7 +66,7 @@ def shown_text(text: str) -> dict[str, Any]:
 async def change(page: Page) -> dict[str, Any]:
     """Return a text with changes made in it, and the figures of an axis; keep a draft of what is no preview."""
     path, text = page.file(), page.text()
-    changes, chosen = page.get_json("changes"), page.number("axis", "-1")
+    changes, chosen = page.changes(), page.number("axis", "-1")
     given = await page.work.in_worker(edit_result, text, changes, chosen)
     if not page.get_body_argument("preview", ""):
         keep_draft(path, given["text"])

@@ -181,14 +181,14 @@ class Page(RequestHandler):
             raise WriteError(f"{field}: found {given!r}; expected a whole number")
         return int(given)
 
-    def get_json(self, field: str) -> Any:
-        """Return the list of changes that a field of the form holds as JSON."""
+    def changes(self) -> list[dict[str, Any]]:
+        """Return the list of changes that the form holds as JSON."""
         try:
-            given = json.loads(self.get_body_argument(field))
+            given = json.loads(self.get_body_argument("changes"))
         except ValueError:
             given = None
         if not isinstance(given, list) or not all(isinstance(each, dict) and "path" in each for each in given):
-            raise WriteError(f"{field}: expected a list of changes in JSON")
+            raise WriteError("changes: expected a list of changes in JSON")
         return given
 
     @contextmanager
