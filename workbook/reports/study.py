@@ -40,7 +40,7 @@ def front(plan: Plan, summary: Summary, named: Labels, links: Sequence[str]) -> 
 
 
 def contents(plan: Plan, summary: Summary, named: Labels, links: Sequence[str] = ()) -> dict[str, Any]:
-    """Return what both pages show, by the names in their template."""
+    """Return the values that both pages show, by their names in the template."""
     shown, names = summary.best[:MOST], list(dict.fromkeys([*plan.study.goals, *plan.study.names]))
     first = [*shown[0].entries.values(), *(shown[0].results[name] for name in names)] if shown else []
     heads = [*(dimension.label for dimension in plan.space.dimensions), *(heading(name, named) for name in names)]

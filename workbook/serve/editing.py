@@ -121,15 +121,10 @@ async def save(page: Page) -> dict[str, Any]:
         target = page.folder.free(name if name.endswith(".toml") else f"{name}.toml")
     elif state(path) != page.get_body_argument("state"):
         raise WriteError(f"{path.name} changed on disk since it was opened")
-    write_like(target, text, source)
+    lines = text.replace("\n", "\r\n") if RETURNS in source else text  # as the file had its lines, and its mark
+    write_text(target, f"\ufeff{lines}" if source.startswith(BOM) else lines, overwrite=True)
     draft_of(path).unlink(missing_ok=True)
     return {"name": target.name, "state": state(target)}
-
-
-def write_like(path: Path, text: str, source: bytes) -> None:
-    """Write a text with the line ends and the mark of its begin that a source has."""
-    lines = text.replace("\n", "\r\n") if RETURNS in source else text
-    write_text(path, f"\ufeff{lines}" if source.startswith(BOM) else lines, overwrite=True)
 
 
 def file_text(path: Path) -> str:

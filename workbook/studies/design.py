@@ -8,7 +8,7 @@ from types import ModuleType
 from typing import Any, cast
 
 from engine.drive.limits import LimitChecks
-from engine.drive.rate_range import RateLimit, at_points, highest_rate
+from engine.drive.rate_range import at_points, highest_rate
 from workbook.entries.machine import Machine
 from workbook.errors import InputError
 from workbook.fields.paths import Place, get
@@ -66,7 +66,7 @@ class Design:
         """The cost of the machine by the exact engine."""
         if not self.aim.is_rate:
             return self.cost
-        rates = [self.exact(axis).rate for axis in self.costs]
+        rates = [highest_rate(self.limits(axis)).rate for axis in self.costs]
         return 1.0 / float(min([*rates, self.improving.timing.process_rate(self.machine)]))
 
     @cached_property
@@ -139,10 +139,6 @@ class Design:
     def breaks(self) -> set[str]:
         """Return the checks, beside limits of drives, that do not hold."""
         return set(self.improving.breaks(self.machine))
-
-    def exact(self, axis: str) -> RateLimit:
-        """Return the exact highest rate of an axis, and its limit."""
-        return highest_rate(self.limits(axis))
 
 
 def first_design(machine: Machine, aim: Aim = AIMS["rate"], axis: str = "") -> Design:
