@@ -118,10 +118,7 @@ def export(
         if lanes:
             turned = export_switches(machine.heading, lanes, asked.target, asked.signs, mark, paths[-1])
             written.append(turned)
-    if as_json:
-        say_json([file.as_data(asked.target) for file in written])
-    for file in () if as_json else written:
-        file.show(asked.target)
+    show_files(written, asked.target, as_json)
     if not tell_missed(files, turned, asked):
         return DISAGREES
     page.write(report, lambda: cams.page([(file.axis, file.certified) for file in files], asked.target, asked.tolerance,
@@ -186,6 +183,15 @@ def shafts(axes: Sequence[CamAxis], everything: bool) -> list[CamAxis]:
         except ValueError as error:
             raise TargetError(f"{axis.name}: its mechanism cannot do this motion: {error}") from None
     return drives
+
+
+def show_files(files: Sequence[AxisFile | SwitchFile], target: Target, as_json: bool) -> None:
+    """Print the certificates of files, as tables or as JSON."""
+    if as_json:
+        say_json([file.as_data(target) for file in files])
+        return
+    for file in files:
+        file.show(target)
 
 
 def tell_missed(files: Sequence[AxisFile], turned: SwitchFile | None, asked: Options) -> bool:
