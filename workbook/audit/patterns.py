@@ -42,13 +42,8 @@ def is_meant(lines: Lines, cell: Address, down: bool) -> bool:
 def misfit(view: View, cell: Address, neighbour: Address, count: int, moves: bool) -> Finding:
     """Return the finding of a formula that differs from a pattern, with how many cells have the pattern."""
     sure: Sure = ("high" if moves else "medium") if count > FEW else ("medium" if moves and count else "low")
-    return Finding(
-        cell,
-        "pattern",
-        f"{view.text(cell)} differs from the formulas around it",
-        sure,
-        cell_text(view, neighbour),
-    )
+    why = f"{view.text(cell)} differs from the formulas around it"
+    return Finding(cell, "pattern", why, sure, cell_text(view, neighbour))
 
 
 def repeats(view: View, cells: Sequence[Address], down: bool) -> bool:
@@ -80,7 +75,8 @@ def typed_over(lines: Lines) -> Iterator[Finding]:
                 pair = [at(cell, stretch.down, place(cell, stretch.down) + step) in view.numbers for step in (-1, 1)]
                 anew = any(pair) or len(stretch.between) >= SEVERAL  # a series begins anew
                 sure: Sure = "low" if anew or is_inserted(view, cell, stretch) else "high"
-                yield Finding(cell, "typed-over", f"the number {view.text(cell)} among formulas", sure, neighbour)
+                why = f"the number {view.text(cell)} among formulas"
+                yield Finding(cell, "typed-over", why, sure, neighbour)
             elif any(view.figure(c) for c in beside(cell, stretch.down)):
                 yield Finding(cell, "gap", "an empty cell among formulas", "medium", neighbour)
         yield from at_the_end(lines, stretch)

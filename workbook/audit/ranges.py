@@ -42,16 +42,12 @@ def ends(view: View, cell: Address, form: Form, area: Area) -> Iterator[Finding]
         return
     more = next_rows(view, cell, area, area.bottom, 1)
     if 0 < len(more) <= SHORT:
-        yield Finding(cell, "range", f"the range {area.a1} ends before {more[-1].a1}", "high", cell_text(view, more[0]))
+        why = f"the range {area.a1} ends before {more[-1].a1}"
+        yield Finding(cell, "range", why, "high", cell_text(view, more[0]))
     before = next_rows(view, cell, area, area.top, -1)
     if 0 < len(before) < SHORT:
-        yield Finding(
-            cell,
-            "range",
-            f"the range {area.a1} begins behind {before[-1].a1}",
-            "high",
-            cell_text(view, before[0]),
-        )
+        why = f"the range {area.a1} begins behind {before[-1].a1}"
+        yield Finding(cell, "range", why, "high", cell_text(view, before[0]))
     if form.functions & AGGREGATES and (total := total_in(view, area)):
         why = f"the range {area.a1} has the total in {total.a1}, and what that sums up"
         yield Finding(cell, "range", why, "high", cell_text(view, total))

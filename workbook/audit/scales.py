@@ -13,8 +13,11 @@ from workbook.book.formula import Area, FormulaError
 from workbook.dimensions.rules import number_of
 from workbook.dimensions.units import NONE, size_of
 
-CONVERSIONS = {"1000": 1e3, "1,000,000": 1e6, "60": 60.0, "3600": 3600.0, "25.4": 25.4, "π/180": math.pi / 180,
-               "1000/60": 1e3 / 60, "3.6": 3.6, "100": 100.0, "10,000": 1e4, "9.81": 9.81, "360": 360.0}  # fmt: skip
+QUOTIENTS = {"π/180": math.pi / 180, "1000/60": 1e3 / 60}
+CONVERSIONS = {
+    name: QUOTIENTS.get(name) or float(name.replace(",", ""))
+    for name in "1000 1,000,000 60 3600 25.4 π/180 1000/60 3.6 100 10,000 9.81 360".split()
+}
 EXACT = 1.5e-3  # by which 9.55 and 30/π, 9550 and 60,000/2π deviate
 SHARES = 2  # below which a number of per cent may be a share
 TRIGONOMETRY = frozenset(["SIN", "COS", "TAN"])
@@ -87,9 +90,8 @@ def close_to(a: float, b: float) -> bool:
     return math.isclose(a, b, rel_tol=EXACT)
 
 
-SIMPLE = sorted(
-    {p / q * math.pi**k for p in range(1, 13) for q in (1, 2, 3, 4, 5, 6, 8, 12, 16, 32, 64) for k in range(-2, 3)}
-)
+PARTS = (1, 2, 3, 4, 5, 6, 8, 12, 16, 32, 64)
+SIMPLE = sorted({p / q * math.pi**k for p in range(1, 13) for q in PARTS for k in range(-2, 3)})
 
 
 @lru_cache(maxsize=20_000)

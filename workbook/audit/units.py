@@ -18,10 +18,8 @@ BEHIND = re.compile(r"(?:,|\bin)\s+([^\s,]{1,8})$")
 NOTHING = frozenset("- – 1 / . —".split())
 GRAVITY = frozenset("9.81 9.80665 9.807 9.8".split())
 ACCELERATION = Term(dimension_of("m/s²"))
-CONVERTING = frozenset(
-    (*map(float, GRAVITY), 25, 30, 32, 36, 60, 64, 90, 120, 180, 270, 360, 3600, 6000, 9549, 9550, 60000, 25.4,
-     0.0254, 3.6, 9.55)
-)  # fmt: skip
+NUMBERS = "25 30 32 36 60 64 90 120 180 270 360 3600 6000 9549 9550 60000 25.4 0.0254 3.6 9.55"
+CONVERTING = frozenset(map(float, [*GRAVITY, *NUMBERS.split()]))
 RATES = frozenset([15.0, 24.0, 365.0])  # degrees an hour, hours a day, days a year: 15 converts nothing else
 MILLIONTHS = re.compile(r"(?<![\w.$])(?!(?:1|60|3600)[/*])\d+(?:\.\d+)?(?:/1000000|\*1e-06)(?!\d)")  # 6 ppm
 WORDS = frozenset(

@@ -42,7 +42,8 @@ def texts(lines: Lines) -> Iterator[Finding]:
         codes = any(side in alike for side in sides)
         others = readers or ([] if codes else [side for side in sides if view.figure(side)])
         if others:
-            yield Finding(cell, "text-number", f"{view.texts[cell]!r} is a text", "high", cell_text(view, others[0]))
+            why = f"{view.texts[cell]!r} is a text"
+            yield Finding(cell, "text-number", why, "high", cell_text(view, others[0]))
 
 
 def blanks(lines: Lines) -> Iterator[Finding]:
@@ -134,7 +135,8 @@ def volatile(lines: Lines) -> Iterator[Finding]:
             calling[cell.sheet, names, dates].append(cell)
     for (_, names, dates), cells in calling.items():
         why = f"{', '.join(sorted(names))} is volatile: no trace shows what it reads, or its value changes by itself"
-        yield Finding(cells[0], "volatile", why + many(cells), "low" if dates else "medium", view.text(cells[0]))
+        sure: Sure = "low" if dates else "medium"
+        yield Finding(cells[0], "volatile", why + many(cells), sure, view.text(cells[0]))
 
 
 def hidden(lines: Lines) -> Iterator[Finding]:
@@ -145,7 +147,8 @@ def hidden(lines: Lines) -> Iterator[Finding]:
         for area in form.areas:
             if area.sheet in left and area.sheet != cell.sheet and any(map(view.figure, view.within(area))):
                 left.discard(area.sheet)
-                yield Finding(cell, "hidden", f"it reads the hidden sheet {area.sheet}", "medium", view.text(cell))
+                why = f"it reads the hidden sheet {area.sheet}"
+                yield Finding(cell, "hidden", why, "medium", view.text(cell))
 
 
 def stale(lines: Lines) -> Iterator[Finding]:

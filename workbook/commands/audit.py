@@ -59,10 +59,7 @@ def line(finding: Finding) -> str:
 
 def data(path: Path, report: Audit, findings: Sequence[Finding]) -> dict[str, Any]:
     """Return a report as JSON's objects and lists."""
-    each = [
-        {"cell": str(f.cell), "rule": f.rule, "why": f.why, "sure": f.sure, "neighbours": f.neighbours}
-        for f in findings
-    ]
+    each = [vars(f) | {"cell": str(f.cell)} for f in findings]
     return {"file": str(path), "formulas": report.formulas, "findings": each, "notes": report.notes}
 
 

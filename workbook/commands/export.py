@@ -121,8 +121,8 @@ def export(
     show_files(written, asked.target, as_json)
     if not tell_missed(files, turned, asked):
         return DISAGREES
-    page.write(report, lambda: cams.page([(file.axis, file.certified) for file in files], asked.target, asked.tolerance,
-                                         turned.rows if turned else []), force)  # fmt: skip
+    tables, rows = [(file.axis, file.certified) for file in files], turned.rows if turned else []
+    page.write(report, lambda: cams.page(tables, asked.target, asked.tolerance, rows), force)
     for file in written:
         write_text(file.path, file.text, force)
         say(ERR if as_json else OUT, f"Wrote {file.path.absolute()}")

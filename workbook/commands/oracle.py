@@ -118,10 +118,8 @@ def write_draft(path: Path, output: Path | None, force: bool, proposed: bool = F
 def show(file: BookFile, report: OracleReport) -> None:
     """Print the findings as a table, and how many formula cells are of each class."""
     if report.wrong or report.warnings:
-        rows = [
-            (describe(file, fault.cell), fault.kind, figure(fault.found, 9), figure(fault.expected, 9), fault.at)
-            for fault in (*report.wrong, *report.warnings)
-        ]
+        faults = (*report.wrong, *report.warnings)
+        rows = [(describe(file, x.cell), x.kind, figure(x.found, 9), figure(x.expected, 9), x.at) for x in faults]
         show_table(OUT, ("cell", "kind", "found", "expected", "at"), rows, box=None, pad_edge=False)
     counts = f"{report.count('compared')} compared, {report.count('step')} steps to them"
     counts += f", {report.count('unaccounted')} unaccounted"

@@ -21,7 +21,8 @@ from workbook.text_files import read_text
 
 CALLED = re.compile(r"^(?:// |# )?track (\d{1,4}): ([^\r\n]{1,80})", re.MULTILINE)
 MOST_OFF = 1e-2  # of an edge, in degrees: numbers of 32 bits hold it to 1e-5
-LAYOUTS = Loader(str(Path(__file__).with_name("targets")), autoescape=None, whitespace="all")
+FOLDER = Path(__file__).with_name("targets")
+LAYOUTS = Loader(str(FOLDER), autoescape=None, whitespace="all")
 # of points: anywhere, at equal steps alone, or on the breaks at least
 Spacing = Literal["free", "equal", "breaks"]
 NEVER = " (never on)"
@@ -63,8 +64,14 @@ class ClaimedFormat:
 
 
 def facts_of(name: str) -> dict[str, Any]:
-    """Return what ``targets.toml`` states of a target, or of its switches, besides claims: fields of its class."""
+    """Return the fields of a target, or of its switches, that ``targets.toml`` states, with the writer of its layout.
+
+    The layout lies in ``targets``, called like the target, as codesys-switches.st; columns of text have none.
+    """
     facts: dict[str, Any] = {"name": name}
+    for path in FOLDER.glob(f"{name.replace(' ', '-')}.*"):
+        if path.suffix != ".py":
+            facts["write"] = by_layout(path.name)
     for field, value in STATED[name].items():
         if isinstance(value, list) and field not in CERTAINTIES:
             facts[field] = tuple(part for each in value for part in (SPLINES if each == "splines" else (each,)))
@@ -85,11 +92,11 @@ class CamExport(NamedTuple):
     decimal: str = "."
 
 
-def by_template(name: str, **more: Any) -> Callable[[Any], str]:
-    """Return a writer that fills the template of that name in ``targets``; ``more`` are functions that it calls."""
+def by_layout(name: str) -> Callable[[Any], str]:
+    """Return a writer that fills the layout of that name in ``targets``, which imports what it calls."""
 
     def write(handed: Any) -> str:
-        given = {"handed": handed, "literal": literal} | more
+        given = {"handed": handed, "literal": literal}
         if isinstance(handed, CamExport):
             points = list(zip(*(map(literal, column) for column in handed.table.columns.values()), strict=True))
             given |= {"cam": f"Cam_{handed.name}", "points": points, "n": len(points)}

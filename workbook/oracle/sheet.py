@@ -54,17 +54,16 @@ def oracle_of_sheet(path: Path) -> Oracle:
         if odd := next((x for x in (low, high, tolerance) if not isinstance(x, int | float | None)), None):
             raise ReadError(f"{path}: {where}: {quoted(odd)}; expected a number")
         if formula is not None:
-            formulas.append(
-                (where, str(place), str(unit or ""), 1e-9 if tolerance is None else tolerance, str(formula))
-            )
+            formulas.append((where, place, unit, tolerance, formula))
         elif place is not None and not is_formula(file.value(cell := find_cell(file, str(place).split(":")[0]))):
             entries[cell] = oracle.input(str(place), str(unit or ""), low, high)
     oracle.names = {name: entries[cell] for cell, name in variable_names(file, list(entries)).items()}
     oracle.names |= {cell.a1: entry for cell, entry in entries.items() if cell.sheet == titles[0]}
     for where, place, unit, tolerance, formula in formulas:
-        function, names = expression(formula, list(oracle.names), f"{path}: {where}")
+        function, names = expression(str(formula), list(oracle.names), f"{path}: {where}")
         function.__name__ = where
-        oracle.output(place, unit, tolerance, inputs=[oracle.names[name] for name in names])(function)
+        allowed, inputs = 1e-9 if tolerance is None else tolerance, [oracle.names[name] for name in names]
+        oracle.output(str(place), str(unit or ""), allowed, inputs=inputs)(function)
     if not formulas:
         raise ReadError(f"{path}: {SHEET} has no formula in Python; expected one in the row of an output")
     return oracle

@@ -134,30 +134,15 @@ def plot(title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tup
         raise ValueError("no lines are given; expected one or more")
     x, y = (np.concatenate([getattr(line, name) for line in lines]) for name in "xy")
     across, up = scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1])
-    colours = [f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}" for k in range(len(lines))]
-    drawn = [*zip(lines, colours, strict=True)]
-    return picture(
-        title,
-        labels,
-        across,
-        up,
-        curves=[
-            (part, colour)
-            for line, colour in drawn
-            if not line.points
-            for part in BREAK.split(path(across.at(line.x), up.at(line.y)))
-        ],
-        points=[
-            (*place, 3, colour, "")
-            for line, colour in drawn
-            if line.points
-            for place in zip(across.at(line.x), up.at(line.y), strict=True)
-        ],
-        names=[
-            (line.name, WIDTH - RIGHT + 8, height + 4, colour)
-            for line, colour, height in zip(lines, colours, name_heights(lines, up), strict=True)
-        ],
-    )
+    curves, points, names = list[Any](), list[Any](), list[Any]()
+    for k, (line, height) in enumerate(zip(lines, name_heights(lines, up), strict=True)):
+        colour, places = f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}", (across.at(line.x), up.at(line.y))
+        if line.points:
+            points += [(*place, 3, colour, "") for place in zip(*places, strict=True)]
+        else:
+            curves += [(part, colour) for part in BREAK.split(path(*places))]
+        names.append((line.name, WIDTH - RIGHT + 8, height + 4, colour))
+    return picture(title, labels, across, up, curves=curves, points=points, names=names)
 
 
 def name_heights(lines: Sequence[Line], up: Scale) -> list[float]:

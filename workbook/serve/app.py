@@ -71,8 +71,9 @@ async def export(page: Page) -> str:
         if share := page.get_body_argument(order, ""):
             options += ["--tolerance", f"{order}={share}%"]
     with tempfile.TemporaryDirectory() as folder:
-        asked = ["--to", page.get_body_argument("target"), "--points", page.get_body_argument("points"), *options]
-        done = await page.run("export", book, *asked, "--report", REPORT, folder=folder)
+        to, points = (page.get_body_argument(name) for name in ("target", "points"))
+        asked = ["--to", to, "--points", points, *options, "--report", REPORT]
+        done = await page.run("export", book, *asked, folder=folder)
         report, links = "", []
         for file in sorted(Path(folder).iterdir()):
             if file.name == REPORT:

@@ -225,11 +225,16 @@ def verdict(name: str, text: str) -> dict[str, Any]:
         whole = edited_design(text)
         shown = None if whole.faults else design(name, text)
     except MotionbookError as error:
-        return {"verdict": "unfinished", "number": 1, "checks": [{"sentence": str(error)}], "pictures": []}
+        return judgement("unfinished", [{"sentence": str(error)}])
     if shown is None:
         lines = [(split(key), line) for key, line in whole.faults.items()]
         checks = [{"sentence": f"{spoken(path, whole.data)}: {line}", "path": list(path)} for path, line in lines]
-        return {"verdict": "unfinished", "number": len(lines), "checks": checks, "pictures": []}
+        return judgement("unfinished", checks)
     fails = [{"sentence": ": ".join(filter(None, row[1:]))} for row in failing(shown)]
-    drawn, number = [] if whole.axes else pictures(shown, PICTURES), len(shown.checks())
-    return {"verdict": "FAIL" if fails else "OK", "number": number, "checks": fails, "pictures": drawn}
+    drawn = [] if whole.axes else pictures(shown, PICTURES)
+    return judgement("FAIL" if fails else "OK", fails, drawn) | {"number": len(shown.checks())}
+
+
+def judgement(verdict: str, checks: list[dict[str, Any]], pictures: Sequence[str] = ()) -> dict[str, Any]:
+    """Return a verdict as the page has it, with the checks that fail or entries that are missing, and their number."""
+    return {"verdict": verdict, "number": len(checks), "checks": checks, "pictures": pictures}

@@ -23,9 +23,9 @@ from workbook.reports.html import STYLE
 from workbook.serve import pages
 from workbook.serve.work import Done, Work, WorkError
 
-RESERVED = {"CON", "PRN", "AUX", "NUL", *(f"{port}{k}" for port in ("COM", "LPT") for k in range(1, 10))}
+RESERVED = {*"CON PRN AUX NUL".split(), *(f"{port}{k}" for port in ("COM", "LPT") for k in range(1, 10))}
 KINDS = (".toml", ".xlsx", ".xlsm")  # descriptions and workbooks: what the first page lists
-MADE = (*KINDS, ".csv", ".json", ".html", ".scl", ".st", ".txt", ".xml")  # what is written and downloaded
+MADE = (*KINDS, *".csv .json .html .scl .st .txt .xml".split())  # what is written and downloaded
 NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
 LARGEST = 60_000_000  # bytes of an upload: what verify takes of a file at most
 COOKIE, JSON = "motionbook", "application/json"

@@ -111,15 +111,15 @@ class Change:
             raise InputError([f"{self.place[-1]} is there already"])
         sections = sections_at(self.template, self.place)
         if sections and rows is None:
-            return [(self.place, required_entries([key for each in sections if not each.kind for key in each.keys]))]
+            keys = [key for each in sections if not each.kind for key in each.keys]
+            return [(self.place, required_entries(keys))]
         key = key_at(self.template, self.data, self.place)
         row = required_entries(key.rows)
         if "name" in row:
             row["name"] = self._free(rows, f"New {self.place[-1].removesuffix('s')}")
         if not key.rows[2:] and all(each.required for each in key.rows):
-            return self._row(
-                rows, [self.length * share for share in (0.5, 0.6)] if "°" in key.rows[0].unit else [*row.values()]
-            )
+            ends = [self.length * share for share in (0.5, 0.6)]
+            return self._row(rows, ends if "°" in key.rows[0].unit else [*row.values()])
         return self._row(rows, row)
 
     def _row(self, rows: Any, row: Any) -> Changes:

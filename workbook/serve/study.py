@@ -45,7 +45,7 @@ ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at 
          "at most": "at most", "off": "no constraint"}  # fmt: skip
 """what can be asked of a result, with its words in the form"""
 WAYS = {"full": "all combinations", "sobol": "spread evenly", "evolution": "bred from the best"}
-SENT = ("result", "what", "value", "key", "values", "takes")  # the fields of a form that stand in several rows
+SENT = "result what value key values takes".split()  # the fields of a form that stand in several rows
 RANGE = re.compile(r"(\S+) to (\S+?)(?: in (\d+))?")
 ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
 SHARE, STEPS = 0.1, 5  # of a number, to either side, and in so many values: what is proposed

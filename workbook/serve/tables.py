@@ -36,10 +36,10 @@ def template_sections(template: str) -> list[Section]:
 @lru_cache
 def schema(template: str) -> list[dict[str, Any]]:
     """Return the tables of a template's descriptions with their entries, as the page has them."""
-    return [
-        {"path": section.path, "about": section.about, "kind": section.kind, "keys": [*map(shown_key, section.keys)]}
-        for section in template_sections(template)
-    ]
+    tables = []
+    for path, about, _, keys, kind in template_sections(template):
+        tables.append({"path": path, "about": about, "kind": kind, "keys": [*map(shown_key, keys)]})
+    return tables
 
 
 def shown_key(key: Key) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 from workbook.controllers import texts
 from workbook.controllers.table import Table, required_part
-from workbook.controllers.target import Target, by_template, facts_of
+from workbook.controllers.target import Target, facts_of
 from workbook.errors import TargetError
 
 POWERS = ("A", "B", "C", "D", "E", "F", "G")
@@ -63,14 +63,4 @@ def read(text: str) -> Table:
     return table(texts.REAL.rounded(np.array(powers).T), x, texts.read_counts(text), texts.read_stand(text))
 
 
-NAMED = {"offset": offset, "polynomials": polynomials, "fields": FIELDS, "stands": texts.stands, "counts": texts.counts,
-         "DINT": texts.DINT, "REAL": texts.REAL}  # fmt: skip
-TARGETS = (
-    Target(
-        **facts_of("br"),
-        write=by_template("br.st", **NAMED),
-        read=read,
-        number=texts.DINT_IN_REAL,
-        built=polynomial_table,
-    ),
-)
+TARGETS = (Target(**facts_of("br"), read=read, number=texts.DINT_IN_REAL, built=polynomial_table),)

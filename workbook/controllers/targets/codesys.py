@@ -5,7 +5,7 @@ from math import ceil, log2
 import numpy as np
 
 from workbook.controllers.table import Table
-from workbook.controllers.target import Tappets, Target, Track, by_template, facts_of, tracks_of_rows
+from workbook.controllers.target import Tappets, Target, Track, facts_of, tracks_of_rows
 from workbook.controllers.texts import by_group, pairs, points, require_count
 
 FIELDS = ("dX", "dY", "dV", "dA")
@@ -29,17 +29,15 @@ def read_switches(text: str) -> list[Track]:
     return tracks_of_rows(text, times)
 
 
-TAPPETS = Tappets(**facts_of("codesys switches"), write=by_template("codesys-switches.st"), read=read_switches)
+TAPPETS = Tappets(**facts_of("codesys switches"), read=read_switches)
 TARGETS = (
     Target(
         **facts_of("codesys"),
-        write=by_template("codesys.st"),
         read=lambda text: points(text, by_group(text, FIELDS), "nElements"),
         tappets=TAPPETS,
     ),
     Target(
         **facts_of("codesys-table"),
-        write=by_template("codesys-table.st", limits=LIMITS, ends=ends),
         read=lambda text: points(text, pairs(text, "Table := [", "]]"), "nElements"),
     ),
 )

@@ -9,7 +9,7 @@ import numpy as np
 from engine.cams.interpolation import straight
 from engine.motion.profile import CamProfile
 from workbook.controllers.table import MOST_POINTS, Table
-from workbook.controllers.target import SwitchExport, Tappets, Target, Track, by_template, facts_of, tracks_of_rows
+from workbook.controllers.target import SwitchExport, Tappets, Target, Track, facts_of, tracks_of_rows
 from workbook.controllers.texts import DINT, REAL, literal
 from workbook.errors import TargetError
 
@@ -35,6 +35,11 @@ def split_at_cycle_end(handed: SwitchExport) -> list[tuple[int, float, float]]:
         for track, begin, end in handed.times
         for low, high in ([(begin, end)] if begin < end else [(begin, handed.cycle), (0.0, end)])
     ]
+
+
+def remark(text: str) -> str:
+    """Return a text as a comment of XML has it, without two hyphens in a row."""
+    return re.sub("-(?=-)", "- ", text)
 
 
 def real(value: float) -> str:
@@ -146,13 +151,5 @@ def read_switches(text: str) -> list[Track]:
     return tracks_of_rows(text, rows)
 
 
-CAM = by_template(
-    "rockwell.xml", elements=elements, real=real, slopes=SLOPES, remark=lambda text: re.sub("-(?=-)", "- ", text)
-)
-TAPPETS = Tappets(
-    **facts_of("rockwell switches"),
-    write=by_template("rockwell-switches.xml", elements=split_at_cycle_end, real=real),
-    read=read_switches,
-    number=REAL,
-)
-TARGETS = (Target(**facts_of("rockwell"), write=CAM, read=read, number=REAL, exact=straight, tappets=TAPPETS),)
+TAPPETS = Tappets(**facts_of("rockwell switches"), read=read_switches, number=REAL)
+TARGETS = (Target(**facts_of("rockwell"), read=read, number=REAL, exact=straight, tappets=TAPPETS),)

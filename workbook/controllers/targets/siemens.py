@@ -6,7 +6,7 @@ from engine.cams.interpolation import HIGHEST, segment_profile, simple
 from engine.laws.base import Array
 from engine.motion.profile import CamProfile
 from workbook.controllers.table import Table, required_part
-from workbook.controllers.target import Target, by_template, facts_of
+from workbook.controllers.target import Target, facts_of
 from workbook.controllers.texts import by_index, points
 from workbook.errors import TargetError
 
@@ -44,21 +44,7 @@ def read_segments(text: str) -> Table:
 
 
 TARGETS = (
-    Target(
-        **facts_of("siemens"),
-        write=by_template("siemens.scl"),
-        read=lambda text: points(text, by_index(text, BASIC)),
-    ),
-    Target(
-        **facts_of("siemens-points"),
-        write=by_template("siemens-points.scl"),
-        read=lambda text: points(text, by_index(text, ("x", "y"))),
-    ),
-    Target(
-        **facts_of("siemens-segments"),
-        write=by_template("siemens-segments.scl", segments=segments, fields=SEGMENT),
-        read=read_segments,
-        exact=simple,
-        built=segment_table,
-    ),
+    Target(**facts_of("siemens"), read=lambda text: points(text, by_index(text, BASIC))),
+    Target(**facts_of("siemens-points"), read=lambda text: points(text, by_index(text, ("x", "y")))),
+    Target(**facts_of("siemens-segments"), read=read_segments, exact=simple, built=segment_table),
 )

@@ -2,8 +2,7 @@
 
 import re
 
-from workbook.controllers.table import equidistant
-from workbook.controllers.target import Tappets, Target, Track, by_template, facts_of, tracks_of_rows
+from workbook.controllers.target import Tappets, Target, Track, facts_of, tracks_of_rows
 from workbook.controllers.texts import INDEXED, by_index, columns, pairs, points, without_comments
 from workbook.errors import TargetError
 
@@ -29,17 +28,12 @@ def read_switches(text: str) -> list[Track]:
     return tracks_of_rows(text, times)
 
 
-TAPPETS = Tappets(**facts_of("twincat switches"), write=by_template("twincat-switches.st"), read=read_switches)
+TAPPETS = Tappets(**facts_of("twincat switches"), read=read_switches)
 TARGETS = (
     Target(
         **facts_of("twincat"),
-        write=by_template("twincat.st"),
         read=lambda text: points(text, by_index(text, FIELDS), "NoOfRows"),
         tappets=TAPPETS,
     ),
-    Target(
-        **facts_of("twincat-table"),
-        write=by_template("twincat-table.st", equidistant=equidistant),
-        read=lambda text: points(text, pairs(text, ":= [", "]"), "NoOfRows"),
-    ),
+    Target(**facts_of("twincat-table"), read=lambda text: points(text, pairs(text, ":= [", "]"), "NoOfRows")),
 )
