@@ -75,7 +75,8 @@ class Lines:
                 members.append(after)
                 end = after
             stretch = Stretch(down, [cells[n] for n in members], [cells[n] for n in between])
-            form, is_copied = self.view.forms[cells[k]], len(members) > 1 and len(between) * 4 <= len(members) + 1
+            form = self.view.forms[cells[k]]
+            is_copied = len(members) > 1 and len(between) * 4 <= len(members) + 1
             if is_copied and form.areas and not self.picks(stretch):
                 stretch.modes = modes(self.view, stretch)
                 yield stretch
@@ -132,7 +133,8 @@ class Lines:
 def modes(view: View, stretch: Stretch) -> list[bool]:
     """Return of each side of the references of a stretch whether it moves: what most neighbours say, or their ``$``."""
     forms = [view.forms[c] for c in stretch.cells]
-    places, sides = [place(c, stretch.down) for c in stretch.cells], [f.along(stretch.down) for f in forms]
+    places = [place(c, stretch.down) for c in stretch.cells]
+    sides = [f.along(stretch.down) for f in forms]
     result = []
     for n in range(len(sides[0])):
         moves = stays = 0

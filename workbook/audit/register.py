@@ -37,7 +37,8 @@ KINDS = {
     "unread": "an entry that no formula reads",
 }
 
-CAUSES = frozenset(["pattern", "typed-over", "gap", "link", "volatile"])  # from which an entry of the row is not read
+# from which an entry of the row is not read
+CAUSES = frozenset(["pattern", "typed-over", "gap", "link", "volatile"])
 
 
 @dataclass

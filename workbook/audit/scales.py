@@ -116,7 +116,9 @@ def missing(number: float) -> str:
 
 def scales(lines: Lines, units: Units) -> Iterator[Finding]:
     """Yield formulas in which a conversion of units is missing, wrong or there twice."""
-    view, rows, known = lines.view, list[tuple[Address, str, str]](), dict[tuple[object, ...], list[str]]()
+    view = lines.view
+    rows = list[tuple[Address, str, str]]()
+    known = dict[tuple[object, ...], list[str]]()
     sizes = {cell: size[1] for cell, u in units.of.items() if (size := (NONE, 1.0) if u in NOTHING else size_of(u))}
     for cell, value in view.numbers.items():
         if units.of.get(cell) == "%" and abs(value) <= SHARES:

@@ -20,8 +20,10 @@ GRAVITY = frozenset("9.81 9.80665 9.807 9.8".split())
 ACCELERATION = Term(dimension_of("m/s²"))
 NUMBERS = "25 30 32 36 60 64 90 120 180 270 360 3600 6000 9549 9550 60000 25.4 0.0254 3.6 9.55"
 CONVERTING = frozenset(map(float, [*GRAVITY, *NUMBERS.split()]))
-RATES = frozenset([15.0, 24.0, 365.0])  # degrees an hour, hours a day, days a year: 15 converts nothing else
-MILLIONTHS = re.compile(r"(?<![\w.$])(?!(?:1|60|3600)[/*])\d+(?:\.\d+)?(?:/1000000|\*1e-06)(?!\d)")  # 6 ppm
+# degrees an hour, hours a day, days a year: 15 converts nothing else
+RATES = frozenset([15.0, 24.0, 365.0])
+# 6 ppm
+MILLIONTHS = re.compile(r"(?<![\w.$])(?!(?:1|60|3600)[/*])\d+(?:\.\d+)?(?:/1000000|\*1e-06)(?!\d)")
 WORDS = frozenset(
     ("m mm cm dm km µm μm um nm in inch ft kg g t mg lb s ms min h d N kN mN MN Nm kNm mNm Nmm Ncm W kW MW "
      "mW J kJ MJ Wh kWh V mV kV A mA Ω ohm H mH F µF nF Hz kHz rpm rad mrad deg ° C K Pa kPa MPa GPa bar mbar l L ml "

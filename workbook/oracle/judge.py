@@ -103,7 +103,8 @@ class Judge:
         if len(alike) > 1 and cell in self.evaluators.trusted:  # two give what the first does not
             self.evaluators.trusted[cell] = [name for name in self.evaluators.names if name in alike]
             return True
-        at, saved = self.case_text(deviation.row, deviation.case), self.evaluators.evidence.get(cell)
+        at = self.case_text(deviation.row, deviation.case)
+        saved = self.evaluators.evidence.get(cell)
         if saved is not None and deviation.case == self.entered and close(saved, deviation.expected, deviation.allowed):
             report.states[cell] = "cannot"  # Excel and the function agree: it is the evaluators that do not
             self.evaluators.stale.pop(cell, None)

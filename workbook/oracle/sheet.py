@@ -62,7 +62,8 @@ def oracle_of_sheet(path: Path) -> Oracle:
     for where, place, unit, tolerance, formula in formulas:
         function, names = expression(str(formula), list(oracle.names), f"{path}: {where}")
         function.__name__ = where
-        allowed, inputs = 1e-9 if tolerance is None else tolerance, [oracle.names[name] for name in names]
+        allowed = 1e-9 if tolerance is None else tolerance
+        inputs = [oracle.names[name] for name in names]
         oracle.output(str(place), str(unit or ""), allowed, inputs=inputs)(function)
     if not formulas:
         raise ReadError(f"{path}: {SHEET} has no formula in Python; expected one in the row of an output")

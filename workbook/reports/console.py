@@ -72,7 +72,9 @@ def report_data(report: Report) -> dict[str, Any]:
 
 def show_report(report: Report, console: Console, everything: bool = False) -> None:
     """Print a report: what was compared on each sheet, then the findings, causes first; ``everything`` without end."""
-    faults, off, rows = Counter(f.sheet for f in report.findings), report.deviations, list[Sequence[str]]()
+    faults = Counter(f.sheet for f in report.findings)
+    off = report.deviations
+    rows = list[Sequence[str]]()
     for sheet, compared in report.cells.items():
         rows.append((sheet, f"{compared:,}", f"{off.get(sheet, 0.0):.1e}", str(faults[sheet] or "-")))
     headings = ("Sheet", "Formula cells", "Largest deviation", "Findings")

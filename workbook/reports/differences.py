@@ -93,7 +93,8 @@ def sign_lines(lines: dict[str, list[str]]) -> list[tuple[str, str]]:
 
 def page(old: Design, new: Design, differences: Differences) -> str:
     """Return the page of all differences, with the motions of both sides over one another."""
-    title, given = f"{old.path.name} and {new.path.name}", {"old": old, "new": new, "differences": differences}
+    title = f"{old.path.name} and {new.path.name}"
+    given = {"old": old, "new": new, "differences": differences}
     return document(title, "reports/differences.html", **given)
 
 

@@ -136,7 +136,8 @@ def plot(title: str, labels: tuple[str, str], lines: Sequence[Line], powers: tup
     across, up = scale(x, LEFT, WIDTH - RIGHT, powers[0]), scale(y, HEIGHT - BOTTOM, TOP, powers[1])
     curves, points, names = list[Any](), list[Any](), list[Any]()
     for k, (line, height) in enumerate(zip(lines, name_heights(lines, up), strict=True)):
-        colour, places = f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}", (across.at(line.x), up.at(line.y))
+        colour = f"#{COLOURS[k % len(COLOURS)].removeprefix('#')}"
+        places = (across.at(line.x), up.at(line.y))
         if line.points:
             points += [(*place, 3, colour, "") for place in zip(*places, strict=True)]
         else:

@@ -72,7 +72,8 @@ def grid(
 def reducer_heads(sheet: Sheet, view: PairSelection) -> None:
     """Declare names, reductions and uses of the reducers, as the heads of the table of pairs."""
     cell, across = CELLS["reducers of a grid"], view.rooms[1]
-    names, reductions = filled(view.reducers.names, across, ""), filled(view.reducers.reduction, across)
+    names = filled(view.reducers.names, across, "")
+    reductions = filled(view.reducers.reduction, across)
     uses = filled(np.char.add(per_cent(view.grid.reducer_uses), " %"), across, "0 %")
     heads = sheet.table("@heads", "", 3, cell("what", ["motor", "reduction", "use of the reducer"]), heads=False)
     for c, each in enumerate(zip(names, reductions, uses, strict=True), 1):

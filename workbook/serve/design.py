@@ -22,7 +22,8 @@ from workbook.templates import AnyTemplate
 
 MARK = "\0"  # ends the key in the line of a fault
 CONTEXT = ("template", "master", "laws", "gravity", "creep_forces", "power", "limits", "sizes")
-OF_DRIVES = ("gravity", "creep_forces", "power", "limits")  # of these a machine without drives has none
+# of these a machine without drives has none
+OF_DRIVES = ("gravity", "creep_forces", "power", "limits")
 OF_MOTION = ("name", "group", "unit", "closes", "smoothness", "shift", "position", "phases")
 PRODUCTS = ("motors", "reducers", "falling")
 REMEMBERED = 100  # axes whose figures are remembered

@@ -30,7 +30,8 @@ NAME = re.compile(r"[^/\\:*?\"<>|\x00-\x1f]{1,120}")
 LARGEST = 60_000_000  # bytes of an upload: what verify takes of a file at most
 COOKIE, JSON = "motionbook", "application/json"
 REPORT = "report.html"
-BRIEF, JUDGED = "brief", "judged"  # of the cache: what a description comes to, the verdict on a book
+# of the cache: what a description comes to, the verdict on a book
+BRIEF, JUDGED = "brief", "judged"
 STYLED = base64.b64encode(hashlib.sha256(STYLE.encode()).digest()).decode()
 POLICY = (
     f"default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'self' 'sha256-{STYLED}'; img-src 'self'; "

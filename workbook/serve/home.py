@@ -23,7 +23,8 @@ from workbook.text_files import read_text
 from workbook.writing.output_files import write_text
 
 BIN = ".bin"  # of a folder: what was deleted on the first page
-WIDTH, HEIGHT, POINTS = 300, 100, 90  # of the small picture, as in brief.html, and how many points a line has
+# of the small picture, as in brief.html, and how many points a line has
+WIDTH, HEIGHT, POINTS = 300, 100, 90
 FIRST = 3  # results in a line
 RATE = 60.0  # cycles/min of an empty machine
 

@@ -16,7 +16,8 @@ from workbook.serve.typed import value_of
 
 Changes = list[tuple[Place, Any]]
 TURN, LIFT, LAW = 360.0, 50.0, "MTP"
-ROOMS = {"phases": "phases", "parts": "rotors", "motors": "motors", "reducers": "reducers"}  # the size of their sheet
+# the size of their sheet
+ROOMS = {"phases": "phases", "parts": "rotors", "motors": "motors", "reducers": "reducers"}
 SIZES = {"phases": 8, "rotors": 6, "motors": 22, "reducers": 18}  # of a description that tells none
 NAMING = ("first", "second")  # entries of clearances that name an axis
 MECHANISMS: dict[str, dict[str, Any]] = {
@@ -34,7 +35,8 @@ class Change:
         self.template = str(self.data.get("template"))
         self.place: Place = tuple(map(str, change["path"]))
         if self.place[-1:] in (("start",), ("stop",)) and isinstance(get(self.data, self.place[:-1]), list):
-            self.place = (*self.place[:-1], str(int(self.place[-1] == "stop")))  # a time as [from, to]
+            # a time as [from, to]
+            self.place = (*self.place[:-1], str(int(self.place[-1] == "stop")))
         self.do, self.value = str(change.get("do", "set")), change.get("value")
         if not self.place:
             raise InputError(["a change of what is expected; no path is given"])

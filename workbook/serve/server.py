@@ -20,7 +20,8 @@ SLOWEST = 60.0  # seconds of a body
 ELSEWHERE = {"favicon.ico": "icon.svg", "page/colors.css": "../reports/colors.css"}
 HERE = Path(__file__).parent
 SCRIPTS = sorted(path.relative_to(HERE).as_posix() for path in HERE.glob("page/**/*.js"))
-VERSION = secrets.token_hex(6)  # of scripts and styles, which a browser keeps while this server runs
+# of scripts and styles, which a browser keeps while this server runs
+VERSION = secrets.token_hex(6)
 TYPES = {".svg": SVG, ".js": "text/javascript; charset=utf-8", ".css": "text/css; charset=utf-8"}
 
 

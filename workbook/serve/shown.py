@@ -23,7 +23,8 @@ from workbook.studies.improve import single_gains
 REMEMBERED = 4  # designs that are remembered: the saved one, and the latest
 KNOWN = ("number", "revision", "author", "date")  # what identifies a machine beside its title
 LINES = 6  # checks that fail, in sentences on the page to print; more are counted
-DRAWN, FEWER, MANY = 4, 2, 12  # charts below the table of axes, and how many where it is longer than this
+# charts below the table of axes, and how many where it is longer than this
+DRAWN, FEWER, MANY = 4, 2, 12
 
 
 class ShownDesign(Design):

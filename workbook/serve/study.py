@@ -45,7 +45,8 @@ ASKED = {"minimise": "minimise", "maximise": "maximise", "results": "keep", "at 
          "at most": "at most", "off": "no constraint"}  # fmt: skip
 """what can be asked of a result, with its words in the form"""
 WAYS = {"full": "all combinations", "sobol": "spread evenly", "evolution": "bred from the best"}
-SENT = "result what value key values takes".split()  # the fields of a form that stand in several rows
+# the fields of a form that stand in several rows
+SENT = "result what value key values takes".split()
 RANGE = re.compile(r"(\S+) to (\S+?)(?: in (\d+))?")
 ALL, LAWS, CATALOGUE = "all", "laws", "catalogue"
 SHARE, STEPS = 0.1, 5  # of a number, to either side, and in so many values: what is proposed
@@ -57,7 +58,8 @@ value_of = partial(number, unit="", expected="a number")
 async def vary(page: Page, name: str) -> str:
     """Show the form of a study of a description."""
     path = page.folder.file(name)
-    picked, design = page.get_query_arguments("vary"), pages.link(pages.address("edit", name), f"Design {name}")
+    picked = page.get_query_arguments("vary")
+    design = pages.link(pages.address("edit", name), f"Design {name}")
     given = await page.work.in_worker(choices, path, picked)
     return pages.page(f"{name}: study", "vary", do=[design], name=name, picked=picked, **given)
 

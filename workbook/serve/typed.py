@@ -10,7 +10,8 @@ from workbook.description.keys import Key
 from workbook.errors import InputError, visible
 
 FIGURE = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,3})?"
-PLAIN, SUM = re.compile(rf"[-+]?{FIGURE}"), re.compile(rf"[-+]?\s*{FIGURE}(?:\s*[-+*/]\s*{FIGURE})*")
+PLAIN = re.compile(rf"[-+]?{FIGURE}")
+SUM = re.compile(rf"[-+]?\s*{FIGURE}(?:\s*[-+*/]\s*{FIGURE})*")
 WITH_UNIT = re.compile(r"([^a-zA-Z°µ%/²³]*?(?:\d[eE][-+]?\d+)?)\s*((?:[a-zA-Z°µ%]|1/).*)")
 OF_PINT = (
     "cycles/min=rpm|cycle/min=rpm|rev/min=rpm|1/min=rpm|min-1=rpm|Nm=N m|kNm=kN m|Ncm=N cm|mNm=mN m|kgcm²=kg cm²|"

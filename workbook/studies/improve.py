@@ -21,7 +21,9 @@ ORDER = 5  # limits that are listed in their order
 DIGITS = 4  # of figures in words
 STARTS = 2  # from which the best timing is looked for, beside the present one
 ROUNDS = 12  # over all phases of the axis that limits, at most
-SAMPLES, SAME = np.linspace(0.0, 1.0, 65), 1e-6  # ξ and shares of the rise by which laws that differ are told apart
+# ξ and shares of the rise by which laws that differ are told apart
+SAMPLES = np.linspace(0.0, 1.0, 65)
+SAME = 1e-6
 STAGES: dict[str, tuple[str, Collection[str], str]] = {
     "laws": ("laws", ("law",), ""),
     "timing": ("timing", ("edge",), ""),
@@ -147,10 +149,14 @@ def reshaped(design: Design, name: str) -> tuple[Design, str, str]:
 
     A law that does not meet its neighbours is shaped anew whatever that costs.
     """
-    costs, words, meets = list[float](), "", name not in dict(design.improving.shaping.misfits(design.machine))
+    costs = list[float]()
+    words = ""
+    meets = name not in dict(design.improving.shaping.misfits(design.machine))
     for _ in range(ROUNDS):  # at the higher rate another law is the best
         axis, change = design.improving.shaping.reshaped(design.machine, name)
-        words, costs, other = change.words, costs or [design.cost_of(axis)] * meets, design.changed(change)
+        words = change.words
+        costs = costs or [design.cost_of(axis)] * meets
+        other = design.changed(change)
         if isinstance(other, str) or (cost := other.cost_of(axis)) >= min(costs, default=math.inf) * (1.0 - GAIN):
             break
         design = other

@@ -16,7 +16,8 @@ from workbook.writing.style import GREY, font
 
 TITLE, HEADING = "Improve", "What would make the machine better"
 NOTE = "Values of motionbook improve, {:%Y-%m-%d %H:%M}; no formula works them out anew"
-SAME, OTHER = "For the entries that the book has now", "The entries have changed since: improve works it out anew"
+SAME = "For the entries that the book has now"
+OTHER = "The entries have changed since: improve works it out anew"
 CHANGED = "changed"
 PASSED_OVER = ("selection.", "laws.", "sizes.")  # keys of catalogues, and of what a phase names
 ABOVE = 5  # rows above the results

@@ -40,7 +40,8 @@ class Watch:
         self.until_eof = until_eof
         self.code: int | None = None
         self._ended = asyncio.Event()
-        self._temporary = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # no work leaves a file behind
+        # no work leaves a file behind
+        self._temporary = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._work = Work(patience=LONGEST, temporary=self._temporary.name)
         self.saves = Saves(self._work, self._tell)
 
