@@ -8,8 +8,8 @@ from workbook.audit.lines import Lines, cell_text
 from workbook.audit.patterns import AGGREGATES
 from workbook.audit.view import Form, View
 from workbook.book.address import Address
-from workbook.book.columns import Node, tree
-from workbook.book.formula import Area, FormulaError
+from workbook.book.columns import Node
+from workbook.book.formula import Area
 
 SHORT = 3  # rows by which a range misses the end of what it is meant to have
 LEAST = 3  # rows of a range that is judged
@@ -94,13 +94,8 @@ def unsorted_lookups(lines: Lines) -> Iterator[Finding]:
     for cell, form in view.forms.items():
         if not form.functions & {"VLOOKUP", "HLOOKUP", "MATCH", "LOOKUP"}:
             continue
-        try:
-            formula = view.contents.formulas[cell]
-            nodes = list(calls(tree(formula.shape)))
-        except (FormulaError, KeyError, RecursionError):
-            continue
-        for node in nodes:
-            area, falls = searched_line(node, formula.arguments)
+        for node in view.calls(cell):
+            area, falls = searched_line(node, view.contents.formulas[cell].arguments)
             if area is None:
                 continue
             if area not in known:
@@ -108,14 +103,6 @@ def unsorted_lookups(lines: Lines) -> Iterator[Finding]:
             if known[area]:
                 why = f"{node.value} looks up the nearest value in {area.a1}, which is not sorted"
                 yield Finding(cell, "unsorted", why, "high", known[area])
-
-
-def calls(node: Node) -> Iterator[Node]:
-    """Yield all calls in a formula."""
-    if node.kind == "call":
-        yield node
-    for part in node.parts:
-        yield from calls(part)
 
 
 def searched_line(node: Node, arguments: tuple[Area | str, ...]) -> tuple[Area | None, bool]:

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 
 from workbook.audit.finding import Finding, Sure, many
 from workbook.audit.lines import Lines, cell_text
-from workbook.audit.ranges import calls
+from workbook.audit.view import calls
 from workbook.book.address import Address
-from workbook.book.columns import Node, tree
-from workbook.book.formula import FormulaError
+from workbook.book.columns import Node
 from workbook.errors import quoted
 from workbook.reading.files import MOST_READ
 from workbook.witnesses.calibration import QUICK, Evaluators, present
@@ -85,15 +84,9 @@ def hidden_errors(lines: Lines) -> Iterator[Finding]:
     view = lines.view
     met = set()
     for cell, form in view.forms.items():
-        if "IFERROR" not in form.functions or (formula := view.contents.formulas.get(cell)) is None:
+        if "IFERROR" not in form.functions or form.skeleton in met:
             continue
-        if form.skeleton in met:
-            continue
-        try:
-            nodes = list(calls(tree(formula.shape)))
-        except (FormulaError, RecursionError):
-            continue
-        for node in nodes:
+        for node in view.calls(cell):
             if node.value == "IFERROR" and len(node.parts) == 2 and hides(node):
                 met.add(form.skeleton)
                 why = f"every error becomes {node.parts[1].value:g}, and goes on as a value"

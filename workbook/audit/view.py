@@ -4,6 +4,7 @@ import re
 from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
@@ -13,8 +14,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from workbook.book.address import Address
-from workbook.book.columns import Moved
-from workbook.book.formula import FUNCTION, TOKEN, Area, Formula, anchors
+from workbook.book.columns import Moved, Node, tree
+from workbook.book.formula import FUNCTION, TOKEN, Area, Formula, FormulaError, anchors
 from workbook.book.rows import is_number
 from workbook.reading.files import BookFile
 from workbook.witnesses.pycel.compiled import depth_first
@@ -168,6 +169,12 @@ class View:
             before = cell
         return {cell: (left[cell], above[cell]) for cell in left}
 
+    def calls(self, cell: Address) -> list[Node]:
+        """Return the calls of functions in a formula; none of one that cannot be taken apart."""
+        with suppress(FormulaError, KeyError, RecursionError):
+            return list(calls(tree(self.contents.formulas[cell].shape)))
+        return []
+
     def labels(self, cell: Address) -> tuple[str, str]:
         """Return the text left of a figure, and that over its column."""
         left, above = self.headings.get(cell, (None, None))
@@ -176,6 +183,14 @@ class View:
     def beside(self, cell: Address) -> str:
         """Return the text directly left of a figure."""
         return self.texts.get(cell._replace(column=cell.column - 1), "") if cell.column > 1 else ""
+
+
+def calls(node: Node) -> Iterator[Node]:
+    """Yield all calls in a formula."""
+    if node.kind == "call":
+        yield node
+    for part in node.parts:
+        yield from calls(part)
 
 
 def by_line(places: Iterable[tuple[str, int, int]]) -> dict[tuple[str, int], list[int]]:
