@@ -9,6 +9,8 @@ from openpyxl.formula.translate import Translator
 from tests.workbook.audit.books import write_book
 
 REFERENCE = re.compile(r"(?<![\w!'$])(\$?)([A-Z]{1,2})(\$?)(\d+)(?![\d(])")
+ABSOLUTE = re.compile(r"\$([A-Z]+)\$(\d+)")
+MOVING = re.compile(r"(?<![\w!'$])(\$?)([A-Z]{1,2})(\d+)(?![\d(])")
 RANGE = re.compile(r"(\$?[A-Z]{1,2}\$?)(\d+):(\$?[A-Z]{1,2}\$?)(\d+)")
 LITERAL = re.compile(r"(?<![\w$.:])(\d+\.?\d*)(?![\w.:(])")
 
@@ -136,18 +138,21 @@ def refill(run, text):
     return {name(c) for c in run}
 
 
-def lost_dollar(book, random):
-    run = random.choice(runs(book, lambda t: bool(re.search(r"\$[A-Z]+\$\d", t))))
-    match = random.choice(list(re.finditer(r"\$([A-Z]+)\$(\d+)", run[0].value)))
+def change_run(run, random, pattern, change):
+    """Change a match of a pattern in the first formula of a run, and copy it on."""
     text = run[0].value
-    return refill(run, text[: match.start()] + match[1] + match[2] + text[match.end() :])
+    match = random.choice(list(pattern.finditer(text)))
+    return refill(run, text[: match.start()] + change(match) + text[match.end() :])
+
+
+def lost_dollar(book, random):
+    run = random.choice(runs(book, lambda t: bool(ABSOLUTE.search(t))))
+    return change_run(run, random, ABSOLUTE, lambda m: m[1] + m[2])
 
 
 def dollar_too_much(book, random):
-    run = random.choice(runs(book, lambda t: any(not m[3] for m in REFERENCE.finditer(t))))
-    match = random.choice([m for m in REFERENCE.finditer(run[0].value) if not m[3]])
-    text = run[0].value
-    return refill(run, f"{text[: match.start()]}${match[2]}${match[4]}{text[match.end() :]}")
+    run = random.choice(runs(book, lambda t: bool(MOVING.search(t))))
+    return change_run(run, random, MOVING, lambda m: f"${m[2]}${m[3]}")
 
 
 def operator(book, random):
@@ -168,27 +173,23 @@ def constant(book, random):
     return {name(cell)}
 
 
+def change_conversion(book, random, pattern, change):
+    """Change a conversion of units in a formula, and in its copies."""
+    run = run_of(random.choice(formulas(book, lambda t: bool(re.search(pattern, t)))))
+    return change_run(run, random, re.compile(pattern), change)
+
+
 def conversion_forgotten(book, random):
-    pattern = re.compile(r"[*/](?:1000000|10000|1000|3600|60|100)(?!\d)")
-    run = run_of(random.choice(formulas(book, lambda t: bool(pattern.search(t)))))
-    match = random.choice(list(pattern.finditer(run[0].value)))
-    return refill(run, run[0].value[: match.start()] + run[0].value[match.end() :])
+    return change_conversion(book, random, r"[*/](?:1000000|10000|1000|3600|60|100)(?!\d)", lambda m: "")
 
 
 def conversion_twice(book, random):
-    pattern = re.compile(r"[*/](?:1000|3600|60|9\.81)(?![\d.])")
-    run = run_of(random.choice(formulas(book, lambda t: bool(pattern.search(t)))))
-    match = random.choice(list(pattern.finditer(run[0].value)))
-    return refill(run, run[0].value[: match.end()] + match[0] + run[0].value[match.end() :])
+    return change_conversion(book, random, r"[*/](?:1000|3600|60|9\.81)(?![\d.])", lambda m: 2 * m[0])
 
 
 def conversion_elsewhere(book, random):
     """A formula multiplies where it should divide by a conversion."""
-    pattern = re.compile(r"[*/](?=(?:1000|3600|60)(?!\d))")
-    run = run_of(random.choice(formulas(book, lambda t: bool(pattern.search(t)))))
-    match = random.choice(list(pattern.finditer(run[0].value)))
-    other = "*" if match[0] == "/" else "/"
-    return refill(run, run[0].value[: match.start()] + other + run[0].value[match.end() :])
+    return change_conversion(book, random, r"[*/](?=(?:1000|3600|60)(?!\d))", lambda m: "*" if m[0] == "/" else "/")
 
 
 def entered(book, random):

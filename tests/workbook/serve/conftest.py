@@ -22,6 +22,11 @@ from workbook.writing.output_files import write_text
 LONG = 60_000  # ms: a workbook is built, or verified
 WIDE = 1440
 
+RATE = "master.rate"
+ENDLESS = {"result": "drive1_rms", "what": "minimise", "value": "", "way": "full", "designs": "9", "key": RATE,
+           "values": "30 to 60 in 1000000", "vary": RATE}  # fmt: skip
+"""a study that is interrupted"""
+
 BOUNDARY = "----boundary"
 ADDRESS = re.compile(r"Open http://(127\.0\.0\.1:\d+)/\?token=(\S+) ")
 

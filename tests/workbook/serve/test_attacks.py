@@ -13,15 +13,11 @@ from urllib.parse import quote
 import pytest
 
 from tests import cutting
-from tests.workbook.serve.conftest import serving
+from tests.workbook.serve.conftest import ENDLESS, serving
 from workbook.reading.descriptions import write_machine
 from workbook.serve.app import GET, POST
 from workbook.serve.work import Done, Work
 from workbook.writing.output_files import write_text
-
-RATE = "master.rate"
-LONG = {"result": "drive1_rms", "what": "minimise", "value": "", "way": "full", "designs": "9", "key": RATE,
-        "values": "30 to 60 in 1000000", "vary": RATE}  # fmt: skip
 
 
 def test_an_upload_of_a_gigabyte_is_refused_before_it_is_sent(server):
@@ -151,7 +147,7 @@ def test_a_command_ends_with_the_wait_for_it(server):
 def test_a_study_ends_with_the_server_and_its_parts_stay(tmp_path):
     write_text(tmp_path / "long.toml", write_machine(cutting.small(cycle=12, law=4)))
     with serving(tmp_path) as server:
-        server.ask("/study", server.form(name="long.toml", **LONG))
+        server.ask("/study", server.form(name="long.toml", **ENDLESS))
         server.ask("/begin", server.form(name="long-study.toml"))
         while not [*tmp_path.glob("*.parts/part-*.json")]:
             assert "data-again" in server.ask("/progress/long-study.toml").body.decode()

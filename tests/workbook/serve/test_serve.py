@@ -12,6 +12,7 @@ from urllib.parse import quote, unquote
 import openpyxl
 import pytest
 
+from tests.workbook.serve.conftest import ENDLESS
 from workbook.differences.design import read_design
 from workbook.reading.descriptions import read_machine
 from workbook.reports.cams import percent
@@ -203,10 +204,7 @@ def test_a_phase_that_varies_takes_its_room_from_another_one(server):
 
 def test_a_study_is_cancelled_and_goes_on(server):
     shutil.copy(server.root / "live.toml", server.root / "long.toml")
-    rate = "master.rate"
-    asked = {"result": "drive1_rms", "what": "minimise", "value": "", "way": "full", "designs": "9", "key": rate,
-             "values": "30 to 60 in 1000000", "vary": rate}  # fmt: skip
-    server.ask("/study", server.form(name="long.toml", **asked))
+    server.ask("/study", server.form(name="long.toml", **ENDLESS))
     server.ask("/begin", server.form(name="long-study.toml"))
     folder = server.root / "long-study.csv.parts"
     while len([*folder.glob("part-*.json")]) < 2:
@@ -225,9 +223,7 @@ def test_a_study_is_cancelled_and_goes_on(server):
 
 
 def test_a_study_of_what_there_is_not_is_refused_and_not_written(server):
-    asked = {"result": "drive1_rns", "what": "minimise", "value": "", "way": "full", "designs": "9",
-             "key": "master.rate", "values": "50, 60", "vary": "master.rate"}  # fmt: skip
-    answer = server.ask("/study", server.form(name="cutting.toml", **asked))
+    answer = server.ask("/study", server.form(name="cutting.toml", **ENDLESS | {"result": "drive1_rns"}))
     assert (answer.code, "no result is named" in answer.body.decode()) == (400, True)
     assert not (server.root / "cutting-study.toml").exists()
 
