@@ -2,7 +2,7 @@
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from workbook.audit.finding import Finding, Sure
 from workbook.audit.lines import FEW, Lines, Stretch, at, beside, cell_text, nearest, place
@@ -217,6 +217,4 @@ def moving_tables(lines: Lines) -> Iterator[Finding]:
                 break
 
 
-RULES: tuple[Callable[[Lines], Iterator[Finding]], ...] = (
-    different,  typed_over, typed_totals, dollars, wandering, stuck, moving_tables
-)  # fmt: skip
+RULES = (different, typed_over, typed_totals, dollars, wandering, stuck, moving_tables)

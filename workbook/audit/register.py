@@ -1,6 +1,5 @@
 """The register of rules, and the audit of a workbook by all of them."""
 
-from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from workbook.audit import patterns, ranges, scales, twins, units, values
@@ -10,8 +9,8 @@ from workbook.audit.units import Units
 from workbook.audit.view import View
 from workbook.reading.files import BookFile
 
-OF_LINES: tuple[Callable[[Lines], Iterator[Finding]], ...] = (*patterns.RULES, *ranges.RULES, *values.RULES)
-OF_UNITS: tuple[Callable[[Lines, Units], Iterator[Finding]], ...] = (*units.RULES, *scales.RULES, *twins.RULES)
+OF_LINES = (*patterns.RULES, *ranges.RULES, *values.RULES)
+OF_UNITS = (*units.RULES, *scales.RULES, *twins.RULES)
 KINDS = {
     "pattern": "a formula that differs from the pattern of its row or column",
     "typed-over": "a number where the cells around have formulas",
