@@ -43,7 +43,7 @@ def build(machine: Machine, path: Path, overwrite: bool = False) -> list[str]:
 
     Raises WriteError where ``path`` exists or cannot be written, InputError for a machine that the engine refuses.
     """
-    return judge_book(machine, write_book(machine, path, overwrite)[0]).failing
+    return build_keeping(machine, path, None, overwrite).failing
 
 
 def write_book(
@@ -108,14 +108,6 @@ class BookVerdict(NamedTuple):
     notes: list[str]
 
 
-def judge_book(machine: Machine, book: Book) -> BookVerdict:
-    """Return the verdict of a machine's book and the exact engine; of an unfinished design its faults."""
-    if faults := machine.design.faults:
-        return BookVerdict([f"{counted_from_1(fault.key)}: {fault.sentence}" for fault in faults], [])
-    exact = TEMPLATES[machine.template].judge(machine)
-    return BookVerdict(failing_checks(book, exact), exact.notes)
-
-
 def require_readable(draft: Path) -> None:
     """Raise InputError for a workbook that is larger than what verify would read; a small file needs no look."""
     try:
@@ -167,10 +159,15 @@ def regenerate(path: Path, output: Path, overwrite: bool = False) -> BookVerdict
 def build_keeping(
     machine: Machine, path: Path, old: Match | None, overwrite: bool = False, notes: Sequence[str] = ()
 ) -> BookVerdict:
-    """Write the workbook of a machine with what an engineer has added to an old book; return its verdict and notes."""
+    """Write the workbook of a machine, with what an engineer has added to an old book; return the verdict on it.
+
+    That is of its sheets and of the exact engine; of an unfinished design its faults. The notes begin with ``notes``.
+    """
     book, left = write_book(machine, path, overwrite, old)
-    failing, lines = judge_book(machine, book)
-    return BookVerdict(failing, [*notes, *left, *lines])
+    if faults := machine.design.faults:
+        return BookVerdict([f"{counted_from_1(fault.key)}: {fault.sentence}" for fault in faults], [*notes, *left])
+    exact = TEMPLATES[machine.template].judge(machine)
+    return BookVerdict(failing_checks(book, exact), [*notes, *left, *exact.notes])
 
 
 def committed_descriptions() -> list[Path]:
