@@ -6,20 +6,21 @@ import stat
 import tempfile
 import time
 import zipfile
-import zlib
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from fnmatch import fnmatch
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
-from workbook.errors import AGREES, DISAGREES, FAILS, UNREADABLE, MotionbookError, WitnessError, visible
+from workbook import errors
+from workbook.errors import MotionbookError, WitnessError, visible
 from workbook.failure import failure_line
 from workbook.judging.report import Report
 from workbook.judging.verify import verify
 from workbook.pool import THIS_PROCESS, Pool, WorkerDied, collecting_between, collector_paused
 from workbook.reading.files import SUFFIXES
+from workbook.reading.guard import DAMAGE
 from workbook.text_files import irregular_kind
 from workbook.witnesses.witness import in_full
 
@@ -52,22 +53,23 @@ def no_report(path: Path, reason: str, verdict: Verdict = "unreadable") -> Outco
     return Outcome(path, verdict, reason=visible(f"{path}: {reason}"))
 
 
-def foreign(path: Path) -> bool:
-    """Whether a file is, by its list of names, a whole workbook without a machine; not where that cannot be known."""
+def lack_of_machine(path: Path) -> str:
+    """Return why a file is, by its list of names, a workbook without a machine; nothing where that is not known."""
     try:
         with zipfile.ZipFile(path) as archive:
             parts = [name for name in archive.namelist() if fnmatch(name, "xl/workbook*.xml")]
             lists = (archive.open(part).read(MOST_READ) for part in parts)
-            return bool(parts) and not any(b"book_template" in names for names in lists)
-    except (OSError, zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, ValueError, EOFError):
-        return False
+            is_foreign = parts and not any(b"book_template" in names for names in lists)
+            return "holds no machine of motionbook" if is_foreign else ""
+    except (*DAMAGE, RuntimeError):
+        return ""
 
 
 def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     """Verify a workbook, whatever it is; the outcome says so where it cannot be read or changes meanwhile."""
     path, begin = target.path, time.perf_counter()
     try:
-        kind = "" if target.named else irregular_kind(path) or (foreign(path) and "holds no machine of motionbook")
+        kind = "" if target.named else irregular_kind(path) or lack_of_machine(path)
         if kind:
             return no_report(path, kind, "no machine")
         before = file_state(path)
@@ -85,7 +87,8 @@ def verify_one(target: Target, witnesses: Sequence[str]) -> Outcome:
     except OSError as error:
         return no_report(path, f"cannot be read: {error.strerror or error}")
     except Exception as error:  # a strange file must not take the others' verdicts with it
-        return no_report(path, failure_line("verifying it failed inside motionbook", error, ["verify", str(path)]))
+        what, command = "verifying it failed inside motionbook", ["verify", str(path)]
+        return no_report(path, failure_line(what, error, command))
     return judge(path, report, sha256, begin)
 
 
@@ -94,7 +97,8 @@ def judge(path: Path, report: Report, sha256: str, begin: float) -> Outcome:
     if report.findings and all(finding.kind == "witness" for finding in report.findings):
         finding = report.findings[0]
         version = next(ran.version for ran in report.witnesses if ran.name == finding.cell)
-        return no_report(path, f"{in_full(finding.cell, version)} gave no values to compare: {finding.computed}")
+        witness = in_full(finding.cell, version)
+        return no_report(path, f"{witness} gave no values to compare: {finding.computed}")
     verdict: Verdict = "disagrees" if not report.agrees else "agrees" if report.holds else "fails"
     return Outcome(path, verdict, report, sha256=sha256, seconds=time.perf_counter() - begin)
 
@@ -140,15 +144,18 @@ def verify_sent(book: SentBook, witnesses: Sequence[str]) -> Outcome:
             place.write_bytes(book.data)
         outcome = verify_one(Target(place, book.target.named), witnesses)
     report = replace(outcome.report, path=name) if outcome.report else None
-    return replace(outcome, path=name, report=report, reason=outcome.reason.replace(str(place), str(name)))
+    reason = outcome.reason.replace(str(place), str(name))
+    return replace(outcome, path=name, report=report, reason=reason)
 
 
 def exit_code(outcomes: Iterable[Outcome]) -> int:
     """Return the gravest: 2 where any cannot be read or none was verified, 1 for cells, 3 for a design, 0 for none."""
     verdicts = {outcome.verdict for outcome in outcomes}
     if "unreadable" in verdicts or not verdicts - {"no machine"}:
-        return UNREADABLE
-    return DISAGREES if "disagrees" in verdicts else FAILS if "fails" in verdicts else AGREES
+        return errors.UNREADABLE
+    if "disagrees" in verdicts:
+        return errors.DISAGREES
+    return errors.FAILS if "fails" in verdicts else errors.AGREES
 
 
 def find_workbooks(paths: Sequence[Path]) -> tuple[list[Target], list[Outcome]]:
@@ -176,7 +183,9 @@ def workbooks_in(folder: Path, failed: list[Outcome]) -> Iterator[Target]:
             path = Path(place, name)
             if path.suffix.lower() in SUFFIXES and not name.startswith("~$") and not hidden(path):
                 yield Target(path, named=False)
-    failed += [no_report(Path(e.filename or folder), f"cannot be listed: {e.strerror or e}") for e in errors]
+    for error in errors:
+        reason = f"cannot be listed: {error.strerror or error}"
+        failed.append(no_report(Path(error.filename or folder), reason))
 
 
 def hidden(path: Path) -> bool:
@@ -194,33 +203,29 @@ def verify_many(
     pool: Pool = THIS_PROCESS,
     done: Callable[[Outcome], object] = lambda outcome: None,
 ) -> list[Outcome]:
-    """Verify workbooks by a pool, once more by a fresh pool where a worker dies; call ``done`` as each is finished."""
+    """Verify workbooks by a pool; call ``done`` as each is finished."""
     outcomes: dict[Target, Outcome] = {}
-
-    def keep(target: Target, outcome: Outcome) -> None:
+    for target, outcome in verify_by_pool(targets, witnesses, pool):
         outcomes[target] = outcome
         done(outcome)
-
-    for target in verify_by_pool(targets, witnesses, pool, keep):
-        with pool.alone() as fresh:
-            again = verify_by_pool([target], witnesses, fresh, keep)
-        if again:
-            keep(target, no_report(target.path, "verifying it ended the process (out of memory?)"))
     return [outcomes[target] for target in targets]
 
 
 def verify_by_pool(
-    targets: Sequence[Target], witnesses: Sequence[str], pool: Pool, keep: Callable[[Target, Outcome], object]
-) -> list[Target]:
-    """Verify by a pool, and keep what came of each; return those whose worker died."""
-    books = map(packed_book, targets)
+    targets: Sequence[Target], witnesses: Sequence[str], pool: Pool, is_last: bool = False
+) -> Iterator[tuple[Target, Outcome]]:
+    """Verify by a pool, where a worker dies once more by a fresh pool unless this ``is_last``; yield each outcome."""
     here = collecting_between(targets) if pool is THIS_PROCESS else targets
-    each = pool.each(verify_sent, books, witnesses) if pool.distant else pool.each(verify_one, here, witnesses)
+    books: Iterable[Any] = map(packed_book, targets) if pool.distant else here
     died = []
-    for book, outcome in each:
-        target = book if isinstance(book, Target) else book.target
-        if isinstance(outcome, WorkerDied):
-            died.append(target)
+    for book, outcome in pool.each(verify_sent if pool.distant else verify_one, books, witnesses):
+        target = book.target if isinstance(book, SentBook) else book
+        if not isinstance(outcome, WorkerDied):
+            yield target, outcome
+        elif is_last:
+            yield target, no_report(target.path, "verifying it ended the process (out of memory?)")
         else:
-            keep(target, outcome)
-    return died
+            died.append(target)
+    for target in died:
+        with pool.alone() as fresh:
+            yield from verify_by_pool([target], witnesses, fresh, is_last=True)

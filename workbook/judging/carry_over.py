@@ -30,7 +30,8 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
     ours = {pair.address.sheet for pair in match.pairs}
     titles = {sheet.title for sheet in own.sheets}
     foreign = [title for title in file.workbook.sheetnames if title not in ours | titles]
-    lines = [f"the sheet {title!r} is not carried over: it is none of the generated ones" for title in foreign]
+    none = "is not carried over: it is none of the generated ones"
+    lines = [f"the sheet {title!r} {none}" for title in foreign]
     report = Report(file.path, template)
     check_structure(match, report)
     edited, added = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
@@ -41,8 +42,9 @@ def not_carried(match: Match, template: str, own: Additions = NO_ADDITIONS) -> l
         if at.sheet in ours | titles and at not in match.numbers and (at.sheet, at.a1) not in taken:
             added[at.sheet].append(at.a1)
     lines += [f"{at} is not carried over: {reason}" for at, reason in own.lost.items()]
-    lines += [f"edits on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in edited.items()]
-    lines += [f"formulas added on the sheet {s!r} are not carried over: {listed(cells)}" for s, cells in added.items()]
+    for what, by_sheet in (("edits", edited), ("formulas added", added)):
+        for title, cells in by_sheet.items():
+            lines.append(f"{what} on the sheet {title!r} are not carried over: {listed(cells)}")
     return lines + left_behind(match, own)
 
 
@@ -57,35 +59,39 @@ def left_behind(match: Match, own: Additions = NO_ADDITIONS) -> list[str]:
     ]
     if left := [name.name for name in own_names(match) if name.name not in carried]:
         lines.append(f"names of your own are not carried over: {listed(left)}")
-    if inspected := match.file.inspected:
-        drawn = (sheet.title for sheet in own.sheets if inspected.drawings.get(sheet.title))
-        tables = ((sheet.title, [*sheet.tables]) for sheet in own.sheets if sheet.tables)
-        lines += [f"tables of the sheet {title!r} are not carried over: {listed(names)}" for title, names in tables]
-        lines += [f"charts and pictures of the sheet {title!r} are not carried over" for title in drawn]
-        lines += [f"{what} are not carried over: {count} in all" for what, count in inspected.drawn.items() if count]
+    inspected, left_there = match.file.inspected, "of the sheet {!r} are not carried over"
+    for sheet in (sheet for sheet in own.sheets if sheet.tables):
+        lines.append(f"tables {left_there.format(sheet.title)}: {listed([*sheet.tables])}")
+    drawn = (sheet.title for sheet in own.sheets if inspected.drawings.get(sheet.title))
+    lines += [f"charts and pictures {left_there.format(title)}" for title in drawn]
+    counted = ((what, count) for what, count in inspected.drawn.items() if count)
+    lines += [f"{what} are not carried over: {count} in all" for what, count in counted]
     return lines
 
 
 def taken_places(own: Additions) -> set[tuple[str, str]]:
     """Return the sheets and cells of what is taken along, and of what is known to stay behind."""
-    cells = (*(cell for cell, *_ in own.cells), *(cell for cell, _ in own.notes))
-    return {(cell.parent.title, cell.coordinate) for cell in cells} | {(at.sheet, at.a1) for at in own.lost}
+    cells = [cell for cell, *_ in own.cells] + [cell for cell, _ in own.notes]
+    taken = {(cell.parent.title, cell.coordinate) for cell in cells}
+    return taken | {(at.sheet, at.a1) for at in own.lost}
 
 
 def sheet_additions(match: Match, declared: Sheet, title: str) -> dict[str, list[str]]:
     """Return the cells of what was added to a sheet, by its kind in words."""
-    sheet, constants = match.file.workbook[title], match.file.contents.constants.items()
+    sheet, book = match.file.workbook[title], match.declared
     known = {rule_words(mark.rule) for b in declared.blocks for mark in conditional_formats(b)}
-    charts, wide = list(read_charts(match, title)), widths(declared, PossibleTexts(match.declared))
-    drawn = [draw(chart, match.declared, *chart_size(declared, wide, *place)) for chart, *place in declared.charts]
+    marked = ((area, {*map(rule_words, area.rules)}) for area in sheet.conditional_formatting)
+    charts, wide = list(read_charts(match, title)), widths(declared, PossibleTexts(book))
+    sizes = ((chart, chart_size(declared, wide, *place)) for chart, *place in declared.charts)
+    drawn = [draw(chart, book, *size) for chart, size in sizes]
     ours = {id(chart) for *_, chart in pair_charts(match, declared, drawn, charts)}
+    constants = (at for at in match.file.contents.constants if at.sheet == title)
+    cells = (cell for cell in sheet._cells.values() if isinstance(cell, Cell))
     return {
-        "texts and numbers": [at.a1 for at, _ in constants if at.sheet == title and is_own(match, at)],
-        "notes": [cell.coordinate for cell in sheet._cells.values() if isinstance(cell, Cell) and cell.comment],
+        "texts and numbers": [at.a1 for at in constants if is_own(match, at)],
+        "notes": [cell.coordinate for cell in cells if cell.comment],
         "charts": [chart.at.a1 for chart in charts if id(chart) not in ours],
-        "conditional formats": [
-            str(area.sqref) for area in sheet.conditional_formatting if set(map(rule_words, area.rules)) - known
-        ],
+        "conditional formats": [str(area.sqref) for area, words in marked if words - known],
     }
 
 
@@ -94,7 +100,8 @@ def find_additions(match: Match, fresh: Book) -> Additions:
     ours = {pair.address.sheet for pair in match.pairs}
     titles = {sheet.title.casefold() for sheet in fresh.sheets}
     sheets = match.file.workbook.worksheets
-    own = [sheet for sheet in sheets if sheet.title not in ours and sheet.title.casefold() not in titles]
+    beside = (sheet for sheet in sheets if sheet.title not in ours)
+    own = [sheet for sheet in beside if sheet.title.casefold() not in titles]
     moves = Moves(match, fresh, {sheet.title for sheet in own})
     names = tuple(carried_names(match, moves))
     moves.own_names |= {name.name.casefold() for name in names}
@@ -121,10 +128,10 @@ def cells_on(sheets: Sequence[Worksheet], titles: set[str]) -> Iterator[tuple[Ad
 
 def is_own(match: Match, at: Address) -> bool:
     """Whether a cell holds something that no book of the engine's has there."""
-    contents = match.file.contents
-    if at in match.numbers:
+    if at in match.numbers or at in match.labels:
         return False
-    return at in contents.formulas or at in contents.failed or (at in contents.constants and at not in match.labels)
+    contents = match.file.contents
+    return any(at in held for held in (contents.formulas, contents.failed, contents.constants))
 
 
 def free_place(moves: Moves, at: Address, taken: set[Address]) -> Address:
@@ -138,12 +145,12 @@ def free_place(moves: Moves, at: Address, taken: set[Address]) -> Address:
 def carried_names(match: Match, moves: Moves) -> Iterator[DefinedName]:
     """Yield the engineer's own names that lead on, each with what it leads to in the fresh book."""
     known = {name.casefold() for name, _ in moves.fresh.names()}
-    for defined in own_names(match):
-        text = str(defined.attr_text)
+    for own in own_names(match):
+        text = str(own.attr_text)
         try:
-            if defined.name.casefold() not in known and "#REF!" not in text:
+            if own.name.casefold() not in known and "#REF!" not in text:
                 led = moves.formula(f"={text}", Address("", 1, 1), "").removeprefix("=")
-                yield DefinedName(defined.name, attr_text=led, comment=defined.comment, hidden=defined.hidden)
+                yield DefinedName(own.name, attr_text=led, comment=own.comment, hidden=own.hidden)
         except (LostError, FormulaError):
             continue
 
@@ -168,8 +175,9 @@ def carried_content(moves: Moves, cell: Cell, at: Address, sheet: str) -> Any:
 def own_names(match: Match) -> list[DefinedName]:
     """Return the names that are someone's own."""
     declared = {name.casefold() for name, _ in match.declared.names()}
-    held = match.file.workbook.defined_names.items()
-    return [own for name, own in held if name.casefold() not in declared and not name.startswith("_xl")]
+    held = match.file.workbook.defined_names.values()
+    named = (own for own in held if own.name.casefold() not in declared)
+    return [own for own in named if not own.name.startswith("_xl")]
 
 
 def with_sheet(own: Additions, sheet: Worksheet) -> Additions:

@@ -2,7 +2,6 @@
 
 import math
 from collections import Counter
-from collections.abc import Sequence
 from typing import Any
 
 from pydantic import ValidationError
@@ -64,6 +63,11 @@ class ExpectedValues:
         """Return the scale of a declared cell's deviations."""
         return self.peaks[self._match.numbers[address]]
 
+    def differs(self, at: Address, value: Any) -> bool:
+        """Whether a value of a cell is not the engine's, where the engine has any."""
+        expected = self.get(at)
+        return expected is not None and not difference(value, expected, self.peak(at)) <= TOLERANCE
+
 
 # of tables of so many rows, a row in so many is looked at, at any of the other inputs
 LONG, SPREAD = 12, 6
@@ -79,10 +83,11 @@ class Comparison:
         self.report = report
         self.right = ExpectedValues(match, match.declared)
         cells = set(match.file.contents.formula_cells)
-        self.pairs = {p.address: p for p in match.pairs if p.declared_formula and p.address in cells}
+        declared = [pair for pair in match.pairs if pair.declared_formula]
+        self.pairs = {pair.address: pair for pair in declared if pair.address in cells}
         self.values: Cells = {}  # of the first witness that computed any
         self._first_wrong: set[Address] = set()  # by that witness
-        report.cells |= Counter(pair.address.sheet for pair in match.pairs if pair.declared_formula)
+        report.cells |= Counter(pair.address.sheet for pair in declared)
 
     def ask(self, witness: Witness) -> None:
         """Compare what a witness says, or enter why it says nothing; raise WitnessError where all rests on it."""
@@ -126,15 +131,16 @@ class Comparison:
             value = values.get(pair.address)
             own = pair.address in at_fault or not explained or pair.address not in self._first_wrong
             kind = "follows" if not own else "error" if is_error(value) else "value"
-            why = problems.get(pair.address, "") or ("" if value is not None else "it could not be evaluated")
+            unknown = "it could not be evaluated" if value is None else ""
+            why = problems.get(pair.address, "") or unknown
             self.report.add(pair, kind, value, pair.cell.expected, deviation, ran.name, why)
         self.values = self.values or values
 
-    def _at_fault(self, places: Sequence[Address]) -> set[Address]:
+    def _at_fault(self, places: list[Address]) -> set[Address]:
         """Return the cells that are wrong even when all that they refer to is right."""
         numbers = [self.match.numbers[a] for a in places]
         alone = self.model.each(numbers, self.right.values) if numbers else []
-        return {a for a, value in zip(places, alone, strict=True) if differs(self.right, a, value)}
+        return {a for a, value in zip(places, alone, strict=True) if self.right.differs(a, value)}
 
     def _kept(self, ran: WitnessRun, values: Cells) -> None:
         """Enter values that the file was saved with and that no longer are what its cells compute."""
@@ -142,7 +148,8 @@ class Comparison:
             ran.version = f"{ran.version}, {NO_EVIDENCE}"
         for pair, deviation in self._wrong(values, first=False):
             held, computed = values.get(pair.address), self.values.get(pair.address)
-            if not self.values or not difference(held, computed, self.right.peak(pair.address)) <= TOLERANCE:
+            peak = self.right.peak(pair.address)
+            if not self.values or not difference(held, computed, peak) <= TOLERANCE:
                 self.report.add(pair, "saved", held, pair.cell.expected, deviation, ran.name)
 
     def _wrong(self, values: Cells, first: bool) -> list[tuple[Pair, float]]:
@@ -155,7 +162,8 @@ class Comparison:
             alike = value == expected and type(value) is type(expected)
             deviation = 0.0 if alike else difference(value, expected, self.right.peak(address))
             if first and math.isfinite(deviation):
-                self.report.deviations[address.sheet] = max(self.report.deviations.get(address.sheet, 0.0), deviation)
+                known = self.report.deviations
+                known[address.sheet] = max(known.get(address.sheet, 0.0), deviation)
             if not deviation <= TOLERANCE:
                 wrong.append((pair, deviation))
         return wrong
@@ -165,25 +173,21 @@ class Comparison:
         try:
             machines = template.variants(machine)
         except ValidationError:  # numbers so large that no neighbour of theirs is a number
-            self.report.notes.append("the values entered leave no room for other ones: compared at these alone")
+            note = "the values entered leave no room for other ones: compared at these alone"
+            self.report.notes.append(note)
             return
         known = {(f.sheet, f.cell) for f in self.report.findings}
         pairs = {a: p for a, p in self.pairs.items() if a in self.match.file.contents.formulas}
-        for k, (turn, varied) in enumerate(zip(by_variation(pairs, suspects, len(machines)), machines, strict=True), 1):
+        turns = by_variation(pairs, suspects, len(machines))
+        for k, (turn, varied) in enumerate(zip(turns, machines, strict=True), 1):
             right = ExpectedValues(self.match, template.declare(varied))
             by = f"{self.single.name}, at variation {k} of the inputs"
             values = self.model.each([self.match.numbers[a] for a in turn], right.values)
             for a, value in zip(turn, values, strict=True):
-                if differs(right, a, value) and (a.sheet, a.a1) not in known:
+                if right.differs(a, value) and (a.sheet, a.a1) not in known:
                     known.add((a.sheet, a.a1))
                     deviation = difference(value, right.get(a), right.peak(a))
                     self.report.add(self.pairs[a], "value", value, right.get(a), deviation, by)
-
-
-def differs(right: ExpectedValues, at: Address, value: Any) -> bool:
-    """Whether a value is not the engine's, where the engine has any."""
-    expected = right.get(at)
-    return expected is not None and not difference(value, expected, right.peak(at)) <= TOLERANCE
 
 
 def by_variation(pairs: dict[Address, Pair], suspects: set[Address], variations: int) -> list[list[Address]]:
@@ -202,7 +206,8 @@ def count_cells(match: Match, report: Report) -> None:
     """Count each declared formula cell once for each witness that answered: compared, at fault, or unfinished."""
     cells = {(p.address.sheet, p.address.a1): p for p in match.pairs if p.declared_formula}
     blocks = match.declared.blocks.values()
-    report.declared = sum(block.size for block in blocks for q in block.quantities if q.formula is not None)
+    columns = ((block.size, q) for block in blocks for q in block.quantities)
+    report.declared = sum(size for size, q in columns if q.formula is not None)
     for ran in (ran for ran in report.witnesses if ran.answered):
         others = {w.name for w in report.witnesses} - {ran.name}
         own = [f for f in report.findings if f.witness.partition(",")[0] not in others]

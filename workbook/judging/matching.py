@@ -14,6 +14,7 @@ from workbook.reading.files import BookFile, is_formula
 from workbook.reading.table_fit import MOST_BETWEEN
 
 Argument = Area | str
+Arguments = list[tuple[Argument, Argument]]  # declared and held
 Index = tuple[str, int, int]  # block, row and column of a cell
 HEADING = -1  # the row of a table's headings, before its first
 
@@ -47,21 +48,22 @@ class Match:
             place = self.file.places.get(block.name)
             if place is None or block.name in self.file.torn:
                 continue
-            for j, cells in enumerate(block.by_column()):
-                addresses = zip(cells, place.down(j), strict=True)
-                self.columns.append(
-                    [Pair(cell, at, self.file.value(at), is_formula(cell.content)) for cell, at in addresses]
-                )
+            for j, column in enumerate(block.by_column()):
+                cells = zip(column, place.down(j), strict=True)
+                pairs = [Pair(c, at, self.file.value(at), is_formula(c.content)) for c, at in cells]
+                self.columns.append(pairs)
         self.pairs += chain.from_iterable(self.columns)
 
     def placed(self, sheet: Sheet) -> list[tuple[Block, Place]]:
         """Return the blocks of a declared sheet that the file has, with their places."""
-        return [(block, self.file.places[block.name]) for block in sheet.blocks if block.name in self.file.places]
+        places = self.file.places
+        return [(block, places[block.name]) for block in sheet.blocks if block.name in places]
 
     @cached_property
     def sheets(self) -> list[tuple[Sheet, str]]:
         """The declared sheets of which the file has blocks, each with the title of the sheet on which they are."""
-        return [(sheet, placed[0][1].sheet) for sheet in self.declared.sheets if (placed := self.placed(sheet))]
+        placed = ((sheet, self.placed(sheet)) for sheet in self.declared.sheets)
+        return [(sheet, blocks[0][1].sheet) for sheet, blocks in placed if blocks]
 
     @cached_property
     def numbers(self) -> dict[Address, int]:
@@ -78,7 +80,12 @@ class Match:
         arguments = self._arguments(content, block, text, sheet)
         return arguments is not None and all(self.same(pair, other) for pair, other in arguments)
 
-    def _arguments(self, content: str, block: Block, text: str, sheet: str) -> list[tuple[Argument, Argument]] | None:
+    def holds_formula(self, pair: Pair) -> bool:
+        """Whether the formula in a cell means what its declared formula means."""
+        content, block = pair.cell.content, pair.cell.block
+        return self.same_formula(content, block, pair.held, pair.address.sheet)
+
+    def _arguments(self, content: str, block: Block, text: str, sheet: str) -> Arguments | None:
         """Return the arguments of two formulas, declared and held, in pairs; None where these differ in shape."""
         try:
             declared = read(content, block.sheet.title, self.declared_area)
@@ -90,12 +97,14 @@ class Match:
 
     def cells_read_elsewhere(self, pair: Pair) -> Iterator[tuple[Address, Address]]:
         """Yield the cells that a formula of the declared shape reads outside of all blocks: their places, and those."""
-        for our, other in self._arguments(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet) or ():
+        content, block = pair.cell.content, pair.cell.block
+        for our, other in self._arguments(content, block, pair.held, pair.address.sheet) or ():
             if isinstance(our, Area) and isinstance(other, Area):
                 for ours, theirs in zip(corners(our), corners(other), strict=True):
                     name, i, j = self._declared_index.get(ours, ("", HEADING, 0))
-                    if i != HEADING and name in self.file.places and theirs not in self._held_index:
-                        yield self.file.places[name].cell(i, j), theirs
+                    place = self.file.places.get(name)
+                    if i != HEADING and place and theirs not in self._held_index:
+                        yield place.cell(i, j), theirs
 
     def declared_value(self, address: Address) -> Any:
         """Return the content of a declared cell, at its address in the declaration."""
@@ -107,23 +116,26 @@ class Match:
         """Whether two arguments mean the same: every cell is named by its block and its place in the block."""
         if not isinstance(declared, Area) or not isinstance(held, Area):
             return declared == held
-        return declared.single == held.single and all(map(self._same_cell, corners(declared), corners(held)))
+        are_alike = map(self._same_cell, corners(declared), corners(held))
+        return declared.single == held.single and all(are_alike)
 
     def _same_cell(self, declared: Address, held: Address) -> bool:
         """Whether two cells have the same place in a block; a heading's is every text or gap just above its column."""
         ours = self._declared_index.get(declared, declared)
-        theirs = self._held_index.get(held, held)
-        if ours == theirs or isinstance(ours, Address) or ours[1] != HEADING or ours[0] not in self.file.places:
-            return ours == theirs
-        top = self.file.places[ours[0]].cell(0, ours[2])
-        is_above = held.row in range(top.row - MOST_BETWEEN, top.row) and held == top._replace(row=held.row)
-        return is_above and isinstance(self.file.value(held), str | None)
+        name, row, column = ours
+        if row != HEADING or name not in self.file.places:
+            return ours == self._held_index.get(held, held)
+        top = self.file.places[name].cell(0, column)
+        is_above = top.row - MOST_BETWEEN <= held.row < top.row
+        is_heading = is_above and held == top._replace(row=held.row)
+        return is_heading and isinstance(self.file.value(held), str | None)
 
     @cached_property
     def _declared_index(self) -> dict[Address, Index]:
         places = [(block.name, declared_place(block)) for block in self.declared.blocks.values()]
         tables = [(name, place) for name, place in places if self.declared.blocks[name].is_table]
-        headings = {at.cell(HEADING, j): (name, HEADING, j) for name, at in tables for j in range(at.columns)}
+        columns = [(name, place, j) for name, place in tables for j in range(place.columns)]
+        headings = {place.cell(HEADING, j): (name, HEADING, j) for name, place, j in columns}
         return headings | cell_index(places)
 
     @cached_property
@@ -133,7 +145,7 @@ class Match:
         for sheet, title in self.sheets:
             texts = {Address(title, text.row, text.column): text.text for text in sheet.texts}
             words = {*texts.values()}
-            if all(place[:4] == (title, b.row, b.column, b.size) for b, place in self.placed(sheet)):
+            if all(p[:4] == (title, b.row, b.column, b.size) for b, p in self.placed(sheet)):
                 labels |= {at for at, text in held if texts.get(at) == text}
             else:
                 labels |= {at for at, text in held if at.sheet == title and text in words}
@@ -145,7 +157,8 @@ class Match:
 
     @cached_property
     def _held_index(self) -> dict[Address, Index]:
-        return cell_index((name, self.file.places[name]) for name in self.declared.blocks if name in self.file.places)
+        placed = (pair for sheet in self.declared.sheets for pair in self.placed(sheet))
+        return cell_index((block.name, place) for block, place in placed)
 
     @cached_property
     def declared_area(self) -> Callable[[str, str], Area]:

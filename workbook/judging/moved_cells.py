@@ -140,8 +140,8 @@ class Moves:
         ]
         if near:  # something of its row may stay where it is, as what is to the right on the page of a drive does
             return next((there for there in near if level and there.row == at.row), near[0])
-        sheet = next((self.sheet(declared) for declared, title in self.match.sheets if title == at.sheet), None)
-        if sheet is None:
+        declared = next((old for old, title in self.match.sheets if title == at.sheet), None)
+        if declared is None or (sheet := self.sheet(declared)) is None:
             raise LostError(f"the new book has no sheet {at.sheet}")
         return Address(sheet.title, at.row, at.column)
 
@@ -163,8 +163,9 @@ class Moves:
         if whole := self._whole_columns(area):
             first, last = (end._replace(row=r) for end, r in zip((first, last), whole, strict=True))
         spans = last.row - first.row, last.column - first.column
-        rows = {self.cell(Address(area.sheet, r, area.left)).row - r for r in range(area.top, area.bottom + 1)}
-        if first.sheet != last.sheet or spans[1] != area.right - area.left or (not whole and len(rows) > 1):
+        left = (Address(area.sheet, row, area.left) for row in range(area.top, area.bottom + 1))
+        is_torn = len({self.cell(at).row - at.row for at in left}) > 1 and not whole
+        if first.sheet != last.sheet or spans[1] != area.right - area.left or is_torn:
             raise LostError(f"{area.sheet}!{area.a1} is torn in the new book")
         return Area(first.sheet, first.row, first.column, last.row, last.column, area.single)
 
@@ -207,11 +208,11 @@ class Moves:
         new = self.area(old)
         if old.single and (index := self.match.index_of(old.first)):
             self._note_row(index[0], index[1])
-        ends = [cell_at(first, new.top, new.left), *([cell_at(last, new.bottom, new.right)] if last else [])]
+        cells = cell_at(first, new.top, new.left)
+        cells += f":{cell_at(last, new.bottom, new.right)}" if last else ""
         if before and new.sheet == old.sheet:
-            return before + ":".join(ends)
-        sheet = f"{quote_sheetname(new.sheet)}!" if before or new.sheet != to else ""
-        return sheet + ":".join(ends)
+            return f"{before}{cells}"
+        return f"{quote_sheetname(new.sheet)}!{cells}" if before or new.sheet != to else cells
 
     def _note_row(self, name: str, i: int) -> None:
         """Note a row of a table whose entries are in no row of the fresh one: that of its number is taken."""

@@ -100,7 +100,8 @@ class Report:
     deviations: dict[str, float] = field(default_factory=dict)  # the largest of each sheet
     cells: dict[str, int] = field(default_factory=dict)  # declared formula cells of each sheet
     witnesses: list[WitnessRun] = field(default_factory=list)
-    formulas: dict[tuple[str, str], str] = field(default_factory=dict)  # of findings' cells, where no cell has moved
+    # of findings' cells, where no cell has moved
+    formulas: dict[tuple[str, str], str] = field(default_factory=dict)
     own: list[str] = field(default_factory=list)  # formula cells that belong to nothing declared
     not_evaluated: int = 0  # of these
     notes: list[str] = field(default_factory=list)
@@ -119,8 +120,9 @@ class Report:
     def findings_words(self) -> str:
         """The number of findings, and of the cells that follow from them, in words."""
         causes = len(self.causes)
-        words, more = f"{causes:,} finding{'' if causes == 1 else 's'}", len(self.findings) - causes
-        return f"{words}; {more:,} cells are wrong only because of {'it' if causes == 1 else 'them'}" if more else words
+        words, them = ("1 finding", "it") if causes == 1 else (f"{causes:,} findings", "them")
+        more = len(self.findings) - causes
+        return f"{words}; {more:,} cells are wrong only because of {them}" if more else words
 
     @property
     def failing(self) -> list[Check]:
@@ -162,10 +164,11 @@ class Report:
         why: str = "",
     ) -> None:
         """Enter a finding on a declared cell."""
-        at = pair.address
-        self.findings.append(Finding(at.sheet, at.a1, kind, computed, expected, pair.what, deviation, by, why))
+        at, what = pair.address, pair.what
+        finding = Finding(at.sheet, at.a1, kind, computed, expected, what, deviation, by, why)
+        self.findings.append(finding)
 
-    def say(self, at: Address, kind: str, value: Any, expected: Any, what: str) -> None:
+    def add_at(self, at: Address, kind: str, value: Any, expected: Any, what: str) -> None:
         """Enter a finding, or a notice, on what stands at an address."""
         entry = Finding(at.sheet, at.a1, kind, value, expected, what)
         (self.notices if kind == NOTICE else self.findings).append(entry)

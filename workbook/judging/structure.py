@@ -4,7 +4,6 @@ import math
 from collections import Counter, defaultdict
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import groupby
 from typing import Any
 
 from openpyxl import Workbook
@@ -35,17 +34,15 @@ def check_structure(match: Match, report: Report) -> set[Address]:
             if not holds_declared(pair.held, pair.cell.content):
                 held = f'"{pair.held}"' if isinstance(pair.held, LiteralText) else pair.held
                 report.add(pair, "changed", held, pair.cell.content)
-        elif isinstance(pair.held, str) and pair.held.startswith("{="):  # part of a formula that fills several cells
-            suspects.add(pair.address)
-            report.add(pair, "formula", pair.held, pair.cell.content)
         elif pair.held is None:
             report.add(pair, "missing", None, pair.cell.expected)
         elif isinstance(pair.held, LiteralText):
             held = f'"{pair.held}"'
             report.add(pair, "replaced", held, pair.cell.content, why="a text is never computed")
-        elif not is_formula(pair.held):
+        # the latter in each of several cells that a formula fills
+        elif not str(pair.held).startswith(("=", "{=")):
             report.add(pair, "replaced", pair.held, pair.cell.expected)
-        elif not match.same_formula(pair.cell.content, pair.cell.block, pair.held, pair.address.sheet):
+        elif not (is_formula(pair.held) and match.holds_formula(pair)):
             suspects.add(pair.address)
             report.add(pair, "formula", pair.held, pair.cell.content)
     return suspects
@@ -61,40 +58,38 @@ def holds_declared(held: Any, content: Any) -> bool:
 
 
 ALLOWED = frozenset(
-    (
-        "IF AND OR NOT MIN MAX ABS SIGN SQRT SIN COS TAN ATAN2 PI EXP LN LOG10 POWER INT ROUND "
-        "SUM SUMPRODUCT AVERAGE COUNT COUNTIF INDEX MATCH CHOOSE LARGE SMALL ISNUMBER RADIANS "
-        "DEGREES"
-    ).split()
+    "IF AND OR NOT MIN MAX ABS SIGN SQRT SIN COS TAN ATAN2 PI EXP LN LOG10 POWER INT ROUND SUM"
+    " SUMPRODUCT AVERAGE COUNT COUNTIF INDEX MATCH CHOOSE LARGE SMALL ISNUMBER RADIANS DEGREES".split()
 )
-VOLATILE = frozenset(["NOW", "TODAY", "RAND", "RANDBETWEEN", "OFFSET", "INDIRECT", "CELL", "INFO", "RANDARRAY"])
+VOLATILE = frozenset("NOW TODAY RAND RANDBETWEEN OFFSET INDIRECT CELL INFO RANDARRAY".split())
 MOST = 5  # names that a note lists
-COMPUTED = "how the program computes"
 
 
 def audit(match: Match, template: type[BaseModel]) -> Iterator[Finding]:
     """Yield what is wrong with formulas, names, inputs and settings of a matched workbook."""
     for findings in (function_findings, sheet_name_findings, column_name_findings, stray_blocks):
         yield from findings(match)
-    inputs = [pair for pair in match.pairs if pair.cell.quantity.role == "input" and pair.held is not None]
-    sums = {pair.address for pair in match.pairs if pair.cell.block.name == TABLE}  # of all entries: no use of them
+    entered = (pair for pair in match.pairs if pair.cell.quantity.role == "input")
+    inputs = {pair.address: pair for pair in entered if pair.held is not None}
+    # of all entries: no use of them
+    sums = {pair.address for pair in match.pairs if pair.cell.block.name == TABLE}
     contents = match.file.contents
-    read = contents.read([pair.address for pair in inputs], contents.formulas.keys() - sums)
-    for pair in inputs:  # that no formula reads; texts that only describe are left out
-        q, at = pair.cell.quantity, pair.address
+    read = contents.read(inputs, contents.formulas.keys() - sums)
+    for at, pair in inputs.items():  # that no formula reads; texts that only describe are left out
+        q, expected = pair.cell.quantity, "an input that a formula reads"
         if at not in read and (field_at(template, q.key)[0] is not str or q.choices):
-            yield Finding(at.sheet, at.a1, "unread", str(pair.held), "an input that a formula reads")
+            yield Finding(at.sheet, at.a1, "unread", str(pair.held), expected)
     yield from setting_findings(match.file.workbook)
 
 
 def sheet_name_findings(match: Match) -> Iterator[Finding]:
     """Yield names of a sheet that its formulas take for the book's of the same name."""
     declared = {name.casefold() for name, _ in match.declared.names()}
-    ours = {p.address.sheet for p in match.pairs}
-    for sheet in (sheet for sheet in match.file.workbook.worksheets if sheet.title in ours):
-        for name, defined in sheet.defined_names.items():
+    for title in dict.fromkeys(pair.address.sheet for pair in match.pairs):
+        for name, defined in match.file.workbook[title].defined_names.items():
             if name.casefold() in declared:
-                yield Finding(sheet.title, name, "name", str(defined.attr_text), "no name of the sheet's own")
+                held, expected = str(defined.attr_text), "no name of the sheet's own"
+                yield Finding(title, name, "name", held, expected)
 
 
 def function_findings(match: Match) -> Iterator[Finding]:
@@ -103,36 +98,39 @@ def function_findings(match: Match) -> Iterator[Finding]:
     for pair in match.pairs:
         formula = formulas.get(pair.address) if pair.declared_formula else None
         for name in sorted(formula.functions - ALLOWED) if formula else ():
-            why = "a function that is not volatile" if name in VOLATILE else "a function that every program has"
-            yield Finding(pair.address.sheet, pair.address.a1, "function", name, why)
+            kind = "is not volatile" if name in VOLATILE else "every program has"
+            at, expected = pair.address, f"a function that {kind}"
+            yield Finding(at.sheet, at.a1, "function", name, expected)
 
 
 def stale_functions(workbook: Workbook) -> Iterator[str]:
     """Yield a note where names that define the functions MOTION.*, copied beside a machine, are not today's."""
-    held = {name: held.attr_text or "" for name, held in workbook.defined_names.items() if NAMESPACE in name}
-    if not held:  # as in most books: the definitions need not be read
-        return
-    other = sorted(d.name for d in definitions() if d.name in held and meaning(held[d.name]) != meaning(d.stored))
-    if other:
-        yield f"names that are not today's definitions: {listed(other, MOST)}; take them from motion-functions.xlsx"
+    held = {name: defined for name, defined in workbook.defined_names.items() if NAMESPACE in name}
+    # in most books there are none: the definitions need not be read
+    known = {d.name: meaning(d.stored) for d in definitions() if d.name in held} if held else {}
+    texts = ((name, held[name].attr_text or "", stored) for name, stored in known.items())
+    if other := sorted(name for name, text, stored in texts if meaning(text) != stored):
+        names = listed(other, MOST)
+        yield f"names that are not today's definitions: {names}; take them from motion-functions.xlsx"
 
 
 def setting_findings(workbook: Workbook) -> Iterator[Finding]:
     """Yield the settings of a file that let formulas go stale, round them, or read them by other rules."""
-    held = workbook.calculation
-    settings: list[tuple[str, str]] = []
+    held, settings = workbook.calculation, list[tuple[str, str, str]]()
     if held and held.calcMode == "manual":
-        settings.append(("manual", "automatic: else what is shown is not what was entered"))
+        expected = "automatic: else what is shown is not what was entered"
+        settings.append(("", "manual", expected))
     if held and held.iterate:
-        settings.append(("iterative", "not iterative: else a cell that depends on itself has a value"))
+        expected = "not iterative: else a cell that depends on itself has a value"
+        settings.append(("", "iterative", expected))
     if held and held.fullPrecision is False:
-        settings.append(("with the precision as displayed", "with full precision"))
-    for setting in settings:
-        yield Finding("", "calculation", "setting", *setting, COMPUTED)
+        settings.append(("", "with the precision as displayed", "with full precision"))
     for sheet in workbook.worksheets:
         if sheet.sheet_properties.transitionEvaluation or sheet.sheet_properties.transitionEntry:
-            rules = "by the rules of Lotus 1-2-3", "by those of Excel"
-            yield Finding(sheet.title, "calculation", "setting", *rules, COMPUTED)
+            settings.append((sheet.title, "by the rules of Lotus 1-2-3", "by those of Excel"))
+    for title, setting, expected in settings:
+        place, what = (title, "calculation", "setting"), "how the program computes"
+        yield Finding(*place, setting, expected, what)
 
 
 def structure_finding(place: Place, name: str, fault: str, expected: str) -> Finding:
@@ -190,27 +188,33 @@ def layout_findings(match: Match) -> Iterator[Finding]:
     for name, rows in match.file.inserted.items():
         for row in rows:
             inserted[match.file.places[name].sheet, row].append(match.declared.blocks[name])
-    for _, run in groupby(enumerate(sorted(inserted)), key=lambda pair: (pair[1][0], pair[1][1] - pair[0])):
-        places = [place for _, place in run]
-        (sheet, first), (_, last) = places[0], places[-1]
-        change = f"row {first} was inserted" if first == last else f"rows {first} to {last} were inserted"
-        yield Finding(sheet, f"{first}:{last}", LAYOUT, change, SPARE, table_titles(inserted[places[0]]))
+    runs: list[list[tuple[str, int]]] = []
+    for sheet, row in sorted(inserted):
+        if runs and runs[-1][-1] == (sheet, row - 1):
+            runs[-1].append((sheet, row))
+        else:
+            runs.append([(sheet, row)])
+    for (sheet, first), *more in runs:
+        last = more[-1][1] if more else first
+        change = f"rows {first} to {last} were inserted" if more else f"row {first} was inserted"
+        tables = table_titles(inserted[sheet, first])
+        yield Finding(sheet, f"{first}:{last}", LAYOUT, change, SPARE, tables)
 
 
 def table_titles(blocks: list[Block]) -> str:
     """Return which tables they are: the heading of the first, and the names of all."""
-    block, names = blocks[0], [b.name for b in blocks]
+    block, names = blocks[0], ", ".join(b.name for b in blocks)
     above = [text for text in block.sheet.texts if text.style == "heading" and text.row < block.row]
     heading = max(above, key=lambda text: text.row).text if above else block.title
-    return f"{heading}: the table {names[0]}" if len(names) == 1 else f"{heading}: the tables {', '.join(names)}"
+    return f"{heading}: the table{'s' if len(blocks) > 1 else ''} {names}"
 
 
 def mark_consequences(match: Match, report: Report, suspects: set[Address]) -> None:
     """Mark the wrong values that follow from rows put into tables: formulas count the rows of their ranges."""
-    formulas = {(p.address.sheet, p.address.a1): p.address for p in match.pairs} if match.file.inserted else {}
+    cells = {pair.address for pair in match.pairs} - suspects if match.file.inserted else ()
+    following = {(at.sheet, at.a1) for at in cells}
     for n, finding in enumerate(report.findings):
-        at = formulas.get((finding.sheet, finding.cell))
-        if at is not None and finding.kind in FOLLOWING and at not in suspects:
+        if finding.kind in FOLLOWING and (finding.sheet, finding.cell) in following:
             report.findings[n] = replace(finding, kind=FOLLOWS)
 
 
@@ -219,13 +223,13 @@ def refuse_cut_cells(file: BookFile, layout: Book) -> None:
     match = Match(file, layout)
     empty = {pair.address: pair.cell.block for pair in match.pairs if pair.held is None}
     cut: dict[str, dict[Address, Address]] = {}
-    for pair in (p for p in match.pairs if p.declared_formula and is_formula(p.held) and p.held != p.cell.content):
-        for home, there in match.cells_read_elsewhere(pair):
-            if home in empty:
-                cut.setdefault(empty[home].name, {})[home] = there
+    for pair in match.pairs:
+        if pair.declared_formula and pair.held != pair.cell.content and is_formula(pair.held):
+            for home, there in match.cells_read_elsewhere(pair):
+                if home in empty:
+                    cut.setdefault(empty[home].name, {})[home] = there
     for name, places in cut.items():
         (first, there), last = min(places.items()), max(places)
-        raise ReadError(
-            f"{file.path}: {first}:{last.a1} of {table_titles([layout.blocks[name]])} was cut: formulas read what "
-            f"stood in {first.a1} at {there}; undo that, or cut and paste it back"
-        )
+        what = f"{first}:{last.a1} of {table_titles([layout.blocks[name]])} was cut"
+        why = f"formulas read what stood in {first.a1} at {there}"
+        raise ReadError(f"{file.path}: {what}: {why}; undo that, or cut and paste it back")

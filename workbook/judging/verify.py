@@ -28,7 +28,7 @@ from workbook.reading.table_fit import tear_lines
 from workbook.templates import AnyTemplate
 from workbook.witnesses.agreement import agreed_values
 from workbook.witnesses.registry import ALL, WITNESSES
-from workbook.witnesses.witness import CellWitness, Witness, evaluation_copy, naming_failures
+from workbook.witnesses.witness import CellWitness, evaluation_copy, naming_failures
 
 
 def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
@@ -46,7 +46,8 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
     machine = entries.machine()
     report.notes += entries.beyond
     if entries.computed:
-        report.notes.append(f"inputs that hold a formula of their own: {', '.join(map(str, entries.computed))}")
+        cells = ", ".join(map(str, entries.computed))
+        report.notes.append(f"inputs that hold a formula of their own: {cells}")
     judge(file, entries.template, machine, report, names, given=entries.computed, named=witnesses)
     report.witnesses += [WitnessRun(name, None) for name in absent]
     exact = entries.template.judge(machine)
@@ -58,11 +59,13 @@ def verify(path: Path, witnesses: Sequence[str] = ("pycel",)) -> Report:
 def available_witnesses(witnesses: Sequence[str]) -> tuple[list[str], list[str]]:
     """Return the witnesses to ask, and those of ``all`` that are absent; raise as :func:`verify` does."""
     if unknown := [name for name in witnesses if name not in (*WITNESSES, ALL)]:
-        raise ReadError(f"no witness is named {unknown[0]!r}; expected {', '.join((*WITNESSES, ALL))}")
+        known = ", ".join((*WITNESSES, ALL))
+        raise ReadError(f"no witness is named {unknown[0]!r}; expected {known}")
     names = list(WITNESSES) if ALL in witnesses else list(dict.fromkeys(witnesses))
     absent = [name for name in names if WITNESSES[name]().version() is None]
     if named := [name for name in absent if name in witnesses]:
-        raise WitnessError(f"the witness {named[0]} is not on this machine; --with all asks those that are")
+        mend = "--with all asks those that are"
+        raise WitnessError(f"the witness {named[0]} is not on this machine; {mend}")
     return [name for name in names if name not in absent], absent
 
 
@@ -87,11 +90,11 @@ def judge(
     own = count_own_cells(match, report, given)
     with evaluation_copy(file, own, given) as bare:
         require_little_work(bare, file.path)
-        asked: list[Witness] = [WITNESSES[name]() for name in witnesses]
-        asked += [asked_too for name, make in WITNESSES.items() if name not in witnesses and (asked_too := make()).kept]
+        every = {name: make() for name, make in WITNESSES.items()}
+        asked = [every[name] for name in witnesses]
+        asked += [w for w in every.values() if w.kept and w not in asked]
         asked.sort(key=lambda w: w.kept)
-        every = (*asked, *(make() for make in WITNESSES.values()))
-        single = next(w for w in every if isinstance(w, CellWitness))
+        single = next(w for w in (*asked, *every.values()) if isinstance(w, CellWitness))
         with naming_failures(single):
             model = single.model(bare, (pair.address for pair in match.pairs))
         comparison = Comparison(match, bare, single, model, report)
@@ -99,14 +102,16 @@ def judge(
             comparison.ask(witness)
         for ran in report.witnesses:  # that failed though it was named, or as all did
             if ran.why and (not comparison.values or ran.name in named):
-                report.findings.append(Finding("", ran.name, "witness", ran.why, "values to compare"))
+                failed = Finding("", ran.name, "witness", ran.why, "values to compare")
+                report.findings.append(failed)
         comparison.compare_elsewhere(template, machine, suspects)
         report.checks = check_results(match, comparison.values)
         check_display(match, type(machine), comparison.values, report)
     mark_consequences(match, report, suspects)
     report.findings.sort(key=lambda f: (ORDER.index(f.kind), -f.deviation))
     blocks = match.declared.blocks.values()
-    if report.findings and all(file.places.get(block.name) == declared_place(block) for block in blocks):
+    has_moved = any(file.places.get(block.name) != declared_place(block) for block in blocks)
+    if report.findings and not has_moved:
         wrong = {(f.sheet, f.cell) for f in report.findings}
         cells = (((pair.address.sheet, pair.address.a1), pair.cell.content) for pair in match.pairs)
         report.formulas = {at: text for at, text in cells if at in wrong and is_formula(text)}
@@ -131,10 +136,10 @@ def check_results(match: Match, computed: Cells) -> list[Check]:
     checks = []
     for sheet, quantity in match.declared.checks:
         pair = at.get(quantity.name)
-        verdict = cell_text(pair, computed) or quantity.value
+        verdict = str(cell_text(pair, computed) or quantity.value or "unfinished")
         says = cell_text(at.get(f"{quantity.name}{SAYS}"), computed) if verdict == FAIL else ""
         where = (pair.address.sheet, pair.address.a1) if pair else (sheet.title, quantity.name)
-        checks.append(Check(*where, quantity.label, str(verdict or "unfinished"), says, quantity.name))
+        checks.append(Check(*where, quantity.label, verdict, says, quantity.name))
     return checks
 
 

@@ -54,7 +54,8 @@ def cell_content(held: RawCell, texts: Sequence[str]) -> Any:
     if not text:
         return "" if kind == "inlineStr" and text == "" else None
     if kind == "n":
-        return int(text) if len(text) < MOST_DIGITS and text.strip().lstrip("+-").isdecimal() else float(text)
+        is_whole = len(text) < MOST_DIGITS and text.strip().lstrip("+-").isdecimal()
+        return int(text) if is_whole else float(text)
     if kind == "s":
         return texts[int(text)]
     if kind == "b":
@@ -84,11 +85,12 @@ def cell_formula(held: RawCell, shared: dict[str, Translator]) -> Any:
 
 def saved_values(inspected: Inspected) -> Cells:
     """Return the saved value of each formula cell of a file: a number, a text, True or False, an error; or None."""
-    cells = [(title, held) for title, rows in inspected.sheets.items() for held in rows.written if held.how is not None]
+    written = ((title, cell) for title, rows in inspected.sheets.items() for cell in rows.written)
+    cells = [(title, cell) for title, cell in written if cell.how is not None]
     shared = inspected.strings.iter(f"{MAIN}si") if any(c.kind == "s" for _, c in cells) else ()
     text_of: Any = Text.from_tree
     texts = [str(text_of(shared_text).content) for shared_text in shared]
-    return {Address(title, c.row, c.column): saved_value(c, texts) for title, c in cells}
+    return {Address(title, *cell[:2]): saved_value(cell, texts) for title, cell in cells}
 
 
 def saved_value(held: RawCell, texts: list[str]) -> Any:
@@ -98,4 +100,5 @@ def saved_value(held: RawCell, texts: list[str]) -> Any:
     if held.kind == "n":
         return float(held.value)
     value = plain_value(cell_content(held, texts), WINDOWS_EPOCH)
-    return unescape(value) if isinstance(value, str) and "_x" in value else value  # ISO/IEC 29500-1, 22.9.2.19
+    is_escaped = isinstance(value, str) and "_x" in value  # ISO/IEC 29500-1, 22.9.2.19
+    return unescape(value) if is_escaped else value

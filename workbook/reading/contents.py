@@ -1,6 +1,7 @@
 """The contents of a workbook's cells: constants, and formulas, parsed once."""
 
 from bisect import bisect_left, bisect_right
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from datetime import date, datetime, time, timedelta
@@ -30,6 +31,8 @@ from workbook.book.formula import (
 )
 
 Cells = dict[Address, Any]
+Wanted = Mapping[tuple[str, int], list[int]]
+"""cells that are asked for: the sorted rows of each column of a sheet"""
 # formulas by patterns, in which rows; those with none
 Patterns = tuple[list[tuple[Pattern, list[int]]], list[Formula]]
 
@@ -64,16 +67,14 @@ class Contents:
         """The addresses of all formula cells, those included that cannot be taken apart."""
         return [*self.formulas, *self.failed]
 
-    def read(self, cells: Collection[Address], by: Collection[Address] | None = None) -> set[Address]:
+    def read(self, cells: Collection[Address], by: Iterable[Address] | None = None) -> set[Address]:
         """Return those of ``cells`` to which some formula refers, or any of the formulas in the cells ``by``."""
-        wanted: dict[tuple[str, int], list[int]] = {}
+        by = set(self.formula_cells if by is None else by)
+        wanted = defaultdict[tuple[str, int], list[int]](list)
         for sheet, row, column in sorted(cells):
-            wanted.setdefault((sheet, column), []).append(row)
-        patterns = (
-            self.patterns if by is None else grouped_by_pattern(self.formulas[a] for a in by if a in self.formulas)
-        )
-        failed = self.failed if by is None else self.failed.keys() & set(by)
-        rough = (area for cell in failed for area in self.rough_areas(cell))
+            wanted[sheet, column].append(row)
+        patterns = grouped_by_pattern(self.formulas[a] for a in by if a in self.formulas)
+        rough = (area for cell in self.failed.keys() & by for area in self.rough_areas(cell))
         return {*referenced_cells(patterns, wanted), *cells_within(rough, wanted)}
 
     def rough_areas(self, address: Address) -> list[Area]:
@@ -109,10 +110,11 @@ class Contents:
     def _lines(self, text: str, sheet: str) -> Area:
         before, mark, lines = text.rpartition("!")
         title = self.area(f"{unquoted(before)}!", sheet).sheet if mark else sheet
-        first, _, last = lines.replace("$", "").upper().partition(":")
-        if first.isdigit():
-            return Area(title, int(first), 1, int(last), LAST_COLUMN, single=False)
-        return Area(title, 1, column_index_from_string(first), LAST_ROW, column_index_from_string(last), single=False)
+        ends = lines.replace("$", "").upper().split(":")
+        if ends[0].isdigit():
+            return Area(title, int(ends[0]), 1, int(ends[1]), LAST_COLUMN, single=False)
+        left, right = map(column_index_from_string, ends)
+        return Area(title, 1, left, LAST_ROW, right, single=False)
 
     @cached_property
     def patterns(self) -> Patterns:
@@ -159,20 +161,22 @@ class Contents:
             if cell.value is not None:
                 self.constants[address] = plain_value(cell.value, self._epoch)
             return
-        value = cell.value
-        if isinstance(value, ArrayFormula) and value.ref in (address.a1, f"{address.a1}:{address.a1}"):
+        value, at = cell.value, address.a1
+        if isinstance(value, ArrayFormula) and value.ref in (at, f"{at}:{at}"):
             # arrays are computed in every formula, and of a result the first cell is taken; LibreOffice writes A1:A1
             value = self.arrays[address] = str(value.text)
         try:
-            if value == "=" and address in self.arrays:  # Excel writes so where the array is computed each time
-                raise FormulaError("#VALUE!", "a cell that an array fills is not evaluated by itself")
+            # Excel writes so where the array is computed each time
+            if value == "=" and address in self.arrays:
+                why = "a cell that an array fills is not evaluated by itself"
+                raise FormulaError("#VALUE!", why)
             if not isinstance(value, str):  # it fills several cells
                 text = self.arrays[address] = f"{{{getattr(value, 'text', None) or '=TABLE()'}}}"
                 with suppress(FormulaError):
-                    self.arrays |= dict.fromkeys(
-                        reference(str(getattr(value, "ref", "")), address.sheet, self.area).cells(), text
-                    )
-                raise FormulaError("#VALUE!", f"a formula of the kind {type(value).__name__} is not evaluated")
+                    area = reference(str(getattr(value, "ref", "")), address.sheet, self.area)
+                    self.arrays |= dict.fromkeys(area.cells(), text)
+                kind = type(value).__name__
+                raise FormulaError("#VALUE!", f"a formula of the kind {kind} is not evaluated")
             self.formulas[address] = formulas.read(value, address.row)
         except FormulaError as error:
             self.failed[address] = error.value
@@ -186,7 +190,7 @@ def area_of(sheet: str, ref: str) -> Area:
     return Area(sheet, top, left, bottom, right, single=False)
 
 
-def referenced_cells(formulas: Patterns, wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
+def referenced_cells(formulas: Patterns, wanted: Wanted) -> Iterator[Address]:
     """Yield the cells that formulas refer to among ``wanted``, the sorted rows of each column of a sheet."""
     patterns, others = formulas
     areas = {a for formula in others for a in formula.arguments if isinstance(a, Area)}
@@ -194,19 +198,15 @@ def referenced_cells(formulas: Patterns, wanted: Mapping[tuple[str, int], list[i
         areas |= {a for a in pattern.arguments if isinstance(a, Area)}
         for a in {a for a in pattern.arguments if isinstance(a, Moving)}:
             if a.area.single and a.top is not None:
-                yield from moved_cells(a.area, {row + a.top for row in rows}, wanted)
+                sheet, column = a.area.sheet, a.area.left
+                read, known = {row + a.top for row in rows}, wanted.get((sheet, column), ())
+                yield from (Address(sheet, row, column) for row in known if row in read)
             elif any((a.area.sheet, c) in wanted for c in a.area.columns):
-                areas |= {a.at(row) for row in rows}
+                areas.update(map(a.at, rows))
     yield from cells_within(areas, wanted)
 
 
-def moved_cells(cell: Area, rows: set[int], wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
-    """Yield the ``wanted`` cells in the column of a cell that are in any of the rows."""
-    known = wanted.get((cell.sheet, cell.left), [])
-    yield from (Address(cell.sheet, row, cell.left) for row in known if row in rows)
-
-
-def cells_within(areas: Iterable[Area], wanted: Mapping[tuple[str, int], list[int]]) -> Iterator[Address]:
+def cells_within(areas: Iterable[Area], wanted: Wanted) -> Iterator[Address]:
     """Yield the ``wanted`` cells, the sorted rows of each column of a sheet, that are in any of the areas."""
     for (sheet, left, right), spans in merged_rows(areas).items():
         for column in range(left, right + 1):

@@ -91,12 +91,13 @@ def catalogue_entries(
 
 def parse_toml(text: str, path: Path) -> dict[str, Any]:
     """Return the tables of a TOML text; raise ReadError for invalid TOML, and nesting that no description needs."""
+    deep = f"{path}: not valid TOML for a description: {{}} are nested too deep"
     if DOTTED.search(text):
-        raise ReadError(f"{path}: not valid TOML for a description: keys are nested too deep")
+        raise ReadError(deep.format("keys"))
     try:
         return tomllib.loads(text)
     except RecursionError as error:
-        raise ReadError(f"{path}: not valid TOML for a description: values are nested too deep") from error
+        raise ReadError(deep.format("values")) from error
     except ValueError as error:  # an error of TOML's, or a whole number of too many digits
         message = decimal_comma(text, error) or str(error).partition(";")[0]
         raise ReadError(f"{path}: not valid TOML: {message}") from error
@@ -173,7 +174,8 @@ def empty_machine(template: Template[M], layout: dict[str, Any]) -> M:
         for n, fault in enumerate(error.errors()):
             key, rule = keys_of(model, fault["loc"])
             if fault["type"] == "too_short":  # a catalogue
-                put(data, split(key), [row.model_dump() for row in rules.default_at(model, rule)[:1]])
+                rows = rules.default_at(model, rule)[:1]
+                put(data, split(key), [row.model_dump() for row in rows])
             elif fault["type"] == "missing":
                 kind, constraints = rules.field_at(model, rule)
                 if kind is str and not rules.takes_law(constraints):

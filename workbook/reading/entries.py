@@ -1,11 +1,11 @@
 """The input cells of a workbook as a machine description, checked by the same models as a file of TOML."""
 
 import json
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator
 from functools import lru_cache
 from typing import Any
 
-from workbook.book.address import Address, Place
+from workbook.book.address import Address
 from workbook.book.declare import Block, Book, Quantity
 from workbook.book.rows import is_number
 from workbook.book.stamp import NAME as STAMP
@@ -22,15 +22,16 @@ from workbook.templates import AnyTemplate
 
 Evaluate = Callable[[BookFile, Collection[Address]], Callable[[Address], Any]]
 """takes the formula cells that will be asked for, and returns a function that gives the value of each"""
+Check = Callable[[BookFile, Book], None]
+Entry = tuple[Quantity, Address, Any]
+"""an entry, its cell, and what is entered there"""
 UNDO = "undo the change, or take that cell from a copy of the book"
 
 
 class Entries:
     """Input cells as a description: ``evaluate`` gives values of formulas, ``check`` may refuse the file."""
 
-    def __init__(
-        self, file: BookFile, evaluate: Evaluate, check: Callable[[BookFile, Book], None] | None = None
-    ) -> None:
+    def __init__(self, file: BookFile, evaluate: Evaluate, check: Check | None = None) -> None:
         require_narrow(file)
         self.file = file
         self.disputed: list[str] = []
@@ -44,8 +45,8 @@ class Entries:
         self._laws = {key: law["family"] for key, law in self.data["laws"].items()}
         layout = self._declare_empty(self.data.pop(INPUTS, None))
         fit_tables(file, layout)
-        self._torn = {b.name for b in layout.blocks.values() if any(q.role == "input" for q in b.quantities)}
-        self._torn &= file.torn.keys()
+        torn = [layout.blocks[name] for name in file.torn if name in layout.blocks]
+        self._torn = {b.name for b in torn if any(q.role == "input" for q in b.quantities)}
         if check:
             check(file, layout)
         self._value = evaluate(file, [*self._formulas(layout)])
@@ -62,15 +63,15 @@ class Entries:
             raise InputError(self._between[:1])
         data, named = self._by_name()
         machine = make_machine(self.template, data, lambda key: self._where(cell_key(key, named)))
-        built = {
-            name: text
-            for name, place in self.file.places.items()  # what laws and axes were called
-            if name.endswith("_built") and isinstance(text := self.file.value(place.cell(0, 0)), str)
-        }
-        machine.laws.built_as({name: built[f"{key}_built"] for name, key in named.items() if f"{key}_built" in built})
+        names = (name for name in self.file.places if name.endswith("_built"))
+        # what laws and axes were called
+        held = {name: self.file.named_value(name)[1] for name in names}
+        built = {name: text for name, text in held.items() if isinstance(text, str)}
+        laws = {name: built.get(f"{key}_built") for name, key in named.items()}
+        machine.laws.built_as({name: text for name, text in laws.items() if text is not None})
         machine.built_as(built)
-        stamp = self.file.places.get(STAMP)
-        machine.verified_at(held if stamp and is_number(held := self.file.value(stamp.cell(0, 0))) else None)
+        _, stamp = self.file.named_value(STAMP)
+        machine.verified_at(stamp if is_number(stamp) else None)
         return machine
 
     def _by_name(self) -> tuple[dict[str, Any], dict[str, str]]:
@@ -87,22 +88,22 @@ class Entries:
         return self.data | {"laws": laws}, named
 
     def _template(self) -> AnyTemplate:
-        place = self.file.places.get("book_template")
-        if place is None and "MOTION.S" in self.file.workbook.defined_names:
-            raise ReadError(f"{self.file.path}: holds the functions MOTION.*, but no machine to compare or to read")
-        if place is None:
-            raise ReadError(f"{self.file.path}: not a workbook of motionbook: it has no cell named book_template")
-        address = place.cell(0, 0)
-        return template_named(self.file.value(address), f"{self.file.path}: {address}")
+        address, name = self.file.named_value("book_template")
+        if address is None:
+            fault = "not a workbook of motionbook: it has no cell named book_template"
+            if "MOTION.S" in self.file.workbook.defined_names:
+                fault = "holds the functions MOTION.*, but no machine to compare or to read"
+            raise ReadError(f"{self.file.path}: {fault}")
+        return template_named(name, f"{self.file.path}: {address}")
 
     def _layout(self) -> dict[str, Any]:
         """Return the layout that the file has of its tables; raise ReadError where that is damaged."""
-        place = self.file.places.get(NAME)
-        if place is None:
-            raise ReadError(f"{self.file.path}: it has no cell named {NAME}, which says what its tables are; {UNDO}")
-        cell = place.cell(0, 0)
+        cell, text = self.file.named_value(NAME)
+        if cell is None:
+            fault = f"it has no cell named {NAME}, which says what its tables are"
+            raise ReadError(f"{self.file.path}: {fault}; {UNDO}")
         try:
-            return read_layout(self.file.value(cell), self.template.name)
+            return read_layout(text, self.template.name)
         except ValueError as fault:
             raise ReadError(f"{self.file.path}: {cell}: {fault}; {UNDO}") from None
 
@@ -111,11 +112,12 @@ class Entries:
         try:
             book = declare_empty(self.template, as_json(self.data))
         except InputError as refused:
-            cell, (first, *_) = self.file.places[NAME].cell(0, 0), refused.lines
-            raise ReadError(f"{self.file.path}: {cell}: {first}; {UNDO}") from None
+            cell, _ = self.file.named_value(NAME)
+            raise ReadError(f"{self.file.path}: {cell}: {refused.lines[0]}; {UNDO}") from None
         if (known := len(input_keys(book))) != inputs:
             problem = f"has cells for {quoted(inputs)} entries, where its template has {known}"
-            raise ReadError(f"{self.file.path}: {problem}; expected a book of this version: build it anew")
+            mend = "expected a book of this version: build it anew"
+            raise ReadError(f"{self.file.path}: {problem}; {mend}")
         return book
 
     def _read_block(self, block: Block) -> None:
@@ -132,25 +134,23 @@ class Entries:
             if self._is_stand_in(table) if rows else self._must_be_there(table):
                 put(self.data, split(table), [])
         for i, row in enumerate(rows):
-            self._put_row(block.name, place, i, inputs, row)
+            self._put_row(block.name, i, row)
 
-    def _put_row(
-        self, table: str, place: Place, i: int, inputs: Sequence[tuple[int, Quantity]], row: list[Any]
-    ) -> None:
+    def _put_row(self, table: str, i: int, row: list[Entry]) -> None:
         """Put a row of entries into the description; note a row of a list in which nothing is entered."""
-        is_used = "*" not in inputs[0][1].key or not is_empty(row)
-        for (j, q), value in zip(inputs, row, strict=True):
+        is_used = "*" not in row[0][0].key or not is_empty(row)
+        for q, cell, value in row:
             key = q.key.replace("*", str(i))
-            self.cells[key] = f"{place.cell(i, j)} ({q.label})"
+            self.cells[key] = f"{cell} ({q.label})"
             has_stand_in = get(self.data, split(key), 0.0) != 0.0
             if value is not None or has_stand_in or (is_used and self._must_be_there(q.key)):
                 put(self.data, split(key), value)
             elif "*" in q.key or key[-1].isdigit():
                 put(self.data, split(key))
         if not is_used:
-            where = f"{self.file.path.name}: {place.cell(i, inputs[0][0])}: nothing is entered in row {i + 1}"
-            text = f"of the table {table}, but below it; fill it, or move up what is below"
-            self._between.append(f"{where} {text}")
+            fault = f"nothing is entered in row {i + 1} of the table {table}, but below it"
+            mend = "fill it, or move up what is below"
+            self._between.append(f"{self.file.path.name}: {row[0][1]}: {fault}; {mend}")
 
     def _look_below(self, block: Block, last: list[Address]) -> None:
         """Note what stands in a table's columns directly under its last row, where nothing reads it."""
@@ -175,24 +175,25 @@ class Entries:
         model = self.template.model
         return not rules.is_required(model, known) and rules.must_be_entered(model, known)
 
-    def _entered(self, cell: Address, q: Quantity) -> Any:
+    def _entered(self, cell: Address, q: Quantity) -> Entry:
         """Return an entry, of a formula its value; note in a line where that is in doubt."""
         value = self.file.value(cell)
         if not is_formula(value):
-            return value
+            return q, cell, value
         try:
             self.computed[cell] = self._value(cell)
         except DisputedError as doubt:
             self.computed[cell] = None
-            where = f"{self.file.path.name}: {cell} ({q.label})"
-            self.disputed.append(f"{where}: the formula {quoted(value)} is in doubt: {doubt}; enter the value itself")
-        return self.computed[cell]
+            fault = f"the formula {quoted(value)} is in doubt: {doubt}; enter the value itself"
+            self.disputed.append(f"{self.file.path.name}: {cell} ({q.label}): {fault}")
+        return q, cell, self.computed[cell]
 
     def _formulas(self, layout: Book) -> Iterator[Address]:
-        for block in layout.blocks.values():
-            place = None if block.name in self._torn else self.file.places.get(block.name)
-            columns = [place.down(j) for j, q in enumerate(block.quantities) if q.role == "input"] if place else []
-            yield from (cell for column in columns for cell in column if is_formula(self.file.value(cell)))
+        for block in (b for name, b in layout.blocks.items() if name not in self._torn):
+            place = self.file.places.get(block.name)
+            inputs = [j for j, q in enumerate(block.quantities) if q.role == "input"]
+            cells = (cell for j in inputs for cell in place.down(j)) if place else ()
+            yield from (cell for cell in cells if is_formula(self.file.value(cell)))
 
     def _where(self, key: str) -> str:
         """Return the cell of ``key``, or of the first entry below or above it."""
@@ -209,6 +210,6 @@ def declare_empty(template: AnyTemplate, layout: str) -> Book:
     return template.declare_complete(empty_machine(template, json.loads(layout)))
 
 
-def is_empty(row: Sequence[Any]) -> bool:
+def is_empty(row: list[Entry]) -> bool:
     """Whether nothing stands in the cells of a row."""
-    return all(value is None for value in row)
+    return all(value is None for *_, value in row)

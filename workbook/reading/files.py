@@ -21,7 +21,7 @@ from workbook.book.address import Address, Place
 from workbook.errors import ReadError, quoted
 from workbook.reading.cells import fill_sheet, saved_values
 from workbook.reading.contents import Cells, Contents, plain_value
-from workbook.reading.guard import Inspected, guard
+from workbook.reading.guard import LOCKED, NOT_INSPECTED, Inspected, guard
 from workbook.reading.package import StrippedArchive
 from workbook.reading.rows import LAST_COLUMN, LAST_ROW, SAVE_AS, tag
 from workbook.text_files import require_file
@@ -30,7 +30,7 @@ SUFFIXES = (".xlsx", ".xlsm", ".xltx", ".xltm")
 MOST_CELLS = 200_000  # of the place of a name
 BUILT = datetime(2020, 1, 1)
 PROGRAMS = re.compile(r"(?:Microsoft )?(?:Macintosh )?Excel(?! Compatible)|LibreOffice")
-EXPECTED: dict[object, str] = {int: "a whole number", float: "a number", bool: "0 or 1", str: "a text"}
+EXPECTED: dict[Any, str] = {int: "a whole number", float: "a number", bool: "0 or 1", str: "a text"}
 
 
 class LiteralText(str):
@@ -58,7 +58,7 @@ class BookFile:
     inserted: dict[str, tuple[int, ...]] = field(default_factory=dict)
     # where and how each table is torn that is not whole
     torn: dict[str, str] = field(default_factory=dict)
-    inspected: Inspected | None = None  # what openpyxl does not read
+    inspected: Inspected = NOT_INSPECTED  # what openpyxl does not read
     bare: bool = False  # whether it is a copy of contents and names alone
 
     def value(self, address: Address) -> Any:
@@ -76,6 +76,11 @@ class BookFile:
             return arrays[address]
         return value if type(value) is str else plain_value(value, self.workbook.epoch)
 
+    def named_value(self, name: str) -> tuple[Address | None, Any]:
+        """Return the first cell that a name means, and its content; None for both where there is no such name."""
+        cell = self.places[name].cell(0, 0) if name in self.places else None
+        return cell, self.value(cell) if cell else None
+
     @property
     def as_built(self) -> bool:
         """Whether no program has saved the file since it was built: then its saved values are no evidence."""
@@ -84,16 +89,16 @@ class BookFile:
     @property
     def has_results(self) -> bool:
         """Whether saved values are results of the program that saved them, which asks for no computing at opening."""
-        if self.inspected is None or self.as_built or all(value is None for value in self.saved.values()):
+        if self.as_built or not any(value is not None for value in self.saved.values()):
             return False
         # openpyxl takes an attribute that is not there for true
-        asked = [element.get("fullCalcOnLoad", "0") for element in self.inspected.book if tag(element) == "calcPr"]
-        return not {*asked} & {"1", "true"}
+        settings = self.inspected.book.findall("{*}calcPr")
+        return not any(held.get("fullCalcOnLoad") in ("1", "true") for held in settings)
 
     @property
     def is_evidence(self) -> bool:
         """Whether the saved values were computed by Excel, or by LibreOffice, which is an evaluator."""
-        return self.has_results and self.inspected is not None and bool(PROGRAMS.match(self.inspected.program))
+        return self.has_results and bool(PROGRAMS.match(self.inspected.program))
 
     def cell(self, address: Address) -> Cell | MergedCell | None:
         """Return a cell, with its looks; None where the file has none."""
@@ -114,7 +119,8 @@ def open_book(path: Path) -> BookFile:
     """Open a workbook, or raise ReadError in a line."""
     require_file(path, "a workbook")
     if path.suffix.lower() not in SUFFIXES:
-        raise ReadError(f"{path}: expected a workbook ending in {', '.join(SUFFIXES)}; save it as .xlsx first")
+        known = ", ".join(SUFFIXES)
+        raise ReadError(f"{path}: expected a workbook ending in {known}; save it as .xlsx first")
     return book_of(path, guard(path))
 
 
@@ -123,9 +129,9 @@ def book_of(path: Path, inspected: Inspected) -> BookFile:
     workbook = load_workbook(path, inspected)
     if not workbook.worksheets:
         raise ReadError(f"{path}: it has no worksheet; expected a workbook of motionbook")
-    return BookFile(
-        path, workbook, find_places(workbook), inspected.notes, saved_values(inspected), inspected=inspected
-    )
+    file = BookFile(path, workbook, find_places(workbook), inspected.notes, inspected=inspected)
+    file.saved = saved_values(inspected)
+    return file
 
 
 def load_workbook(path: Path, inspected: Inspected) -> Workbook:
@@ -147,11 +153,12 @@ def load_workbook(path: Path, inspected: Inspected) -> Workbook:
                 fill_sheet(sheet, inspected.sheets[sheet.title], reader.shared_strings)
             return reader.wb
     except PermissionError as error:
-        raise ReadError(f"{path}: cannot be read; close it in the other program and try again") from error
+        raise ReadError(f"{path}: {LOCKED}") from error
     except MemoryError as error:
         raise ReadError(f"{path}: too large for the memory of this machine") from error
-    except Exception as error:  # openpyxl trusts the XML: what is amiss comes up as any exception of Python's own
-        raise ReadError(f"{path}: damaged: {part}: {refused_attribute(error)}; {SAVE_AS}") from error
+    except Exception as error:  # openpyxl trusts the XML: what is amiss comes up as any of Python's
+        fault = refused_attribute(error)
+        raise ReadError(f"{path}: damaged: {part}: {fault}; {SAVE_AS}") from error
 
 
 def refused_attribute(error: BaseException) -> str:
@@ -172,7 +179,8 @@ def refused_attribute(error: BaseException) -> str:
             rule, value = held["self"], held["value"]
             words = ", ".join(sorted(map(str, filter(None, getattr(rule, "values", ())))))
             kind = words or EXPECTED.get(getattr(rule, "expected_type", None), "another value")
-            expected = message if isinstance(error, ValueError) and not words else f"expected {kind}"
+            is_told = isinstance(error, ValueError) and not words
+            expected = message if is_told else f"expected {kind}"
             what = f"lacks {rule.name}" if value is None else f"holds {rule.name} = {quoted(value)}"
             refused = f"{element}{what}; {expected}"
     if isinstance(error, IndexError | OverflowError):
@@ -217,15 +225,13 @@ MOST_COLUMNS = 50_000_000
 
 def require_narrow(file: BookFile) -> None:
     """Raise ReadError, in a line, where it would be much work to tell what the formulas of a file depend on."""
-    refuse_more(file.path, file.contents.columns_read, MOST_COLUMNS, "columns", "make their ranges narrower")
+    if (read := file.contents.columns_read) > MOST_COLUMNS:
+        advice = f"at most {MOST_COLUMNS:,} are expected: make their ranges narrower"
+        raise ReadError(f"{file.path}: its formulas read {read:,} columns together; {advice}")
 
 
 def require_little_work(file: BookFile, path: Path) -> None:
     """Raise ReadError where formulas of ``file``, the copy of ``path`` that is evaluated, read more than any book's."""
-    refuse_more(path, file.contents.cells_read, MOST_READ, "cells", "shorten their ranges")
-
-
-def refuse_more(path: Path, read: int, most: int, kind: str, advice: str) -> None:
-    """Raise ReadError where formulas read more of a kind together than expected."""
-    if read > most:
-        raise ReadError(f"{path}: its formulas read {read:,} {kind} together; at most {most:,} are expected: {advice}")
+    if (read := file.contents.cells_read) > MOST_READ:
+        advice = f"at most {MOST_READ:,} are expected: shorten their ranges"
+        raise ReadError(f"{path}: its formulas read {read:,} cells together; {advice}")

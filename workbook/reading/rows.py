@@ -45,6 +45,13 @@ class Refusal(Exception):  # noqa: N818 - it says what it is
     """The reason to refuse a file, in words that follow its path."""
 
 
+class Mendable(Refusal):
+    """A reason that is gone once a spreadsheet program has saved the file anew, which its words advise."""
+
+    def __init__(self, fault: str) -> None:
+        super().__init__(f"{fault}; {SAVE_AS}")
+
+
 def short(text: str) -> str:
     """Return a name from a file, short and without control characters."""
     return repr(text if len(text) <= 80 else f"{text[:77]}...")
@@ -67,12 +74,14 @@ class Totals:
             if self.of[name] > MOST_OF[name]:
                 raise Refusal(f"holds more than {MOST_OF[name]:,} elements <{name}>")
         if self.outside + self.in_pivots * self.of["sheet"] > MOST_OUTSIDE:
-            raise Refusal(f"holds more than {MOST_OUTSIDE:,} XML elements and attributes besides its cells")
+            what = "XML elements and attributes besides its cells"
+            raise Refusal(f"holds more than {MOST_OUTSIDE:,} {what}")
 
     def reference(self, *key: str) -> None:
         """Note a reference to a part; refuse a second."""
         if key in self.referred:
-            raise Refusal(f"refers twice to {short(key[-1])} as a part of its own; once is expected")
+            fault = f"refers twice to {short(key[-1])} as a part of its own"
+            raise Refusal(f"{fault}; once is expected")
         self.referred.add(key)
 
     def in_row(self, weight: int) -> None:
@@ -107,7 +116,8 @@ def text_of(element: Element, name: str, part: str) -> str:
     """Return the text of an element of this name; raise Refusal where it is longer than allowed."""
     text = element.text or ""
     if len(text) > MOST_LONG.get(name, len(text)):
-        raise Refusal(f"{part} holds a text of more than {MOST_LONG[name]:,} characters in one <{name}>")
+        most = f"more than {MOST_LONG[name]:,} characters"
+        raise Refusal(f"{part} holds a text of {most} in one <{name}>")
     return text
 
 
@@ -115,7 +125,7 @@ def refuse_two_texts(element: Element, part: str) -> None:
     """Refuse a text that is written twice, whole and in runs: readers take the one, the other, or both."""
     names = [name for name in map(tag, element) if name in ("t", "r")]
     if "t" in names and len(names) > 1:
-        raise Refusal(f"damaged: {part} holds <{names[1]}> in a text beside another; {SAVE_AS}")
+        raise Mendable(f"damaged: {part} holds <{names[1]}> in a text beside another")
 
 
 class RawCell(NamedTuple):
@@ -134,7 +144,7 @@ def cell_position(text: str, rule: re.Pattern[str] = CORNER) -> tuple[int, int]:
     """Return row and column of a cell; raise Refusal where a sheet has no such cell."""
     match = rule.fullmatch(text)
     if match is None:
-        raise Refusal(f"damaged: {short(text)} stands where a cell is expected; {SAVE_AS}")
+        raise Mendable(f"damaged: {short(text)} stands where a cell is expected")
     letters, digits = match.groups()
     row, column = int(digits), column_index_from_string(letters.upper())
     if not (1 <= row <= LAST_ROW and column <= LAST_COLUMN):
@@ -166,7 +176,8 @@ class Rows:
         try:
             self.row = self.row + 1 if number is None else int(float(number))
         except (ValueError, OverflowError):
-            raise Refusal(f"damaged: {self.name} has a row numbered {short(number or '')}; {SAVE_AS}") from None
+            fault = f"has a row numbered {short(number or '')}"
+            raise Mendable(f"damaged: {self.name} {fault}") from None
         if self.row in self._rows:
             raise self._damaged(f"the row {self.row} twice")
         self._rows.add(self.row)
@@ -226,9 +237,9 @@ class Rows:
         refuse_two_texts(element, self.name)
         if fonts := list(element.iter(f"{MAIN}rPr")):
             self.fonts[self.row, self.column] = fonts
-        runs = [part for child in element if tag(child) in ("t", "r") for part in (child, *child)]
-        runs = [part for part in runs if tag(part) == "t"]
-        return (before or "") + "".join(text_of(run, "t", self.name) for run in runs) if runs else before
+        parts = [part for child in element if tag(child) in ("t", "r") for part in (child, *child)]
+        texts = [text_of(part, "t", self.name) for part in parts if tag(part) == "t"]
+        return "".join([before or "", *texts]) if texts else before
 
     def _formula(self, element: Element) -> str:
         """Return a formula; count it, once more for each cell that shares it."""
@@ -243,5 +254,5 @@ class Rows:
         self.count.formula(len(text) or self._lengths.get(shared or "", 0))
         return text
 
-    def _damaged(self, what: str) -> Refusal:
-        return Refusal(f"damaged: {self.name} holds {what}; {SAVE_AS}")
+    def _damaged(self, what: str) -> Mendable:
+        return Mendable(f"damaged: {self.name} holds {what}")

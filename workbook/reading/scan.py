@@ -12,6 +12,7 @@ from workbook.reading.rows import (
     FREE,
     MAIN,
     SAVE_AS,
+    Mendable,
     Refusal,
     Rows,
     Totals,
@@ -27,8 +28,9 @@ MOST_DEPTH = 100
 CHUNK = 65_536  # bytes that are parsed before what they make is looked at
 DATA, ROW, CELL = f"{MAIN}sheetData", f"{MAIN}row", f"{MAIN}c"
 STRICT = "{http://purl.oclc.org/ooxml/spreadsheetml/main}"  # ISO/IEC 29500-1; Excel writes the other by default
-PLACES = {DATA: [f"{MAIN}worksheet"], ROW: [f"{MAIN}worksheet", DATA], CELL: [f"{MAIN}worksheet", DATA, ROW]}
-"""the elements of a worksheet that stand in a single place only, and what they stand in"""
+AROUND_CELL = [f"{MAIN}worksheet", DATA, ROW]
+# the elements of a worksheet that stand in a single place only, and what they stand in
+PLACES = {DATA: AROUND_CELL[:1], ROW: AROUND_CELL[:2], CELL: AROUND_CELL}
 # openpyxl visits every cell of their ranges
 FILLED = frozenset({"mergeCell", "hyperlink", "comment"})
 # openpyxl parses a part anew for each reference to it, and pivot caches anew for each sheet
@@ -51,7 +53,8 @@ def refuse_doctype(data: bytes, part: str) -> None:
         raise StopIteration
 
     def declared(*doctype: object) -> None:
-        raise Refusal(f"{part} declares a document type or entities, which no spreadsheet program writes")
+        fault = "declares a document type or entities"
+        raise Refusal(f"{part} {fault}, which no spreadsheet program writes")
 
     parser = expat.ParserCreate()
     parser.StartDoctypeDeclHandler, parser.StartElementHandler = declared, begun
@@ -87,7 +90,7 @@ class Scan:
                         self.aside(element)
             parser.close()
         except (ParseError, LookupError, ValueError) as error:  # the last two: an unknown encoding
-            raise Refusal(f"damaged: {self.name} is not well-formed XML ({error}); {SAVE_AS}") from None
+            raise Mendable(f"damaged: {self.name} is not well-formed XML ({error})") from None
         if self.rows:
             self.count.range(len(self.rows.written), self.rows.size)
 
@@ -95,9 +98,11 @@ class Scan:
         """Begin an element: check and count it."""
         path, attributes = self._path, element.attrib
         if attributes and sum(map(len, attributes.values())) > MOST_IN_TAG:
-            raise Refusal(f"{self.name} holds an element with more than {MOST_IN_TAG:,} characters of attributes")
+            most = f"more than {MOST_IN_TAG:,} characters of attributes"
+            raise Refusal(f"{self.name} holds an element with {most}")
         if not path and element.tag.startswith(STRICT):
-            raise Refusal(f"a Strict Open XML workbook; {SAVE_AS} (Excel Workbook, not Strict Open XML)")
+            kind = "Strict Open XML"
+            raise Refusal(f"a {kind} workbook; {SAVE_AS} (Excel Workbook, not {kind})")
         if not path:
             self.root, self._pivot = element, tag(element).startswith("pivotCache")
             self.rows = Rows(self.name, self.count) if element.tag == f"{MAIN}worksheet" else None
@@ -114,7 +119,7 @@ class Scan:
     def _place(self, rows: Rows, element: Element) -> None:
         """Begin a worksheet's data, which it has once, or a row or a cell in it; refuse them anywhere else."""
         if self._path != PLACES[element.tag] or (element.tag == DATA and self._met):
-            raise Refusal(f"damaged: {self.name} holds <{tag(element)}> twice or out of its place; {SAVE_AS}")
+            raise Mendable(f"damaged: {self.name} holds <{tag(element)}> twice or out of its place")
         self._met = True
         if element.tag == ROW:
             rows.begin(element.attrib)
@@ -122,7 +127,8 @@ class Scan:
 
     def _outside(self, name: str, attributes: dict[str, str]) -> None:
         """Count an element outside of rows, and what it refers to."""
-        self.count.element(name, 1 + len(attributes) + len(attributes.get("sqref", "")) // 3, self._pivot)
+        ranges = len(attributes.get("sqref", "")) // 3
+        self.count.element(name, 1 + len(attributes) + ranges, self._pivot)
         if name in FILLED and "ref" in attributes:
             self.count.range(size_of(attributes["ref"]))
         if name == "Relationship" and RELATIONS.fullmatch(attributes.get("Type", "")):
@@ -158,4 +164,4 @@ class Scan:
         """Refuse a comment, or a namespace, within a row: some readers take what stands before it only."""
         if self._in_row and FREE.isdisjoint(self._path):
             what = "a namespace of its own" if isinstance(event, tuple) else "a comment"
-            raise Refusal(f"damaged: {self.name} holds {what} within a row; {SAVE_AS}")
+            raise Mendable(f"damaged: {self.name} holds {what} within a row")

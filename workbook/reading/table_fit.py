@@ -46,18 +46,22 @@ def fit_rows(file: BookFile, blocks: list[Block]) -> None:
     place, size = file.places[blocks[0].name], blocks[0].size
     if place.rows == size:
         return
-    columns = [file.places[b.name].down(j) for b in blocks for j, q in enumerate(b.quantities) if q.role != "input"]
-    own = [i for i in range(place.rows) if any(file.value(column[i]) not in (None, "") for column in columns)]
+    computed = [(b, j) for b in blocks for j, q in enumerate(b.quantities) if q.role != "input"]
+    columns = [map(file.value, file.places[b.name].down(j)) for b, j in computed]
+    rows = zip(*columns, strict=True)
+    own = [i for i, row in enumerate(rows) if any(value not in (None, "") for value in row)]
     own = own if place.rows > size else list(range(place.rows))
     missing, row = size - len(own), place.row + first_other_row(file, blocks, own)
     for block in blocks:
         if missing:
-            count = abs(missing)
             state = f"gone above row {row}" if missing > 0 else f"too many at row {row}"
-            file.torn[block.name] = f"{place.sheet}: {'a row is' if count == 1 else f'{count} rows are'} {state}"
+            count = "a row is" if abs(missing) == 1 else f"{abs(missing)} rows are"
+            file.torn[block.name] = f"{place.sheet}: {count} {state}"
         else:
-            file.places[block.name] = file.places[block.name]._replace(rows=len(own), rows_at=tuple(own))
-            file.inserted[block.name] = tuple(place.row + i for i in sorted({*range(place.rows)} - {*own}))
+            whole = file.places[block.name]._replace(rows=len(own), rows_at=tuple(own))
+            file.places[block.name] = whole
+            inserted = sorted({*range(place.rows)} - {*own})
+            file.inserted[block.name] = tuple(place.row + i for i in inserted)
 
 
 def first_other_row(file: BookFile, blocks: list[Block], own: list[int]) -> int:
@@ -84,10 +88,9 @@ def fit_columns(file: BookFile, block: Block) -> None:
     if not added and (not any(labels) or any(isinstance(file.value(at), str) for at in heads)):
         return
     furthest = block.row - min(header_rows(block)) + MOST_BETWEEN
-    above = [
-        {file.value(Address(place.sheet, place.row - up, place.column + c)) for up in range(1, furthest + 1)}
-        for c in range(place.columns)
-    ]
+    rows = range(place.row - furthest, place.row)
+    columns = range(place.column, place.column + place.columns)
+    above = [{file.value(Address(place.sheet, row, c)) for row in rows} for c in columns]
     inserted = [c for c, texts in enumerate(above) if not texts & set(labels)]
     if added > 0 and len(inserted) == added:
         own = tuple(c for c in range(place.columns) if c not in inserted)
@@ -95,8 +98,8 @@ def fit_columns(file: BookFile, block: Block) -> None:
     elif added > 0:
         file.torn[block.name] = f"{place.sheet}: {added} columns are too many"
     elif added < 0:
-        here = (j for j, (label, texts) in enumerate(zip(labels, above, strict=False)) if label not in texts)
-        at = next(here, place.columns)
+        differ = [label not in texts for label, texts in zip(labels, above, strict=False)]
+        at = differ.index(True) if any(differ) else place.columns
         letter = get_column_letter(place.column + at)
         gone = ", ".join(map(repr, labels[at : at - added]))
         file.torn[block.name] = f"{place.sheet}: a column is gone before column {letter}: {gone}"
@@ -107,7 +110,8 @@ def fit_columns(file: BookFile, block: Block) -> None:
 def declared_headers(block: Block) -> list[str]:
     """Return the heading of each column of a table, as declared; nothing for a column without."""
     rows = header_rows(block)
-    headers = {text.column: text.text for text in block.sheet.texts if text.style == "header" and text.row in rows}
+    texts = (text for text in block.sheet.texts if text.style == "header" and text.row in rows)
+    headers = {text.column: text.text for text in texts}
     return [headers.get(block.column + j, "") for j in range(len(block.quantities))]
 
 

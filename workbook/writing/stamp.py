@@ -30,7 +30,8 @@ def write_stamp(file: BookFile, declared: Book, path: Path, overwrite: bool) -> 
     values: dict[str, float | str] = {NAME: today, SENTENCE: SAME}
     for name, value in values.items():
         place, held = file.places.get(name), file.inspected
-        part = next((n for n in parts if held and place and held.parts.get(n) is held.pages[place.sheet]), "")
+        page = held.pages.get(place.sheet) if place else None
+        part = next((n for n in parts if page is not None and held.parts.get(n) is page), "")
         changed = with_value(parts[part], place.cell(0, 0), value) if place and part else None
         if changed is None:
             raise WriteError(f"{file.path}: it has no cell {name}; motionbook regenerate builds it anew, with this")

@@ -1,12 +1,14 @@
 """Cells of a file and of a fresh build as a reader sees them: style, sight, conditional formats, validation."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cache
 from types import MappingProxyType
 from typing import Any, NamedTuple
+from xml.etree.ElementTree import Element
 
 from openpyxl import Workbook
 from openpyxl.formula.translate import Translator
+from openpyxl.worksheet.cell_range import CellRange
 from pydantic import BaseModel
 
 from workbook.book.address import Address
@@ -15,6 +17,8 @@ from workbook.book.quantity import OK
 from workbook.judging.display.charts import compare_charts
 from workbook.judging.display.differences import VERDICTS, Differences, Subject
 from workbook.judging.display.flat import (
+    BLACK,
+    WHITE,
     Flat,
     Shown,
     flatten,
@@ -30,12 +34,11 @@ from workbook.judging.matching import Match, Pair
 from workbook.judging.report import Report
 from workbook.reading.contents import Cells
 from workbook.reading.package import Anchor
-from workbook.reading.rows import LAST_ROW
+from workbook.reading.rows import LAST_ROW, MAIN
 from workbook.writing import archive
 from workbook.writing.archive import Strings
 from workbook.writing.write import make_workbook
 
-WHITE, BLACK = "#FFFFFF", "#000000"
 OVERALL = ("overall", "status")  # verdicts of the book and of each sheet, always to be in sight
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 NO_RULE = "no such rule"
@@ -68,13 +71,12 @@ class Overlay(NamedTuple):
 
     rule: Any
     words: str
-    ranges: list[tuple[int, int, int, int]]  # left, top, right, bottom
+    ranges: Collection[CellRange]
 
     def covers(self, column: int, first: int, last: int) -> bool:
         """Whether any of its ranges covers rows of a column, from ``first`` to ``last``."""
-        return any(
-            left <= column <= right and top <= first and last <= bottom for left, top, right, bottom in self.ranges
-        )
+        there = (held for held in self.ranges if held.min_col <= column <= held.max_col)
+        return any(held.min_row <= first and last <= held.max_row for held in there)
 
 
 class BookLooks:
@@ -88,19 +90,20 @@ class BookLooks:
     ) -> None:
         self.workbook: Any = workbook
         self._styles = styles
-        self.views = {sheet.title: SheetView(sheet, drawings.get(sheet.title, ())) for sheet in workbook.worksheets}
+        self.views = dict[str, SheetView]()
         self.rules, self.validations = dict[str, list[Overlay]](), dict[str, list[Overlay]]()
         for sheet in self.workbook.worksheets:
-            rules = [(area, rule, rule_words(rule)) for area in sheet.conditional_formatting for rule in area.rules]
-            checks = [(rule, rule, attribute_words(rule)) for rule in sheet.data_validations.dataValidation]
-            self.rules[sheet.title], self.validations[sheet.title] = (
-                [Overlay(rule, words, [cells.bounds for cells in area.sqref.ranges]) for area, rule, words in overlays]
-                for overlays in (rules, checks)
-            )
+            title, checks = sheet.title, sheet.data_validations.dataValidation
+            self.views[title] = SheetView(sheet, drawings.get(title, ()))
+            rules = [(rule, area) for area in sheet.conditional_formatting for rule in area.rules]
+            self.rules[title] = [Overlay(r, rule_words(r), at.sqref.ranges) for r, at in rules]
+            held = [(rule, attribute_words(rule)) for rule in checks]
+            self.validations[title] = [Overlay(*rule, rule[0].sqref.ranges) for rule in held]
 
     def style(self, at: Address) -> Any:
         """Return the style of a cell of a fresh build, as openpyxl has it."""
-        return self.workbook._cell_styles[self._styles[at.sheet].numbers.get((at.row, at.column), 0)]
+        number = self._styles[at.sheet].numbers.get((at.row, at.column), 0)
+        return self.workbook._cell_styles[number]
 
     def validation(self, at: Address) -> str:
         """Return the validation of a cell in words; nothing of a cell without."""
@@ -116,12 +119,12 @@ class BookLooks:
         for name in ("font", "fill", "border", "alignment", "protection"):
             parts = getattr(self.workbook, f"_{name}s")
             look |= flatten(parts[getattr(style, f"{name}Id")].to_tree(name), name)
-        pattern = look.get("fill patternFill patternType")
-        ground = look.get("fill patternFill fgColor", BLACK)
-        if pattern == "solid":
+        ground = look.get("fill patternFill patternType") or WHITE
+        if ground == "solid":
+            ground = look.get("fill patternFill fgColor", BLACK)
             look.pop("fill patternFill bgColor", None)
-        ink = look.get("font color") or BLACK
-        return look | {"legible": "no" if ink == (ground if pattern == "solid" else pattern or WHITE) else "yes"}
+        is_lost = (look.get("font color") or BLACK) == ground
+        return look | {"legible": "no" if is_lost else "yes"}
 
 
 def check_display(match: Match, model: type[BaseModel], computed: Cells, report: Report) -> None:
@@ -132,12 +135,12 @@ def check_display(match: Match, model: type[BaseModel], computed: Cells, report:
     styles = {sheet.title: CellStyles() for sheet in match.declared.sheets}
     fresh = BookLooks(make_workbook(match.declared, model, dict(styles)), styles=styles)
     differences = Differences(match)
-    held = BookLooks(match.file.workbook, match.file.inspected.drawings if match.file.inspected else {})
-    labels = compare_texts(match, report, differences)
-    compare_cells(match, fresh, held, find_spots(match, labels), computed, differences)
-    compare_rules(match, fresh, held, differences)
-    compare_sheets(match, fresh.workbook, differences)
-    compare_charts(match, fresh.workbook, held.views, differences)
+    held = BookLooks(match.file.workbook, match.file.inspected.drawings)
+    labels = compare_texts(report, differences)
+    compare_cells(fresh, held, labels, computed, differences)
+    compare_rules(fresh, held, differences)
+    compare_sheets(fresh.workbook, differences)
+    compare_charts(fresh.workbook, held.views, differences)
     differences.enter(report)
 
 
@@ -175,11 +178,12 @@ def subject_of(pair: Pair) -> Subject:
 
 
 def compare_cells(
-    match: Match, fresh: BookLooks, held: BookLooks, spots: Iterable[Spot], computed: Cells, differences: Differences
+    fresh: BookLooks, held: BookLooks, labels: list[Label], computed: Cells, differences: Differences
 ) -> None:
     """Enter which declared cells look otherwise than in a fresh build, are out of sight, or have another validation."""
+    match = differences.match
     fonts, known = text_fonts(match), dict[tuple[Any, ...], Flat]()
-    for spot in spots:
+    for spot in find_spots(match, labels):
         at, subject, cell = spot.at, spot.subject, match.file.cell(spot.at)
         style = fresh.style(spot.fresh)
         theirs: Any = cell._style if cell is not None else style  # type: ignore[union-attr]
@@ -205,31 +209,35 @@ def compare_cells(
 def hidden_by(fresh: BookLooks, held: BookLooks, spot: Spot, is_wrong: bool) -> str:
     """Return what hides a cell, but in a fresh build; a hidden sheet hides verdicts that are ``is_wrong``."""
     view, page = held.views[spot.at.sheet], fresh.views[spot.fresh.sheet]
-    cause = view.hidden_by(spot.at.row, spot.at.column) or ("a hidden sheet" if is_wrong and view.is_hidden else "")
+    cause = view.hidden_by(spot.at.row, spot.at.column)
+    cause = cause or ("a hidden sheet" if is_wrong and view.is_hidden else "")
     return cause if cause and not page.hidden_by(spot.fresh.row, spot.fresh.column) else ""
 
 
-def compare_rules(match: Match, fresh: BookLooks, held: BookLooks, differences: Differences) -> None:
+def compare_rules(fresh: BookLooks, held: BookLooks, differences: Differences) -> None:
     """Enter conditional formats of declared cells that a fresh build has not, and those that are gone."""
 
     @cache  # tables beneath each other share columns
     def rules_in(looks: BookLooks, sheet: str, column: int) -> list[Overlay]:
         return [rule for rule in looks.rules[sheet] if rule.covers(column, LAST_ROW, 1)]
 
-    for pairs in match.columns:
+    what = "conditional format"
+    for pairs in differences.match.columns:
         cell, first, last = pairs[0].cell, pairs[0].address, pairs[-1].address
         ours = rules_in(fresh, cell.block.sheet.title, cell.column)
-        declared = {rule.words: rule.rule for rule in ours if rule.covers(cell.column, cell.row, cell.row)}
+        ours = [rule for rule in ours if rule.covers(cell.column, cell.row, cell.row)]
+        declared = {rule.words: rule.rule for rule in ours}
         missing = set(declared)
         for rule in rules_in(held, first.sheet, first.column):
             if not rule.covers(first.column, last.row, first.row):  # any of the cells
                 continue
-            if rule.words not in declared or not is_same_condition(match, declared[rule.words], rule, cell.block):
-                differences.add(first, subject_of(pairs[0]), "conditional format", "", rule.words)
+            known = declared.get(rule.words)
+            if known is None or not is_same_condition(differences.match, known, rule, cell.block):
+                differences.add(first, subject_of(pairs[0]), what, "", rule.words)
             elif rule.covers(first.column, first.row, last.row):
                 missing.discard(rule.words)
         for words in sorted(missing):
-            differences.add(first, Subject(subject_of(pairs[0]).words), "conditional format", words, NO_RULE)
+            differences.add(first, Subject(subject_of(pairs[0]).words), what, words, NO_RULE)
 
 
 def rule_words(rule: Any) -> str:
@@ -241,7 +249,8 @@ def rule_words(rule: Any) -> str:
         flat |= {"showValue": "off"} if getattr(sign, "showValue", None) is False else {}
     if rule.dxf is not None:
         look = flatten(rule.dxf.to_tree("look")) | {"numFmt numFmtId": ""}
-        flat |= {name: value for name, value in look.items() if value not in (LIKE_CELLS.get(name), "solid")}
+        own = (name for name, value in look.items() if value not in (LIKE_CELLS.get(name), "solid"))
+        flat |= {name: look[name] for name in own}
         if code := flat.get("numFmt formatCode"):
             flat["numFmt formatCode"] = ";".join(format_sections(code)).replace("\0", "")
             flat["another number"] = "" if plain_number(code) == ("N",) else "yes"
@@ -260,20 +269,21 @@ def is_same_condition(match: Match, rule: Any, held: Overlay, block: Block) -> b
         return bool(rule.formula == held.rule.formula)
     place, declared = match.file.places[block.name], f"={rule.formula[0]}"
     # the cell for which its formulas are written
-    first = f"A{min(top for _, top, *_ in held.ranges)}"
+    first = f"A{min(cells.min_row for cells in held.ranges)}"
     text = str(held.rule.formula[0]).removeprefix("=")
     moved = Translator(f"={text}", first).translate_formula(f"A{place.row}")
     return match.same_formula(declared, block, moved, place.sheet)
 
 
 def text_fonts(match: Match) -> dict[Address, str]:
-    """Return the fonts of parts of texts in words, by the cells that show them."""
-    fonts: dict[Address, str] = {}
-    for title, rows in match.file.inspected.sheets.items() if match.file.inspected else ():
-        held = {Address(title, *at): elements for at, elements in rows.fonts.items()}
-        shared = match.file.inspected.fonts  # type: ignore[union-attr]
-        for cell in rows.written if shared else ():
-            if cell.kind == "s" and cell.how is None and int(cell.value or -1) in shared:
-                held[Address(title, cell.row, cell.column)] = shared[int(cell.value or -1)]
-        fonts |= {at: "; ".join(in_words(flatten(font)) for font in elements) for at, elements in held.items()}
-    return fonts
+    """Return the fonts of parts of texts in words, by the cells that show them (ISO/IEC 29500-1, 18.4.7)."""
+    inspected = match.file.inspected
+    texts = enumerate(inspected.strings.iterfind(f"{MAIN}si"))
+    shared = {str(n): fonts for n, text in texts if (fonts := [*text.iter(f"{MAIN}rPr")])}
+    held = dict[Address, list[Element]]()
+    for title, rows in inspected.sheets.items():
+        held |= {Address(title, *at): fonts for at, fonts in rows.fonts.items()}
+        cells = (cell for cell in rows.written if cell.value in shared) if shared else ()
+        of_texts = (cell for cell in cells if cell.kind == "s" and cell.how is None)
+        held |= {Address(title, *cell[:2]): shared[str(cell.value)] for cell in of_texts}
+    return {at: "; ".join(in_words(flatten(font)) for font in fonts) for at, fonts in held.items()}

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from itertools import product
 from typing import Any, NamedTuple, TypeVar
 from xml.etree.ElementTree import Element
 
@@ -73,10 +74,10 @@ class ChartReader(NamedTuple):
         LibreOffice leaves such outlines out, and gives a point that has a label the looks of its line again.
         """
         line = dict.fromkeys((*DRAWN, "text"), "") | self.attributes(series)
-        again = {
-            key for key, value in line.items() if (rest := key.removeprefix("dPt ")) != key and line.get(rest) == value
-        }
-        return {key: value for key, value in line.items() if key not in again and not key.startswith("marker spPr ln")}
+        of_points = [key for key in line if key.startswith("dPt ")]
+        again = {key for key in of_points if line.get(key.removeprefix("dPt ")) == line[key]}
+        shown = (key for key in line if key not in again and not key.startswith("marker spPr ln"))
+        return {key: line[key] for key in shown}
 
     def chart(self, root: Element, at: Address, number: int = 0) -> ChartData:
         """Return a chart that stands at a cell, with its number among the drawings of the sheet."""
@@ -84,41 +85,47 @@ class ChartReader(NamedTuple):
         axes = [part for part in parts if tag(part).endswith("Ax")]
         groups = [part for part in parts if tag(part).endswith("Chart")]
         looks = self.attributes(root, leaving=("ser", *map(tag, axes)))
-        looks |= {"kind": ", ".join(sorted({*map(tag, groups)})), "title": looks.pop("chart title text", "")}
+        looks["kind"] = ", ".join(sorted({*map(tag, groups)}))
+        looks["title"] = looks.pop("chart title text", "")
         # of the first group
         ids = [axis.get("val") for axis in root.findall(".//{*}plotArea/*/{*}axId")][:2]
         for axis in axes:
             own = next((part.get("val") for part in axis.findall("{*}axId")), None)
-            looks |= self.attributes(axis, f"axis {'xy'[ids.index(own)]}" if own in ids else "another axis")
-        return ChartData(
-            [self.line(series) for group in groups for series in group.findall("{*}ser")], looks, at, number
-        )
+            name = f"axis {'xy'[ids.index(own)]}" if own in ids else "another axis"
+            looks |= self.attributes(axis, name)
+        lines = [self.line(series) for group in groups for series in group.findall("{*}ser")]
+        return ChartData(lines, looks, at, number)
 
 
 def read_charts(match: Match, title: str) -> Iterator[ChartData]:
     """Yield the charts of a sheet of the file."""
-    file, inspected = match.file, match.file.inspected
-    reader = ChartReader(title, file.contents.area, lambda at: file.saved.get(at) or file.value(at) or "")
-    for number, anchor in enumerate(inspected.drawings.get(title, ()) if inspected else ()):
+    file, area = match.file, match.file.contents.area
+    reader = ChartReader(title, area, lambda at: file.saved.get(at) or file.value(at) or "")
+    for number, anchor in enumerate(file.inspected.drawings.get(title, ())):
         if anchor.chart is not None:
-            yield reader.chart(anchor.chart, Address(title, anchor.first.row + 1, anchor.first.column + 1), number)
+            at = Address(title, anchor.first.row + 1, anchor.first.column + 1)
+            yield reader.chart(anchor.chart, at, number)
 
 
-def compare_charts(match: Match, fresh: Any, views: Mapping[str, SheetView], differences: Differences) -> None:
+def compare_charts(fresh: Any, views: Mapping[str, SheetView], differences: Differences) -> None:
     """Enter declared charts that draw something else than in the workbook ``fresh``, cannot be seen, or are gone."""
-    for sheet, title in match.sheets:
-        pairs = pair_charts(match, sheet, fresh[sheet.title]._charts, list(read_charts(match, title)))
+    for sheet, title in differences.match.sheets:
+        held = list(read_charts(differences.match, title))
+        pairs = pair_charts(differences.match, sheet, fresh[sheet.title]._charts, held)
         titles = {str(ours.looks["title"]) for _, ours, _ in pairs}
         for drawn, ours, theirs in pairs:
             name = str(ours.looks["title"])
             axes = {str(ours.looks.get(f"axis {letter} title text", "")) for letter in "xy"}
-            subject = Subject(f"the chart {name!r}", "", titles | axes, theirs.at.a1 if theirs else "")
-            if theirs is not None:
-                compare_attributes(differences, theirs.at, subject, ours.looks, theirs.looks)
-                compare_lines(match, subject, ours, theirs, differences)
-                compare_sight(subject, theirs, (drawn.width, drawn.height), views, differences)
-            elif match.file.inspected:
+            group = theirs.at.a1 if theirs else ""
+            subject = Subject(f"the chart {name!r}", "", titles | axes, group)
+            if theirs is None:
                 differences.add(Address(title, 1, 1), subject, "chart", name, "")
+                continue
+            compare_attributes(differences, theirs.at, subject, ours.looks, theirs.looks)
+            compare_lines(subject, ours, theirs, differences)
+            hidden = hidden_parts(theirs, (drawn.width, drawn.height), views)
+            for what, expected, seen in hidden:
+                differences.add(theirs.at, subject, what, expected, seen)
 
 
 def pair_charts(
@@ -131,9 +138,10 @@ def pair_charts(
 
     def likeness(ours: tuple[Any, ChartData], theirs: ChartData) -> float:
         lines = ours[1].lines
-        shared = sum(any(has_data(differences, line, other) for other in theirs.lines) for line in lines)
+        others = theirs.lines
+        drawn = [any(has_data(differences, line, other) for other in others) for line in lines]
         has_title = differences.is_same("title", ours[1].looks["title"], theirs.looks["title"])
-        return 2 * shared + has_title - 0.1 * abs(len(lines) - len(theirs.lines))
+        return 2 * sum(drawn) + has_title - 0.1 * abs(len(lines) - len(theirs.lines))
 
     return [(*ours, other) for ours, other in pair_alike(fresh, held, likeness) if ours is not None]
 
@@ -143,8 +151,9 @@ def pair_alike(
 ) -> Iterator[tuple[T | None, U | None]]:
     """Yield what is alike in pairs, the most alike first, then what is left of either side."""
     ours, theirs = dict(enumerate(fresh)), dict(enumerate(held))
-    ranked = sorted((-likeness(mine, other), i, j) for i, mine in ours.items() for j, other in theirs.items())
-    for rank, i, j in ranked:
+    pairs = product(ours.items(), theirs.items())
+    ranked = ((-likeness(mine, other), i, j) for (i, mine), (j, other) in pairs)
+    for rank, i, j in sorted(ranked):
         if rank < 0 and i in ours and j in theirs:
             yield ours.pop(i), theirs.pop(j)
     yield from ((mine, None) for mine in ours.values())
@@ -156,14 +165,13 @@ def has_data(differences: Differences, fresh: Flat, held: Flat) -> bool:
     return all(differences.is_same(name, fresh[name], held[name]) for name in DRAWN)
 
 
-def compare_lines(match: Match, subject: Subject, fresh: ChartData, held: ChartData, differences: Differences) -> None:
+def compare_lines(of: Subject, fresh: ChartData, held: ChartData, differences: Differences) -> None:
     """Enter lines of a chart that are gone, added, or not as in a fresh build."""
-    subject = subject._replace(others={str(line["text"]) for line in fresh.lines})
+    subject = of._replace(others={str(line["text"]) for line in fresh.lines})
 
     def likeness(ours: Flat, theirs: Flat) -> float:
-        return (
-            1 + 2 * differences.is_same("text", ours["text"], theirs["text"]) + 4 * has_data(differences, ours, theirs)
-        )
+        has_text = differences.is_same("text", ours["text"], theirs["text"])
+        return 1 + 2 * has_text + 4 * has_data(differences, ours, theirs)
 
     for ours, theirs in pair_alike(fresh.lines, held.lines, likeness):
         part = f"line {str(ours['text'])!r} " if ours else ""
@@ -172,8 +180,9 @@ def compare_lines(match: Match, subject: Subject, fresh: ChartData, held: ChartD
         elif ours:
             differences.add(held.at, subject, f"{part}drawn", "yes", "no")
         elif theirs:
-            of_declared = " of a declared name" if str(theirs["text"]) in subject.others else ""
-            differences.add(held.at, subject, f"another line{of_declared}", "", theirs["text"] or "drawn")
+            is_declared = str(theirs["text"]) in subject.others
+            what = "another line" + (" of a declared name" if is_declared else "")
+            differences.add(held.at, subject, what, "", theirs["text"] or "drawn")
 
 
 def compare_attributes(
@@ -184,22 +193,21 @@ def compare_attributes(
     differences.compare(at, subject, fresh, held, part)
 
 
-def compare_sight(
-    subject: Subject, held: ChartData, cm: tuple[float, float], views: Mapping[str, SheetView], differences: Differences
-) -> None:
-    """Enter that a chart can hardly be seen: shrunk, behind another drawing, or by hidden rows; ``cm`` is its size."""
+def hidden_parts(
+    held: ChartData, cm: tuple[float, float], views: Mapping[str, SheetView]
+) -> Iterator[tuple[str, str, str]]:
+    """Yield why a chart can hardly be seen: what, as expected and as held; ``cm`` are width and height as built."""
     areas = views[held.at.sheet].areas
     own = areas[held.number]
-    ends = own.right - own.left, own.bottom - own.top
-    share = min(end / (whole * CM) for end, whole in zip(ends, cm, strict=True))
-    middle = (own.left + own.right) / 2, (own.top + own.bottom) / 2
+    share = min((own.right - own.left) / cm[0], (own.bottom - own.top) / cm[1]) / CM
     if share < SMALL:
-        differences.add(held.at, subject, "size", "as built", f"{share:.0%} of it")
+        yield "size", "as built", f"{share:.0%} of it"
+    middle = (own.left + own.right) / 2, (own.top + own.bottom) / 2
     if any(area.has(*middle) for area in areas[held.number + 1 :]):
-        differences.add(held.at, subject, "sight", "in sight", "behind another drawing")
+        yield "sight", "in sight", "behind another drawing"
     columns = [line[name] for line in held.lines for name in ("x", "y")]
     drawn = [x.meaning for x in columns if isinstance(x, Shown) and x.meaning.sheet in views]
     rows = [(views[area.sheet].rows, range(area.top, area.bottom + 1)) for area in drawn]
-    hidden = [sum(not heights[row] for row in numbers) for heights, numbers in rows]
-    if any(hidden) and held.looks.get("chart plotVisOnly val", "1") == "1":
-        differences.add(held.at, subject, "rows that it draws", "all", f"without {max(hidden):,} hidden rows")
+    hidden = max((sum(not heights[row] for row in numbers) for heights, numbers in rows), default=0)
+    if hidden and held.looks.get("chart plotVisOnly val", "1") == "1":
+        yield "rows that it draws", "all", f"without {hidden:,} hidden rows"

@@ -42,24 +42,27 @@ class Differences:
     """Differences of what is shown, by sheet, attribute, and what is expected and held."""
 
     def __init__(self, match: Match) -> None:
-        self._match = match
+        self.match = match
         self._groups: dict[tuple[str, str, str, str, str, str], tuple[Address, str, int]] = {}
 
-    def compare(self, at: Address, subject: Subject, fresh: Flat, held: Flat, part: str = "") -> None:
+    def compare(self, at: Address, of: Subject, fresh: Flat, held: Flat, part: str = "") -> None:
         """Enter the attributes of a subject, or of a part of it, that differ."""
         for name, pair in self.differing(fresh, held).items():
-            self.add(at, subject, part + name, *pair)
+            self.add(at, of, part + name, *pair)
 
     def differing(self, fresh: Flat, held: Flat) -> Flat:
         """Return expected and held values, in pairs, of the attributes that differ."""
-        pairs = {key: (fresh.get(key, usual_value(key)), held.get(key, usual_value(key))) for key in {**fresh, **held}}
+        usual = {key: usual_value(key) for key in {**fresh, **held}}
+        pairs = {key: (fresh.get(key, value), held.get(key, value)) for key, value in usual.items()}
         return {key: pair for key, pair in pairs.items() if not self.is_same(key, *pair)}
 
     def is_same(self, key: str, ours: Any, theirs: Any) -> bool:
         """Whether two values show the same; a text that follows a cell is written out as LibreOffice saves it."""
         if not isinstance(ours, Shown):
             return is_same(key, ours, theirs)
-        return self._match.same(ours.meaning, theirs.meaning) if isinstance(theirs, Shown) else ours.words == theirs
+        if not isinstance(theirs, Shown):
+            return bool(ours.words == theirs)
+        return self.match.same(ours.meaning, theirs.meaning)
 
     def add(self, at: Address, subject: Subject, attribute: str, ours: Any, theirs: Any) -> None:
         """Enter a difference; what misleads a reader is a finding."""
@@ -72,8 +75,8 @@ class Differences:
     def enter(self, report: Report) -> None:
         """Enter all into a report, a line for each group: ``number format: 0.00 → 0%, 12 cells``."""
         for (_, kind, attribute, expected, held, _), (at, words, count) in self._groups.items():
-            more = f", {count:,} cells" if count > 1 else ""
-            report.say(at, kind, held or "none", expected or "none", f"{attribute} of {words}{more}")
+            what = f"{attribute} of {words}" + (f", {count:,} cells" if count > 1 else "")
+            report.add_at(at, kind, held or "none", expected or "none", what)
 
 
 def misleads(subject: Subject, attribute: str, expected: str, held: str) -> bool:
@@ -99,7 +102,8 @@ def text_misleads(expected: str, held: str, subject: Subject) -> bool:
 
 def is_same_unit(unit: str, other: str) -> bool:
     """Whether two units are the same, however they are spelled."""
-    return unit.split() == other.split() or (unit_size(unit) is not None and unit_size(unit) == unit_size(other))
+    sizes = unit_size(unit), unit_size(other)
+    return unit.split() == other.split() or (sizes[0] is not None and sizes[0] == sizes[1])
 
 
 def is_unit(text: str) -> bool:

@@ -19,15 +19,16 @@ from workbook.reading.rows import tag
 Flat = dict[str, Any]  # values by the names of elements and attribute that lead to them
 
 COLOURS = frozenset(["color", "fgColor", "bgColor", "srgbClr"])
-SAME_COLOURS = {"theme 0": "#FFFFFF", "theme 1": "#000000", "indexed 8": "#000000", "indexed 9": "#FFFFFF"}
-OFF = frozenset(["0", "none", "noStrike", "baseline", "general", "normal", "visible", "context", "nextTo"])
+WHITE, BLACK = "#FFFFFF", "#000000"
+SAME_COLOURS = {"theme 0": WHITE, "theme 1": BLACK, "indexed 8": BLACK, "indexed 9": WHITE}
+OFF = frozenset("0 none noStrike baseline general normal visible context nextTo".split())
 # what each program writes as it likes, and what shows nothing
 UNTOLD = re.compile(
     r"(axId|crossAx|axPos|style|lang|roundedCorners|scatterStyle|family|idx|order|hMode|wMode|xMode|yMode"
     r"|layoutTarget|showBubbleSize|showLegendKey|showLeaderLines|separator|endParaRPr|extLst|AlternateContent|spc"
     r"|xmlns|bodyPr|numCache|strCache|ptCount|noEndCap|autoTitleDeleted)"
 )
-EMPTY = frozenset(["left", "right", "top", "bottom", "diagonal", "lstStyle", "round", "t", "r", "cap"])
+EMPTY = frozenset("left right top bottom diagonal lstStyle round t r cap".split())
 # of charts' texts
 FACES = frozenset(["calibri", "dejavu sans", "liberation sans", "arial", "+mn-lt", "+mj-lt"])
 USUAL = {  # what programs take where it is not given, by the last names of its path
@@ -36,9 +37,9 @@ USUAL = {  # what programs take where it is not given, by the last names of its 
     "protection locked": "1",
     "rPr sz": "1000",
     "defRPr sz": "1000",
-    "rPr solidFill srgbClr": "#000000",
-    "defRPr solidFill srgbClr": "#000000",
-    "spPr solidFill srgbClr": "#FFFFFF",
+    "rPr solidFill srgbClr": BLACK,
+    "defRPr solidFill srgbClr": BLACK,
+    "spPr solidFill srgbClr": WHITE,
     "plotVisOnly val": "1",
     "prstDash val": "solid",
     "dispBlanksAs val": "gap",
@@ -132,8 +133,9 @@ def is_same(key: str, ours: Any, theirs: Any) -> bool:
         return True
     if key.endswith("formatCode"):
         return format_sections(ours)[:3] == format_sections(theirs)[:3]
+    share = SHARE if PLACE.fullmatch(key) else 0.0
     try:
-        return isclose(float(ours), float(theirs), rel_tol=1e-3, abs_tol=SHARE if PLACE.fullmatch(key) else 0.0)
+        return isclose(float(ours), float(theirs), rel_tol=1e-3, abs_tol=share)
     except (TypeError, ValueError):
         return False
 
@@ -150,7 +152,7 @@ TOKEN = re.compile(r"""(?xs)
 """)
 # a 0 shows in place of a zero
 NUMBER = re.compile(r"@|(?=[#?,.]*0)(?:[#?0,]*[#?0])?(?:\.[#?0]*)?(?:E[+-][#?0]+)?")
-INK = re.compile(r"\[(?:black|red|green|blue|magenta|color ?(?:[13-57-9]|[1-4][0-9]|5[0-6]))\]", re.IGNORECASE)
+INK = re.compile(r"(?i)\[(?:black|red|green|blue|magenta|color ?(?:[13-57-9]|[1-4][0-9]|5[0-6]))\]")
 # of our digits
 LANGUAGE = re.compile(r"\$([^-\]]*)(?:-(?!F800|F400)(?:0?[01])?[0-9A-F]{0,6})?", re.IGNORECASE)
 
@@ -183,19 +185,23 @@ def format_sections(code: str) -> tuple[str, ...]:
     return tuple(parts)
 
 
+ROOM = r"(?:\0 |\?)*"  # blanks
+
+
 @lru_cache(maxsize=4_000)
 def plain_number(code: str, unit: str = "") -> tuple[str, ...]:
     """Return the sections of a number format without decimals, separators, colours and the quantity's unit."""
     suffix = "".join(f"\0{sign}" for sign in unit)
     parts = []
     for part in format_sections(code)[:3]:
-        bare = re.sub(r"(?<=[#?0])\0 (?=[#?0])", "", INK.sub("", part))
-        bare = NUMBER.sub("N", bare, count=1).replace("\0+", "").replace("\0(N\0)", "\0-N").replace("\0−", "\0-")
+        bare = NUMBER.sub("N", re.sub(r"(?<=[#?0])\0 (?=[#?0])", "", INK.sub("", part)), count=1)
+        bare = bare.replace("\0+", "").replace("\0(N\0)", "\0-N").replace("\0−", "\0-")
         bare = re.sub(r"^(?:\0≈|\0~|\0c\0a\0\.)(?:\0 )?(?=N)", "", bare)
         parts.append("N" if unit and re.fullmatch(rf"N(?:\0 )?{re.escape(suffix)}", bare) else bare)
-    negative = parts[1:2] in ([], ["\0-N"])  # as programs show it by themselves
-    zero = not parts[2:] or parts[2] == "N" or re.fullmatch(r"(?:\0 |\?)*\0[-–—](?:\0 |\?)*", parts[2])
-    return (parts[0], *(() if negative else parts[1:2]), *(() if zero else parts[2:]))
+    # as programs show it by themselves
+    negative = [] if parts[1:2] == ["\0-N"] else parts[1:2]
+    zero = [part for part in parts[2:] if not re.fullmatch(rf"N|{ROOM}\0[-–—]{ROOM}", part)]
+    return (parts[0], *negative, *zero)
 
 
 def text_section(code: str) -> str:

@@ -16,8 +16,7 @@ from workbook.book.address import Address
 from workbook.book.declare import Sheet
 from workbook.judging.display.differences import Differences, Subject
 from workbook.judging.display.flat import Flat, flatten
-from workbook.judging.matching import Match
-from workbook.reading.package import PIXEL, Anchor
+from workbook.reading.package import NOTHING, PIXEL, Anchor, Corner
 from workbook.reading.rows import LAST_ROW, tag
 
 POINT = 12_700  # EMU
@@ -28,6 +27,7 @@ LAST_SEEN = 1_000  # columns: nothing that is declared lies beyond
 # EMU, 26 pixels and 6 points: below it a column or row is as good as hidden
 NARROW, LOW = 250_000, 76_000
 CELL = re.compile("([A-Z]{1,3})([1-9][0-9]{0,6})")
+HEADS = "oddHeader oddFooter evenHeader evenFooter firstHeader firstFooter".split()
 CODES = re.compile(r'&(?:"[^"]*"|[0-9]+|K[0-9A-F]{6}|[BIUEXYS])')  # of fonts in headers and footers
 SETTINGS = re.compile(  # of a book and its windows; all others, such as which cell is selected, are of a moment
     r".* (date1904|showObjects|visibility|minimized|showSheetTabs|showFormulas|showZeros|rightToLeft|zoomScale\w*"
@@ -77,7 +77,9 @@ def row_heights(sheet: Worksheet) -> Lengths:
     """Return the heights of a sheet's rows, 0 of those that are hidden."""
     form, rows = sheet.sheet_format, sheet.row_dimensions.items()
     usual = 0.0 if form.zeroHeight else POINT * size(form.defaultRowHeight, HEIGHT)
-    return Lengths({n: 0.0 if row.hidden else POINT * size(row.height, usual / POINT) for n, row in rows}, usual)
+    shown = {n: row.height for n, row in rows if not row.hidden}
+    heights = {n: POINT * size(height, usual / POINT) for n, height in shown.items()}
+    return Lengths({n: heights.get(n, 0.0) for n, _ in rows}, usual)
 
 
 def column_widths(sheet: Worksheet) -> Lengths:
@@ -98,21 +100,22 @@ class SheetView:
         self.rows, self.columns = row_heights(sheet), column_widths(sheet)
         # row and column that can be scrolled to: nothing leads before those that are frozen
         self._first = (1, 1)
-        view = sheet.sheet_view
-        if (pane := view.pane) is not None and str(pane.state).startswith("frozen") and view.topLeftCell:
-            cell = CELL.fullmatch(str(view.topLeftCell))
+        pane, first = sheet.sheet_view.pane, sheet.sheet_view.topLeftCell
+        if pane is not None and first and str(pane.state).startswith("frozen"):
+            cell = CELL.fullmatch(str(first))
             row, letters = (int(cell[2]), cell[1]) if cell else (LAST_ROW, "XFD")
-            self._first = row if pane.ySplit else 1, column_index_from_string(letters) if pane.xSplit else 1
+            column = column_index_from_string(letters)
+            self._first = row if pane.ySplit else 1, column if pane.xSplit else 1
         self.areas = [self._area(anchor) for anchor in anchors]
 
     def _area(self, anchor: Anchor) -> Rectangle:
-        ends = [
-            (self.columns.begin(at.column + 1) + at.right, self.rows.begin(at.row + 1) + at.down)
-            for at in (anchor.first, anchor.last)
-            if at is not None
-        ]
-        left, top = ends[0]
-        return Rectangle(left, top, *(ends[1] if ends[1:] else (left + anchor.size[0], top + anchor.size[1])))
+        left, top = self._corner(anchor.first)
+        width, height = anchor.size
+        right, bottom = self._corner(anchor.last) if anchor.last else (left + width, top + height)
+        return Rectangle(left, top, right, bottom)
+
+    def _corner(self, at: Corner) -> tuple[float, float]:
+        return self.columns.begin(at.column + 1) + at.right, self.rows.begin(at.row + 1) + at.down
 
     def hidden_by(self, row: int, column: int) -> str:
         """Return the cause that hides a cell; nothing of a cell in sight."""
@@ -120,7 +123,9 @@ class SheetView:
             return "a hidden or narrow column"
         if self.rows[row] < LOW or row < self._first[0]:
             return "a hidden or low row"
-        middle = (self.columns.begin(column + 0.5), self.rows.begin(row + 0.5)) if self.areas else (0.0, 0.0)
+        if not self.areas:
+            return ""
+        middle = self.columns.begin(column + 0.5), self.rows.begin(row + 0.5)
         return "a drawing over it" if any(area.has(*middle) for area in self.areas) else ""
 
 
@@ -134,32 +139,34 @@ def pixels(width: float) -> float:
     return float(PIXEL * int(width * 7 + 5)) if width else 0.0
 
 
-def compare_sheets(match: Match, fresh: Workbook, differences: Differences) -> None:
+def compare_sheets(fresh: Workbook, differences: Differences) -> None:
     """Enter what of windows, views, headers and footers is not as in a fresh build."""
+    match = differences.match
     inspected, titles = match.file.inspected, {sheet.title for sheet in match.declared.sheets}
-    if inspected:
-        differences.compare(Address("", 1, 1), Subject("the windows of the book"), {}, settings(inspected.book))
+    subject = Subject("the windows of the book")
+    differences.compare(Address("", 1, 1), subject, {}, settings(inspected.book))
     for sheet, title in match.sheets:
         at, subject, page = Address(title, 1, 1), Subject(title), match.file.workbook[title]
         if title.casefold() != sheet.title.casefold():
             what = "sheet name of another" if title in titles else "sheet name"
             differences.add(at, subject, what, sheet.title, title)
-        ours, theirs = page_attributes(fresh[sheet.title]), page_attributes(page)
-        if inspected:
-            theirs |= settings(inspected.pages[title]) | additions(inspected.pages[title])
-            usual = settings([fresh[sheet.title].views.to_tree("sheetViews")])
-            # frozen panes may go
-            ours |= {name: value for name, value in usual.items() if name in theirs}
-        differences.compare(at, subject, ours, theirs)
-        compare_links(match, sheet, title, differences)
-        compare_print_area(match, sheet, page, differences)
+        part = inspected.pages.get(title, NOTHING)
+        theirs = page_attributes(page) | settings(part) | additions(part)
+        usual = settings([fresh[sheet.title].views.to_tree("sheetViews")])
+        # frozen panes may go
+        usual = {name: value for name, value in usual.items() if name in theirs}
+        differences.compare(at, subject, page_attributes(fresh[sheet.title]) | usual, theirs)
+        compare_links(sheet, title, differences)
+        compare_print_area(sheet, page, differences)
 
 
 def settings(part: Iterable[Element]) -> Flat:
     """Return the settings of a book, or of the windows of a sheet."""
     flat = Flat()
-    for child in (child for child in part if tag(child) in ("workbookPr", "bookViews", "sheetViews")):
-        flat |= flatten(child, tag(child)) | {f"{tag(child)} number": str(len(child)) if len(child) > 1 else ""}
+    for child in part:
+        if (name := tag(child)) in ("workbookPr", "bookViews", "sheetViews"):
+            flat |= flatten(child, name)
+            flat[f"{name} number"] = str(len(child)) if len(child) > 1 else ""
     return {name: value for name, value in flat.items() if SETTINGS.fullmatch(name)}
 
 
@@ -172,36 +179,47 @@ def additions(page: Element) -> Flat:
 def page_attributes(sheet: Worksheet) -> Flat:
     """Return whether a sheet is in sight and protected, and its headers and footers without their fonts."""
     page = {"sheet": sheet.sheet_state, "protection": "on" if sheet.protection.sheet else "off"}
-    for name in (f"{page}{place}" for page in ("odd", "even", "first") for place in ("Header", "Footer")):
+    for name in HEADS:
         item = getattr(sheet, name)
         texts = [CODES.sub("", part.text or "") for part in (item.left, item.center, item.right)]
         page[name] = "|".join(" ".join(text.split()) for text in texts).strip("|")
     return page
 
 
-def compare_print_area(match: Match, sheet: Sheet, page: Any, differences: Differences) -> None:
+def compare_print_area(sheet: Sheet, page: Any, differences: Differences) -> None:
     """Enter verdicts that are printed no more."""
-    for block, place in match.placed(sheet) if page._print_area and not sheet.unprinted else ():
-        is_due = block.quantities[0].role == "check" and block.row <= (sheet.print_rows or sheet.row)
-        if is_due and not any(place.cell(0, 0).a1 in cells for cells in page._print_area.ranges):
-            differences.add(place.cell(0, 0), Subject(block.name), "print area", "with it", "without it")
+    printed = page._print_area.ranges if page._print_area and not sheet.unprinted else ()
+    for block, place in differences.match.placed(sheet) if printed else ():
+        is_check, last = block.quantities[0].role == "check", sheet.print_rows or sheet.row
+        first = place.cell(0, 0)
+        if is_check and block.row <= last and not any(first.a1 in cells for cells in printed):
+            differences.add(first, Subject(block.name), "print area", "with it", "without it")
 
 
-def compare_links(match: Match, sheet: Sheet, title: str, differences: Differences) -> None:
+def compare_links(sheet: Sheet, title: str, differences: Differences) -> None:
     """Enter links of declared cells and texts that lead elsewhere."""
+    match = differences.match
     titles = {declared.title: held for declared, held in match.sheets}
-    links = [text for text in sheet.texts if text.link]
     # of texts: those of the same words lead on in the order of their rows
-    declared = defaultdict[str, list[str]](list)
-    for text in sorted((text for text in links if text.text), key=lambda text: (text.row, text.column)):
-        declared[" ".join(text.text.split())].append(titles.get(text.link, ""))
-    of_cells = {(text.row, text.column): titles.get(text.link, "") for text in links if not text.text}
+    of_words, of_cells = defaultdict[str, list[str]](list), dict[tuple[int, int], str]()
+    links = (text for text in sheet.texts if text.link)
+    for text in sorted(links, key=lambda text: (text.row, text.column)):
+        target = titles.get(text.link, "")
+        if text.text:
+            of_words[" ".join(text.text.split())].append(target)
+        else:
+            of_cells[text.row, text.column] = target
     for (row, column), cell in sorted(match.file.workbook[title]._cells.items()):
         if (link := cell.hyperlink) is None:
             continue
         at, words = Address(title, row, column), " ".join(str(cell.value).split())
-        if at in match.numbers or declared.get(words):
-            target = str(link.location or "").rpartition("!")[0].strip("#'").replace("''", "'")
-            pair = match.pairs[match.numbers[at]].cell if at in match.numbers else None
-            expected = of_cells.get((pair.row, pair.column), "") if pair else declared[words].pop(0)
-            differences.compare(at, Subject(words), {"link": expected}, {"link": str(link.target or target)})
+        if at in match.numbers:
+            declared = match.pairs[match.numbers[at]].cell
+            expected = of_cells.get((declared.row, declared.column), "")
+        elif of_words.get(words):
+            expected = of_words[words].pop(0)
+        else:
+            continue
+        target = str(link.location or "").rpartition("!")[0].strip("#'").replace("''", "'")
+        held = {"link": str(link.target or target)}
+        differences.compare(at, Subject(words), {"link": expected}, held)

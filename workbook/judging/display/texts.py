@@ -41,20 +41,22 @@ class Label(NamedTuple):
         return "unit" if self.text.style == "unit" else "entry" if is_entry else ""
 
 
-def compare_texts(match: Match, report: Report, differences: Differences) -> list[Label]:
+def compare_texts(report: Report, differences: Differences) -> list[Label]:
     """Enter texts that say something else than declared; return the declared texts with their places."""
     misled = {(f.sheet, f.cell) for f in report.findings if f.kind == "name"}
-    labels: list[Label] = []
+    labels, match = list[Label](), differences.match
     for sheet, _ in match.sheets:
         placed = list(place_texts(match, sheet))
-        words = {style: {text.text for text in sheet.texts if text.style == style} for style in (*ABOVE, *BESIDE)}
+        words = defaultdict[str, set[str]](set)
+        for text in sheet.texts:
+            words[text.style].add(text.text)
         for label in placed:
             first = match.file.places[label.block.name].cell(0, 0)
             if (first.sheet, first.a1) not in misled:
-                style, value = label.text.style, match.file.value(label.at)
-                subject = Subject(label.what, label.kind, words[style])
-                differences.compare(label.at, subject, {"text": label.text.text}, {"text": str(value or "")})
-        compare_unlabelled(match, sheet, differences)
+                subject = Subject(label.what, label.kind, words[label.text.style])
+                held = {"text": str(match.file.value(label.at) or "")}
+                differences.compare(label.at, subject, {"text": label.text.text}, held)
+        compare_unlabelled(sheet, differences)
         labels += placed
     return labels
 
@@ -65,7 +67,8 @@ def describe_texts(sheet: Sheet) -> Iterator[tuple[Text, Block]]:
     rows = [block.row for block in ordered]
     for text in (text for text in sheet.texts if text.text):
         end = len(rows) if text.style in HEADINGS else bisect_right(rows, text.row + MOST_HEADS)
-        if about := [block for block in ordered[bisect_left(rows, text.row) : end] if is_about(text, block)]:
+        near = ordered[bisect_left(rows, text.row) : end]
+        if about := [block for block in near if is_about(text, block)]:
             yield text, about[-1 if text.style in BEHIND else 0]
 
 
@@ -77,7 +80,8 @@ def is_about(text: Text, block: Block) -> bool:
         return block.is_large and (block.row, block.column) == (text.row - 1, text.column)
     has_heads = block.is_table or block.is_large
     if text.style in ABOVE:
-        return has_heads and 0 < block.row - text.row <= MOST_HEADS and text.column in block.columns.values()
+        is_near = 0 < block.row - text.row <= MOST_HEADS
+        return has_heads and is_near and text.column in block.columns.values()
     if text.style not in BESIDE or text.link or has_heads or block.row != text.row:
         return False
     return block.column < text.column if text.style in BEHIND else block.column > text.column
@@ -93,19 +97,15 @@ def place_texts(match: Match, sheet: Sheet) -> Iterator[Label]:
         if block.name in match.file.places:
             is_above = text.style in ABOVE
             offset = text.row - block.row if is_above else text.column - block.column
-            lines[(block.name, 0, offset) if is_above else ("", text.column, offset)].append((text, block))
+            key = (block.name, 0, offset) if is_above else ("", text.column, offset)
+            lines[key].append((text, block))
     for (above, _, offset), line in lines.items():
-        furthest = MOST_BETWEEN + MOST_HEADS if above else MOST_ASIDE
-        offsets = range(offset, offset + furthest) if offset > 0 else range(offset, offset - furthest, -1)
-        tried = ([text_address(match, *entry, each) for entry in line] for each in offsets)
-        declared = [text_address(match, *entry, offset) for entry in line]
-        nearest = next((places for places in tried if 2 * count_words(match, places, line) > len(line)), declared)
-        yield from (Label(*entry, at) for at, entry in zip(nearest, line, strict=True) if at.column > 0 < at.row)
-
-
-def count_words(match: Match, places: list[Address], line: list[tuple[Text, Block]]) -> int:
-    """Return how many texts of a line stand at these places."""
-    return sum(has_words(match, at, text) for at, (text, _) in zip(places, line, strict=True))
+        furthest, away = MOST_BETWEEN + MOST_HEADS if above else MOST_ASIDE, 1 if offset > 0 else -1
+        for tried in (*range(offset, offset + away * furthest, away), offset):
+            places = [Label(*entry, text_address(match, *entry, tried)) for entry in line]
+            if 2 * sum(has_words(match, label.at, label.text) for label in places) > len(line):
+                break
+        yield from (label for label in places if label.at.column > 0 < label.at.row)
 
 
 def text_address(match: Match, text: Text, block: Block, offset: int) -> Address:
@@ -113,10 +113,10 @@ def text_address(match: Match, text: Text, block: Block, offset: int) -> Address
     place = match.file.places[block.name]
     if text.style not in ABOVE:
         return place.cell(0, offset)
-    column = place.cell(0, text.column - block.column).column
-    line = [Address(place.sheet, place.row + offset, number) for number in range(place.column, 0, -1)]
-    moved = next((at for at in line if has_words(match, at, text)), None) if text.style in HEADINGS else None
-    return moved or Address(place.sheet, place.row + offset, column)
+    declared = place.cell(0, text.column - block.column)._replace(row=place.row + offset)
+    columns = range(place.column, 0, -1) if text.style in HEADINGS else ()
+    line = (declared._replace(column=column) for column in columns)
+    return next((at for at in line if has_words(match, at, text)), declared)
 
 
 def has_words(match: Match, at: Address, text: Text) -> bool:
@@ -125,13 +125,13 @@ def has_words(match: Match, at: Address, text: Text) -> bool:
     return isinstance(held, str) and held.split() == text.text.split()
 
 
-def compare_unlabelled(match: Match, sheet: Sheet, differences: Differences) -> None:
+def compare_unlabelled(sheet: Sheet, differences: Differences) -> None:
     """Enter a unit beside a cell whose quantity has none."""
-    named = {(text.row, text.column) for text in sheet.texts}
+    named, match = {(text.row, text.column) for text in sheet.texts}, differences.match
     for block, place in match.placed(sheet):
         quantity, at = block.quantities[0], place.cell(0, 1)
-        if block.is_table or quantity.role in ("check", "sentence") or (block.row, block.column + 1) in named:
+        has_unit = block.is_table or (block.row, block.column + 1) in named or at in match.numbers
+        if has_unit or quantity.role in ("check", "sentence"):
             continue
-        text = match.file.value(at)
-        if isinstance(text, str) and at not in match.numbers and is_unit(text):
+        if isinstance(text := match.file.value(at), str) and is_unit(text):
             differences.add(at, Subject(f"unit of {quantity.label}", "unit"), "text", "", text)
