@@ -1,6 +1,6 @@
 """Catalogues of motors and reducers as arrays. SI units."""
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import partial
 from typing import Any
 
@@ -33,9 +33,7 @@ class Motors:
     shaft: Array = field(default_factory=NOT_GIVEN)  # diameter of its shaft (m)
 
     def __post_init__(self) -> None:
-        positive = ("inertia", "rated_torque", "peak_torque", "max_speed")
-        known = ("size", "cost", "full_torque_to", "end_torque", "stall_torque", "rated_speed", "shaft")
-        _columns(self, positive, (), known)
+        _columns(self, (), ("size", "cost", "full_torque_to", "end_torque", "stall_torque", "rated_speed", "shaft"))
         both = np.isnan(self.full_torque_to) == np.isnan(self.end_torque)
         _require(self, "end_torque", both, "wherever full_torque_to is one")
         _require(self, "full_torque_to", ~(self.full_torque_to >= self.max_speed), "below max_speed")
@@ -80,36 +78,29 @@ class Reducers:
     hub: Array = field(default_factory=NO_LIMIT)  # largest diameter of a motor's shaft that it takes (m)
 
     def __post_init__(self) -> None:
-        positive = (
-            "reduction",
-            "efficiency",
-            "max_input_speed",
-            "max_output_torque",
-            "max_mean_torque",
-            "full_rate",
-            "hub",
-        )
-        _columns(self, positive, ("inertia", "no_load", "cycle_factor"), ("size", "cost"))
+        _columns(self, ("inertia", "no_load", "cycle_factor"), ("size", "cost"))
         _require(self, "efficiency", self.efficiency <= 1.0, "at most 1")
         _require(self, "cycle_factor", self.cycle_factor >= 1.0, "1 or more")
         self.ratio = 1.0 / self.reduction  # τ = ω_L/ω_M
 
 
-def _columns(
-    catalogue: Motors | Reducers, positive: tuple[str, ...], other: tuple[str, ...], known: tuple[str, ...]
-) -> None:
-    """Turn columns into arrays of a value for each name; raise ValueError for wrong values. ``known`` may be NaN."""
+def _columns(catalogue: Motors | Reducers, other: tuple[str, ...], known: tuple[str, ...]) -> None:
+    """Turn columns into arrays of a value for each name; raise ValueError for wrong values.
+
+    Those in ``other`` may be 0, those in ``known`` NaN too.
+    """
     catalogue.names = tuple(catalogue.names)
     count = len(catalogue.names)
-    for column in (*positive, *other, *known):
+    for column in (each.name for each in fields(catalogue)[1:]):
         values = np.asarray(getattr(catalogue, column), dtype=np.float64)
         if values.shape not in ((), (count,)):
             kinds = type(catalogue).__name__.lower()
             raise ValueError(f"{count} {kinds} are named and {values.size} values of {column} given")
         setattr(catalogue, column, np.broadcast_to(values, (count,)))
-        holds = values > 0.0 if column in positive else values >= 0.0
-        expected = "above 0" if column in positive else "0 or more"
-        _require(catalogue, column, holds | (np.isnan(values) & (column in known)), expected)
+        may_be_zero = column in (*other, *known)
+        holds = values >= 0.0 if may_be_zero else values > 0.0
+        unknown = np.isnan(values) & (column in known)
+        _require(catalogue, column, holds | unknown, "0 or more" if may_be_zero else "above 0")
 
 
 def _require(catalogue: Motors | Reducers, column: str, holds: NDArray[np.bool_], expected: str) -> None:
