@@ -17,8 +17,8 @@ backlash, shaped    shocks in a gap; laws of least torque
 """
 
 from engine.drive.chain import Load, Mechanism, Part, Slide, Stage, cylinder
-from engine.drive.drivetrain import Drive
+from engine.drive.drivetrain import Drivetrain
 from engine.drive.mechanisms import KINDS
 from engine.drive.motor import Motor, derating
 
-__all__ = ["KINDS", "Drive", "Load", "Mechanism", "Motor", "Part", "Slide", "Stage", "cylinder", "derating"]
+__all__ = ["KINDS", "Drivetrain", "Load", "Mechanism", "Motor", "Part", "Slide", "Stage", "cylinder", "derating"]

@@ -97,7 +97,7 @@ class Backlash:
     @cached_property
     def _inertias(self) -> list[float]:
         """The inertias behind the gap, at the mechanism's own shaft (kg m²), the last at the load's (kg, or kg m²)."""
-        m = self.cycle.train.drive.mechanism
+        m = self.cycle.train.mechanism
         turns = [math.prod(stage.ratio for stage in m.stages[k : m.last - 1]) for k in range(1, m.last)]
         return [*(m.on_shaft(k) * ratio**2 for k, ratio in enumerate(turns, 1)), m.on_shaft(m.last)]
 
@@ -108,7 +108,7 @@ class Backlash:
         if not geared:
             return np.asarray(torque / last)
         slope = train.by_angle.slopes(load.y)[0] if train.by_angle else 1.0
-        first, turns = part.shaft(u).first, math.prod(stage.ratio for stage in train.drive.mechanism.stages[1:-1])
+        first, turns = part.shaft(u).first, math.prod(stage.ratio for stage in train.mechanism.stages[1:-1])
         return np.asarray(torque * turns * first / (first**2 * sum(geared) + last * slope**2))
 
     def _moved(

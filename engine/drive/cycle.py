@@ -76,7 +76,7 @@ class TorqueInterval:
     def power(self, u: Array) -> Array:
         """Return the power (W) of the motor at u, with the losses of its winding: T ω + (P_N/T_N²) T²."""
         torque = self.torque(u)
-        return np.asarray(torque * (self.motor_speed(u) + self.train.drive.copper * torque))
+        return np.asarray(torque * (self.motor_speed(u) + self.train.copper * torque))
 
     def curve(self, shaft: int = 0) -> Curve | None:
         """Return the torque of a shaft as a curve over u (Nm, or N); None if it depends on the position."""
@@ -86,7 +86,7 @@ class TorqueInterval:
             return self._force_curve(1.0, 0.0, 0.0)
         if self.train.linkage:
             return None
-        ratio = self.train.drive.mechanism.stages[-1].ratio
+        ratio = self.train.mechanism.stages[-1].ratio
         weights = TorqueCoefficients(0.0, 0.0, 0.0) if shaft == 0 and self.braked else self.torque_coefficients[shaft]
         return self._force_curve(weights.force / ratio, weights.inertia * ratio, weights.friction * self.direction)
 
@@ -152,7 +152,7 @@ class DriveCycle:
     @cached_property
     def torque_intervals(self) -> tuple[TorqueInterval, ...]:
         """All torque intervals, in the order of the unshifted motion. Raises OutOfReachError."""
-        last = len(self.train.drive.mechanism.stages)
+        last = len(self.train.mechanism.stages)
         return tuple(interval for span in self.spans for interval in self._through(span, [1.0] * last, last))
 
     @cached_property
@@ -197,17 +197,17 @@ class DriveCycle:
             if shaft == 0:
                 yield self._interval(part, factors)
                 continue
-            stage = self.train.drive.mechanism.stages[shaft - 1]
+            stage = self.train.mechanism.stages[shaft - 1]
             behind = here.torque(np.array([0.5 * (low + high)]), shaft)
-            factor = float(stage.factor(behind, span.direction, self.train.drive.method)[0])
+            factor = float(stage.factor(behind, span.direction, self.train.method)[0])
             yield from self._through(part, [*factors[: shaft - 1], factor, *factors[shaft:]], shaft - 1)
 
     def _interval(self, span: Span, factors: Sequence[float]) -> TorqueInterval:
-        weights, drive = tuple(self.train.torque_coefficients(factors)), self.train.drive
+        weights, train = tuple(self.train.torque_coefficients(factors)), self.train
         # a brake is on the motor's shaft: gears carry the load
         piece, low, high, direction, force, dwell = span
-        braked = drive.holding == "brake" and bool(drive.brake.holds(direction, dwell))
-        return TorqueInterval(self.train, piece, self.speed, low, high, direction, force, weights, braked)
+        braked = train.holding == "brake" and bool(train.brake.holds(direction, dwell))
+        return TorqueInterval(train, piece, self.speed, low, high, direction, force, weights, braked)
 
 
 def parts(cuts: Sequence[float], width: float) -> Iterator[tuple[float, float]]:

@@ -84,8 +84,8 @@ class DrivePoints:
 
     @property
     def _drive(self) -> tuple[float, float]:
-        drive = self.load.train.drive
-        return drive.motor_inertia + drive.mechanism.on_shaft(0), self.load.train.gear
+        train = self.load.train
+        return train.motor_inertia + train.mechanism.on_shaft(0), train.gear
 
     @cached_property
     def torque(self) -> Array:
@@ -118,7 +118,7 @@ class DrivePoints:
     @property
     def no_load(self) -> Array:
         """No-load torque, with the sign of the motion (Nm)."""
-        return self.load.train.drive.no_load * self.load.direction
+        return self.load.train.no_load * self.load.direction
 
     @property
     def speed(self) -> Array:
@@ -128,7 +128,7 @@ class DrivePoints:
     @property
     def power(self) -> Array:
         """Power of the motor (W), with the losses of its winding."""
-        return self.torque * (self.speed + self.load.train.drive.copper * self.torque)
+        return self.torque * (self.speed + self.load.train.copper * self.torque)
 
     def mean(self, values: Array) -> float:
         """Return the mean of a quantity over the cycle, in its unit."""

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
@@ -36,27 +36,6 @@ class Brake:
 
 
 ANY = Brake()
-
-
-@dataclass(frozen=True)
-class Drive:
-    """A motor on a mechanism. Raises ValueError for negative figures and unknown words."""
-
-    mechanism: Mechanism
-    motor_inertia: float  # J_m (kg m²)
-    # losses by the direction of power; or "document": always over η, as in S4
-    method: Method = "physical"
-    # what holds the load at rest; S4 counts no torque there, as with a brake
-    holding: Holding = "motor"
-    no_load: float = 0.0  # T_nl (Nm), against the rotation of the motor's shaft
-    copper: float = 0.0  # copper losses over the square of the torque, P_N/T_N² (W/(Nm)²)
-    brake: Brake = ANY  # by default of any torque, in any dwell
-
-    def __post_init__(self) -> None:
-        require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load, copper=self.copper)
-        for name, words in (("method", get_args(Method)), ("holding", get_args(Holding))):
-            if getattr(self, name) not in words:
-                raise ValueError(f"{name} is {getattr(self, name)!r}; expected {' or '.join(map(repr, words))}")
 
 
 def dwell_times(durations: Array, direction: Array) -> Array:
@@ -139,19 +118,31 @@ class TorqueCoefficients(NamedTuple):
 
 @dataclass(frozen=True)
 class Drivetrain:
-    """A drive with a linkage, viscous friction and process forces. Raises ValueError for figures outside the limits."""
+    """A motor on a mechanism, and what acts on its load. Raises ValueError for figures outside the limits below."""
 
-    drive: Drive
+    mechanism: Mechanism
+    motor_inertia: float  # J_m (kg m²), 0 or more
+    # losses by the direction of power; or "document": always over η, as in S4
+    method: Method = "physical"
+    # what holds the load at rest; S4 counts no torque there, as with a brake
+    holding: Holding = "motor"
+    no_load: float = 0.0  # T_nl (Nm), against the rotation of the motor's shaft, 0 or more
+    copper: float = 0.0  # copper losses over the square of the torque, P_N/T_N² (W/(Nm)²), 0 or more
+    brake: Brake = ANY  # by default of any torque, in any dwell
     # replaces the ratio of the last stage, which has to be 1; its efficiency counts
     linkage: Linkage | None = None
     viscous: float = 0.0  # viscous friction (N per m/s, or Nm per rad/s), 0 or more
-    windows: tuple[Window, ...] = field(default=())  # process forces
+    windows: tuple[Window, ...] = ()  # process forces
     by_angle: ByAngle | None = None  # a load that follows the angle of its axis
 
     def __post_init__(self) -> None:
+        require_not_negative("motor", inertia=self.motor_inertia, no_load=self.no_load, copper=self.copper)
         require_not_negative("load", viscous=self.viscous)
+        for name, words in (("method", get_args(Method)), ("holding", get_args(Holding))):
+            if getattr(self, name) not in words:
+                raise ValueError(f"{name} is {getattr(self, name)!r}; expected {' or '.join(map(repr, words))}")
         object.__setattr__(self, "windows", tuple(self.windows))
-        last = self.drive.mechanism.stages[-1]
+        last = self.mechanism.stages[-1]
         if self.linkage and last.ratio != 1.0:
             raise ValueError(f"{last.name}: ratio is {last.ratio:g} before a {self.linkage.name}; expected 1")
 
@@ -163,14 +154,14 @@ class Drivetrain:
     def ratio(self, y: Array, within: float | None = None) -> tuple[Array, Array]:
         """Return φ' and φ'' at positions of the load; see :meth:`Linkage.shaft`."""
         if self.linkage is None:
-            return np.full(y.shape, self.drive.mechanism.stages[-1].ratio), np.zeros(y.shape)
+            return np.full(y.shape, self.mechanism.stages[-1].ratio), np.zeros(y.shape)
         _, first, second = self.linkage.shaft(y, within)
         return first, second
 
     @property
     def gear(self) -> float:
         """Speed of the motor over that of the mechanism's own shaft."""
-        return self.drive.mechanism.ratio_to(self.drive.mechanism.last - 1)
+        return self.mechanism.ratio_to(self.mechanism.last - 1)
 
     @property
     def has_constant_ratio(self) -> bool:
@@ -202,13 +193,13 @@ class Drivetrain:
 
     def force(self, direction: float, acting: Sequence[Load] = ()) -> Force:
         """Return the force on the load in its direction (1, −1, or 0 at rest) with the process forces that act."""
-        m = self.drive.mechanism
+        m = self.mechanism
         level = math.fsum(float(load.resisting(direction)) for load in (m.load, *acting))
         return Force(m.on_shaft(m.last), self.viscous, level, self.by_angle)
 
     def torque_coefficients(self, factors: Sequence[float]) -> list[TorqueCoefficients]:
         """Return the coefficients of all shafts but the load's, from the motor's, by the factor of each stage."""
-        m = self.drive.mechanism
+        m = self.mechanism
         last = m.last - 1
         rows = [TorqueCoefficients(factors[last], m.on_shaft(last), m.friction_on(last))]
         for k in reversed(range(last)):
@@ -217,5 +208,5 @@ class Drivetrain:
             turns = math.prod(later.ratio for later in m.stages[k:last])
             own = TorqueCoefficients(0.0, m.on_shaft(k) * turns, m.friction_on(k))
             rows.insert(0, TorqueCoefficients(*(through * a + b for a, b in zip(behind, own, strict=True))))
-        first = TorqueCoefficients(0.0, self.drive.motor_inertia * self.gear, self.drive.no_load)
+        first = TorqueCoefficients(0.0, self.motor_inertia * self.gear, self.no_load)
         return [TorqueCoefficients(*map(sum, zip(rows[0], first, strict=True))), *rows[1:]]

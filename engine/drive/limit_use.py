@@ -273,7 +273,7 @@ class RateSearch:
     @cached_property
     def released(self) -> float:
         """The rate (1/s) beyond which the first of the dwells that the brake holds is too short for it; or infinite."""
-        time = self.points.load.train.drive.brake.time
+        time = self.points.load.train.brake.time
         return self.rate * self.points.shortest_braked_dwell / time if time > 0.0 else math.inf
 
     @cached_property

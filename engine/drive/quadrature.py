@@ -91,7 +91,7 @@ class LoadPoints:
     @cached_property
     def force(self) -> Array:
         """Driving force at the load, m a + c v + resisting force (N or Nm); by angle the torque at its axis."""
-        m, (velocity, acceleration) = self.train.drive.mechanism, self.moving
+        m, (velocity, acceleration) = self.train.mechanism, self.moving
         moved = m.on_shaft(m.last) * acceleration + self.train.viscous * velocity
         return self.slopes[0] * moved + self.resisting
 
@@ -108,7 +108,7 @@ class LoadPoints:
     @property
     def output_ratio(self) -> float:
         """Speed of the shaft behind the first stage, the reducer, over that of the mechanism's shaft."""
-        return math.prod(stage.ratio for stage in self.train.drive.mechanism.stages[1:-1])
+        return math.prod(stage.ratio for stage in self.train.mechanism.stages[1:-1])
 
     @cached_property
     def shaft_torques(self) -> list[Array]:
@@ -132,7 +132,7 @@ class LoadPoints:
 
     def _driving(self, force: Array, moved: float) -> list[Array]:
         """Return the torques on all shafts for a force at the load (Nm), f T/i + ``moved`` · J ω̇ ± T_f."""
-        m, torque, torques = self.train.drive.mechanism, force, list[Array]()
+        m, torque, torques = self.train.mechanism, force, list[Array]()
         for k in range(m.last - 1, 0, -1):
             ratio = self.first if k == m.last - 1 else m.stages[k].ratio
             gear = math.prod(stage.ratio for stage in m.stages[k : m.last - 1])
@@ -143,19 +143,18 @@ class LoadPoints:
 
     def _through(self, stage: int, torque: Array) -> Array:
         """Return a torque at the output of a stage (a number from 0) times its factor of losses."""
-        losses = self.train.drive.mechanism.stages[stage]
-        return losses.factor(torque, self.direction, self.train.drive.method) * torque
+        losses = self.train.mechanism.stages[stage]
+        return losses.factor(torque, self.direction, self.train.method) * torque
 
     def at_motor(self, behind: Array) -> Array:
         """Return a torque at the reducer's output as torque at the motor's shaft, f S/i (Nm)."""
-        m = self.train.drive.mechanism
+        m = self.train.mechanism
         return self._through(0, behind) / (self.first if m.last == 1 else m.stages[0].ratio)
 
     @property
     def braked(self) -> NDArray[np.bool_]:
         """Whether a brake holds the motor's shaft."""
-        drive = self.train.drive
-        return drive.brake.holds(self.direction, self.dwell) & (drive.holding == "brake")
+        return self.train.brake.holds(self.direction, self.dwell) & (self.train.holding == "brake")
 
 
 class Interpolation(NamedTuple):

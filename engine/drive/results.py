@@ -104,7 +104,7 @@ class DriveResults:
         each = []
         for interval in self.drive_cycle.torque_intervals:
             # copper losses alone change the power's sign within an interval
-            reversals = crossings(interval.power, interval.samples) if interval.train.drive.copper else []
+            reversals = crossings(interval.power, interval.samples) if interval.train.copper else []
             for low, high in pairwise([interval.low, *reversals, interval.high]):
                 each.append(integral(interval.power, low, high, scale) / interval.speed)
         return Energy(math.fsum(e for e in each if e > 0.0), -math.fsum(e for e in each if e < 0.0))

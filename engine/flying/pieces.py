@@ -9,9 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from engine.drive import KINDS, Drive, Load, Part, Stage
+from engine.drive import KINDS, Drivetrain, Load, Part, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drivetrain import Drivetrain
 from engine.drive.quadrature import STANDSTILL, Interval, QuadratureCycle
 from engine.flying.cut import Cut
 from engine.laws import Dwell
@@ -143,7 +142,7 @@ def train_of(cut: Cut, load: Load, pair: tuple[float, float, float, float] = (0.
     radius, stage = cut.tool.radius, Stage("reducer", ratio, efficiency)
     shaft = Part("shaft", load.inertia, 1)
     rollers = KINDS["feed rollers"].of(Load(0.0, load.torque / radius), radius, 1.0, [stage], [shaft])
-    return Drivetrain(Drive(rollers, inertia, no_load=no_load))
+    return Drivetrain(rollers, inertia, no_load=no_load)
 
 
 def cycle_of(cut: Cut, train: Drivetrain) -> CutCycle:

@@ -76,7 +76,7 @@ class PointLoad:
         # a brake holds it back from the motor
         torque = np.where(load.braked, 0.0, load.output_torque)
         # the load drives
-        back = (torque * load.direction < 0.0) & (load.train.drive.method == "physical")
+        back = (torque * load.direction < 0.0) & (load.train.method == "physical")
         driving, driven = np.where(back, 0.0, torque), np.where(back, torque, 0.0)
         self.turning = load.output_ratio * load.speed  # of the output (rad/s)
         each = load.output_ratio * load.shaft_acceleration, driving, driven, np.abs(self.turning), load.direction

@@ -13,9 +13,8 @@ from math import pi
 
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Part, Stage, cylinder
+from engine.drive import KINDS, Drivetrain, Load, Part, Stage, cylinder
 from engine.drive.cycle import DriveCycle
-from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
 from engine.laws import Dwell
 from engine.motion import Motion, Phase
@@ -34,7 +33,7 @@ def feeding(mechanism, inertia, distance, times, rest):
     """A feed that accelerates, goes on, slows for so many seconds, and rests."""
     move = sum(times)
     phases = [Phase(thirds(*(t / move for t in times)), distance, move), Phase(Dwell(), 0.0, rest)]
-    return DriveResults(DriveCycle(Drivetrain(Drive(mechanism, inertia)), Motion(phases)))
+    return DriveResults(DriveCycle(Drivetrain(mechanism, inertia), Motion(phases)))
 
 
 @pytest.mark.parametrize(

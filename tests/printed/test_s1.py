@@ -6,10 +6,9 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Part
+from engine.drive import KINDS, Drivetrain, Part
 from engine.drive.chain import resisting
 from engine.drive.cycle import DriveCycle
-from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
 from engine.laws import Dwell
 from engine.laws.modified import ModifiedTrapezoidal
@@ -115,12 +114,12 @@ def test_movements_with_the_modified_trapezoidal_law(number, name, y1, y2, v, a)
 def feeding_group():
     """Load at the roller shaft; S1 leaves motor and ratio open: J_m = 0, τ = 1."""
     rotors = [Part("rollers", 0.284, count=4), Part("fast shaft", 0.007, speed_ratio=90 / 45)]
-    return Drive(KINDS["feed rollers"].of(resisting(500.0, "always"), RADIUS, parts=rotors), 0.0)
+    return Drivetrain(KINDS["feed rollers"].of(resisting(500.0, "always"), RADIUS, parts=rotors), 0.0)
 
 
 def results(law):
     """The feeding group over a cycle at 100 pieces a minute, 0.6 s."""
-    train = Drivetrain(feeding_group())
+    train = feeding_group()
     return DriveResults(DriveCycle(train, machine(law)["MC01"], shaft_speed(100 / 60)))
 
 

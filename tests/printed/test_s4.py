@@ -11,9 +11,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Part, Slide, Stage, cylinder
+from engine.drive import KINDS, Drivetrain, Part, Slide, Stage, cylinder
 from engine.drive.cycle import DriveCycle
-from engine.drive.drivetrain import Drivetrain
 from engine.drive.results import DriveResults
 from engine.laws import Dwell
 from engine.motion import Motion, Phase
@@ -37,12 +36,12 @@ def conveyor():
 class Sized(NamedTuple):
     """A drive and the motion of its load in s, with the figures that S4 has of them."""
 
-    drive: Drive
+    drive: Drivetrain
     motion: Motion
 
     @property
     def results(self):
-        return DriveResults(DriveCycle(Drivetrain(self.drive), self.motion))
+        return DriveResults(DriveCycle(self.drive, self.motion))
 
     @property
     def max_speed(self):
@@ -68,7 +67,7 @@ class Sized(NamedTuple):
 def sized(mechanism, inertia_ratio, share, lift, time, rest):
     """A drive sized as S4 does: its way of counting losses, a brake at rest."""
     motion = Motion([Phase(thirds(share, 1 - 2 * share, share), lift, time), Phase(Dwell(), 0.0, rest)])
-    return Sized(Drive(mechanism, mechanism.inertia("document") / inertia_ratio, "document", "brake"), motion)
+    return Sized(Drivetrain(mechanism, mechanism.inertia("document") / inertia_ratio, "document", "brake"), motion)
 
 
 def sized_screw():

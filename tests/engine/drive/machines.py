@@ -7,7 +7,7 @@ from math import pi, radians
 
 import numpy as np
 
-from engine.drive import KINDS, Drive, Part, Slide, Stage
+from engine.drive import KINDS, Part, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drive_points import DrivePoints
 from engine.drive.drivetrain import Drivetrain, Window
@@ -78,9 +78,10 @@ def train_of(rng, kind, method="physical", lossless=False):
     windows = [Window(rng.uniform(0, TURN), rng.uniform(0, TURN), rng.uniform(-100, 100),
                       rng.choice(["always", "moving"])) for _ in range(rng.randint(0, 2))]  # fmt: skip
     inertia = rng.uniform(0, 2e-3)
-    drive = Drive(mechanism, inertia, method, rng.choice(["motor", "brake"]), 200.0 * inertia if gears else 0.0,
-                  500.0 * inertia if len(gears) == 1 else 0.0)  # fmt: skip
-    return Drivetrain(drive, linkage, rng.choice([0.0, rng.uniform(0, 100)]), tuple(windows)), low, high
+    own = method, rng.choice(["motor", "brake"]), 200.0 * inertia if gears else 0.0
+    copper, viscous = 500.0 * inertia if len(gears) == 1 else 0.0, rng.choice([0.0, rng.uniform(0, 100)])
+    more = {"linkage": linkage, "viscous": viscous, "windows": tuple(windows)}
+    return Drivetrain(mechanism, inertia, *own, copper, **more), low, high
 
 
 def rubbing(gears):
@@ -134,7 +135,7 @@ def sampled(drive_cycle, n=4001):
 def operated(drive_cycle, x):
     """Speed and torque of the motor at x, by the chain's own rules, sample by sample."""
     train, w = drive_cycle.train, drive_cycle.speed
-    drive, m = train.drive, train.drive.mechanism
+    m = train.mechanism
     y, v, a, _ = drive_cycle.motion.at_speed(x, w)
     motion = drive_cycle.motion
     phase = np.clip(np.searchsorted(motion.edges, x + motion.tolerance, side="right") - 1, 0, len(motion.phases) - 1)
@@ -153,16 +154,16 @@ def operated(drive_cycle, x):
     torque, ratio = force, first
     for k in reversed(range(m.last)):
         eta = m.stages[k].efficiency
-        back = (torque * going < 0) & (drive.method == "physical")
+        back = (torque * going < 0) & (train.method == "physical")
         one = m.stages[k].back_efficiency
-        backward = eta if one is None or drive.method == "document" else one
+        backward = eta if one is None or train.method == "document" else one
         torque = np.where(back, backward, np.where((going == 0) & (backward <= 0), 0.0, 1 / eta)) * torque / ratio
         if k < m.last - 1:
             speed, acceleration = speed * m.stages[k].ratio, acceleration * m.stages[k].ratio
         torque = torque + m.on_shaft(k) * acceleration + (m.stages[k - 1].friction * going if k else 0.0)
         ratio = m.stages[k - 1].ratio
-    torque = torque + drive.motor_inertia * acceleration + drive.no_load * going
-    return speed, np.where((going == 0) & (drive.holding == "brake"), 0.0, torque)
+    torque = torque + train.motor_inertia * acceleration + train.no_load * going
+    return speed, np.where((going == 0) & (train.holding == "brake"), 0.0, torque)
 
 
 def electric(drive, speed, torque):

@@ -1,13 +1,14 @@
 """A load with backlash: when it leaves its side and how it strikes, by closed forms and by the free load integrated."""
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from engine.drive import Drive, Load, Mechanism, Part, Stage
+from engine.drive import Load, Mechanism, Part, Stage
 from engine.drive.backlash import Backlash
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain, Window
@@ -28,7 +29,7 @@ def cycle(code, load=None, windows=()):
     rest = Phase(Dwell(), 0.0, QUARTER)
     phases = [Phase(law(code), LIFT, QUARTER), rest, Phase(law(code), -LIFT, QUARTER), rest]
     mechanism = Mechanism("screw", (Stage("screw", 200.0),), (), load or Load(MASS))
-    return DriveCycle(Drivetrain(Drive(mechanism, 1e-4), windows=windows), Motion(phases), SPEED)
+    return DriveCycle(Drivetrain(mechanism, 1e-4, windows=windows), Motion(phases), SPEED)
 
 
 def test_behind_a_jump_it_strikes_as_under_a_constant_acceleration():
@@ -111,12 +112,12 @@ def test_what_it_accelerates_is_what_the_torque_does(kind):
     """Without losses and resistance the work of the torque through the gap is the energy of all behind it."""
     stages = (Stage("reducer", 4.0), Stage("belt", 2.5), Stage(kind, 1.0))
     parts = tuple(Part(f"{shaft}", 0.002 * (1 + shaft), shaft) for shaft in range(3))
-    drive = Drive(Mechanism(kind, stages, parts, Load(MASS)), 1e-4)
+    drive = Drivetrain(Mechanism(kind, stages, parts, Load(MASS)), 1e-4)
     if kind == "press crank":
-        driven, low, high = Drivetrain(drive, by_angle=PressCrank(0.05, 0.2)), 0.0, 5.0
+        driven, low, high = replace(drive, by_angle=PressCrank(0.05, 0.2)), 0.0, 5.0
     else:
         make, low, high = LINKAGES[kind]
-        driven = Drivetrain(drive, make())
+        driven = replace(drive, linkage=make())
     phases = [Phase(law("CIC"), high - low, 3.0), Phase(law("CIC"), low - high, 2.0 * math.pi - 3.0)]
     backlash = Backlash(DriveCycle(driven, Motion(phases, position=low), SPEED), 1e-3)
     work, seen = 0.0, 0

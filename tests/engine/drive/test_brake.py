@@ -6,7 +6,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Stage
+from engine.drive import KINDS, Load, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Brake, Drivetrain, dwell_times
 from engine.drive.results import DriveResults
@@ -42,7 +42,7 @@ def cycle_of(brake, speed=TURN, holding="brake", efficiency=0.9):
     edges = [0.0, 0.3 * TURN, 0.4 * TURN, 0.7 * TURN, TURN]
     motion = Motion.from_edges(edges, [0.1, 0.0, -0.1, 0.0], [law("CIC"), Dwell(), law("CIC"), Dwell()])
     rack = KINDS["rack and pinion"].of(Load(2.0, 4000.0), 0.1, efficiency, gears=[Stage("reducer", 2.0, 0.95)])
-    return DriveCycle(Drivetrain(Drive(rack, 1e-3, holding=holding, brake=brake)), motion, speed)
+    return DriveCycle(Drivetrain(rack, 1e-3, holding=holding, brake=brake), motion, speed)
 
 
 STATIC = 4000 * 0.05 / 0.9 / 2.0 / 0.95

@@ -5,9 +5,8 @@ from math import asin, degrees, pi, radians, sqrt
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Part, Stage
+from engine.drive import KINDS, Drivetrain, Load, Part, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drivetrain import Drivetrain
 from engine.drive.mechanisms.by_angle import Arm, PressCrank
 from engine.drive.results import DriveResults
 from engine.laws import Dwell, law
@@ -24,7 +23,7 @@ def cycle_of(by_angle, load, motion=ROUND, speed=TURN, *, eta=1.0, inertia=0.0, 
     """A crank or an arm behind a reducer of 5, over a cycle."""
     parts = [Part("flywheel", inertia, 1)]
     mechanism = KINDS["press crank"].of(load, 1.0, eta, [Stage("reducer", 5.0, eta)], parts)
-    return DriveCycle(Drivetrain(Drive(mechanism, 0.0, **more), None, 0.0, tuple(windows), by_angle), motion, speed)
+    return DriveCycle(Drivetrain(mechanism, 0.0, windows=tuple(windows), by_angle=by_angle, **more), motion, speed)
 
 
 def test_the_acceleration_in_the_dead_centres_is_that_of_the_textbook():

@@ -6,10 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Motor, Part, Stage
+from engine.drive import KINDS, Drivetrain, Load, Motor, Part, Stage
 from engine.drive.chain import resisting
 from engine.drive.drive_points import DrivePoints
-from engine.drive.drivetrain import Drivetrain
 from engine.drive.motor import STANDSTILL, TorqueFall, reserve
 from engine.drive.quadrature import LoadPoints
 
@@ -22,15 +21,14 @@ def drive(torque=67.0, resists="always", ratio=1 / 8, efficiency=1.0, motor=MOTO
     """S1's feeding group behind a reducer: J_tot = 1.164 kg m² and C_r = ``torque`` at the rollers."""
     gears, parts = [Stage("reducer", 1 / ratio, efficiency)], [Part("rollers", 1.164, 1)]
     chain = ROLLERS.of(resisting(torque / RADIUS, resists), RADIUS, gears=gears, parts=parts)
-    return Drive(chain, motor.inertia)
+    return Drivetrain(chain, motor.inertia)
 
 
 def torque(one, w, dw):
     """The motor's torque at a speed and an acceleration of the rollers."""
-    train, at = Drivetrain(one), np.zeros(1)
-    steady, moving = (train.force(way).level for way in (0.0, 1.0))
+    at, (steady, moving) = np.zeros(1), (one.force(way).level for way in (0.0, 1.0))
     v, a = at + w * RADIUS, at + dw * RADIUS
-    load = LoadPoints(train, at, at, v, a, np.sign(v), at + steady, at + moving - steady, *train.ratio(at), at, at)
+    load = LoadPoints(one, at, at, v, a, np.sign(v), at + steady, at + moving - steady, *one.ratio(at), at, at)
     return DrivePoints(load).torque.item()
 
 
@@ -59,7 +57,7 @@ def test_what_the_load_gives_back_loses_on_the_way(torque, going, factor):
 
 def test_the_document_counts_losses_against_the_motor_always():
     chain = drive(efficiency=0.8).mechanism
-    documented = Drive(chain, 0.0, "document")
+    documented = Drivetrain(chain, 0.0, "document")
     assert torque(documented, 1.0, -100.0) == pytest.approx((67.0 - 116.4) / 8 / 0.8, rel=1e-14)
 
 
@@ -113,9 +111,9 @@ def test_the_continuous_torque_is_a_line_from_stall_to_rated_torque():
         (lambda: drive(ratio=-0.1), "reducer: ratio is -10; expected a finite number above 0"),
         (lambda: drive(efficiency=0.0), "reducer: efficiency is 0; expected more than 0 and at most 1"),
         (lambda: drive(motor=Motor(-1.0)), "motor: inertia is -1"),
-        (lambda: Drive(drive().mechanism, -1.0), "motor: inertia is -1"),
-        (lambda: Drive(drive().mechanism, 1.0, "exact"), "method is 'exact'"),
-        (lambda: Drive(drive().mechanism, 1.0, holding="hand"), "holding is 'hand'"),
+        (lambda: Drivetrain(drive().mechanism, -1.0), "motor: inertia is -1"),
+        (lambda: Drivetrain(drive().mechanism, 1.0, "exact"), "method is 'exact'"),
+        (lambda: Drivetrain(drive().mechanism, 1.0, holding="hand"), "holding is 'hand'"),
         (lambda: Motor(0.1, rated_torque=0.0), "motor: rated_torque is 0"),
         (lambda: Motor(0.1, max_speed=math.nan), "motor: max_speed is nan"),
     ],
@@ -126,5 +124,5 @@ def test_what_cannot_be_is_refused(made, message):
 
 
 def test_a_no_load_torque_resists_either_way_and_not_at_rest():
-    one = Drive(KINDS["lead screw"].of(Load(0.0), 100.0), 0.0, no_load=0.3)
+    one = Drivetrain(KINDS["lead screw"].of(Load(0.0), 100.0), 0.0, no_load=0.3)
     assert [torque(one, w, 0.0) for w in (1.0, 0.0, -1.0)] == pytest.approx([0.3, 0.0, -0.3])

@@ -8,9 +8,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Motor, Stage
+from engine.drive import KINDS, Drivetrain, Load, Motor, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drivetrain import Drivetrain
 from engine.drive.limits import BELOW, NO_LIMITS, LimitChecks, ReducerLimits, at_speed
 from engine.drive.motor import LEVEL, TorqueFall
 from engine.drive.rate_estimates import power_through, use_below
@@ -29,8 +28,8 @@ MASS = Load(2.0)
 
 def judged(motor, reducer=NO_LIMITS, load=MASS, inertia=1e-3, speed=20.0, gears=()):
     motion = Motion.from_edges([0, 1, 2, TURN], [0.1, -0.1, 0], [law("CIC"), law("CIC"), Dwell()])
-    drive = Drive(KINDS["belt"].of(load, 0.05, gears=gears), inertia)
-    return LimitChecks(DriveCycle(Drivetrain(drive), motion, speed), motor, reducer)
+    drive = Drivetrain(KINDS["belt"].of(load, 0.05, gears=gears), inertia)
+    return LimitChecks(DriveCycle(drive, motion, speed), motor, reducer)
 
 
 def checked(one):

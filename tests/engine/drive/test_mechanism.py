@@ -5,10 +5,9 @@ from math import pi, radians, sin
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
+from engine.drive import KINDS, Drivetrain, Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.chain import GRAVITY
 from engine.drive.cycle import DriveCycle
-from engine.drive.drivetrain import Drivetrain
 from engine.laws import law
 from engine.motion import Motion, Phase
 
@@ -61,7 +60,7 @@ def test_power_through_every_mechanism_is_kept_where_nothing_is_lost(kind):
     """Virtual work: the motor's power is the load's force times its speed, and what the inertias take."""
     load = Load(2.0, 30.0, 4.0)
     machine = kind.of(load, 0.3, gears=[Stage("gear", 7.0)], parts=[Part("a", 1e-3), Part("b", 0.02, 1)], belt=0.7)
-    slowing = DriveCycle(Drivetrain(Drive(machine, 0.0)), Motion([Phase(law("ACS"), 0.375, 1.0)])).torque_intervals[-1]
+    slowing = DriveCycle(Drivetrain(machine, 0.0), Motion([Phase(law("ACS"), 0.375, 1.0)])).torque_intervals[-1]
     u, v, a = 0.1, 0.6, -1.5
     moved = 2.0 + (0.7 if kind.belt else 0.0)
     energy = moved * v * a + 0.02 * (machine.ratio_from(1) ** 2) * v * a + 1e-3 * machine.ratio**2 * v * a

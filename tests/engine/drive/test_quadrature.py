@@ -6,9 +6,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Stage
+from engine.drive import KINDS, Drivetrain, Load, Stage
 from engine.drive.cycle import DriveCycle
-from engine.drive.drivetrain import Drivetrain
 from engine.laws import Dwell, law
 from engine.motion import Motion
 from tests.engine.drive.machines import points_of
@@ -21,7 +20,7 @@ RISE = Motion.from_edges(np.radians([0, 90, 180, 270, 360]), [0.05, 0.0, -0.05, 
 def test_a_reducer_carries_what_stands_whoever_holds_the_motor(holding):
     """4,000 N on a pinion of 100 mm: 200 Nm at its shaft, 222.2 Nm behind the reducer with η = 0.9."""
     rack = KINDS["rack and pinion"].of(Load(0.0, 4000.0), 0.1, 0.9, [Stage("reducer", 5.0, 1.0)], [])
-    drive_cycle = DriveCycle(Drivetrain(Drive(rack, 1e-3, holding=holding)), RISE, 1.0)
+    drive_cycle = DriveCycle(Drivetrain(rack, 1e-3, holding=holding), RISE, 1.0)
     resting = points_of(drive_cycle).load
     assert resting.output_torque[resting.direction == 0.0] == pytest.approx(200.0 / 0.9, rel=1e-12)
     torque = points_of(drive_cycle).torque[resting.direction == 0.0]
@@ -33,7 +32,7 @@ def test_a_lossy_screw_is_driven_down_and_holds_its_load():
     screw = KINDS["lead screw"].of(Load(100.0, 981.0), 250.0, 0.45, [Stage("reducer", 1.0, 1.0)], [])
     *gears, last = screw.stages
     screw = replace(screw, stages=(*gears, replace(last, back_efficiency=-2.0 / 9.0)))
-    points = points_of(DriveCycle(Drivetrain(Drive(screw, 0.0)), RISE, 1e-4))
+    points = points_of(DriveCycle(Drivetrain(screw, 0.0), RISE, 1e-4))
     down, rest = points.load.direction < 0.0, points.load.direction == 0.0
     assert points.torque[down] == pytest.approx(-2.0 / 9.0 * 981.0 * 0.004 / (2.0 * pi), rel=1e-5)
     assert points.torque[down].mean() == pytest.approx(-0.139, abs=5e-4)

@@ -7,7 +7,7 @@ from math import pi, radians
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Part, Stage
+from engine.drive import KINDS, Load, Part, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.results import DriveResults
@@ -44,7 +44,7 @@ def drive_cycle(train, degrees_, lifts, laws, rate, **more):
 
 
 def screw(lead, load, efficiency=1.0, inertia=0.0):
-    return Drivetrain(Drive(KINDS["lead screw"].of(load, 1 / lead, efficiency), inertia))
+    return Drivetrain(KINDS["lead screw"].of(load, 1 / lead, efficiency), inertia)
 
 
 # Figures that are known
@@ -62,8 +62,8 @@ def test_one_sided_limits_count_at_an_instant_of_rest():
 
 def drum(tau, inertia):
     """S5's load: an inertia that indexes, by a motor of an inertia through a ratio τ."""
-    drive = Drive(KINDS["rotary table"].of(Load(0.02), gears=[Stage("reducer", 1 / tau)]), inertia)
-    return DriveCycle(Drivetrain(drive), Motion([Phase(law("CIC"), 1.2, 0.08), Phase(Dwell(), 0.0, 0.04)]))
+    drive = Drivetrain(KINDS["rotary table"].of(Load(0.02), gears=[Stage("reducer", 1 / tau)]), inertia)
+    return DriveCycle(drive, Motion([Phase(law("CIC"), 1.2, 0.08), Phase(Dwell(), 0.0, 0.04)]))
 
 
 def test_s5_steps_3_and_4():
@@ -85,8 +85,8 @@ def test_s5_steps_3_and_4():
 def test_s5_drum(length, name):
     """S5, eqs. (10) to (13): an inertial load asks for J_L ω̇; the tool's law rides on the speed of the line."""
     cut = Cut(rotary_drum(3, 0.12, radians(30)), length, 1.5, law(name))
-    drive = Drive(KINDS["belt"].of(Load(0.0), 0.24, parts=[Part("drum", 0.02)]), 0.0)
-    found = DriveResults(DriveCycle(Drivetrain(drive), MotionPieces(tuple(cut_pieces(cut)), cut.cycle_time)))
+    drive = Drivetrain(KINDS["belt"].of(Load(0.0), 0.24, parts=[Part("drum", 0.02)]), 0.0)
+    found = DriveResults(DriveCycle(drive, MotionPieces(tuple(cut_pieces(cut)), cut.cycle_time)))
     assert found.speed.highest.value == pytest.approx(cut.max_angular_speed, rel=1e-12)
     assert found.torque.peak == pytest.approx(0.02 * cut.max_angular_acceleration, rel=1e-11)
     assert found.rms_torque == pytest.approx(0.02 * cut.rms_angular_acceleration, rel=1e-11)
@@ -101,7 +101,7 @@ def test_random_machines_against_samples_of_closed_forms(request, number):
     one = drawn(request, number)
     found, rows = DriveResults(one), sampled(one)
     _, speed, torque = (np.concatenate(column) for column in zip(*rows, strict=True))
-    power = electric(one.train.drive, speed, torque)
+    power = electric(one.train, speed, torque)
     for bounds, values in ((found.speed, speed), (found.torque, torque), (found.power, power)):
         scale = np.abs(values).max()
         assert bounds.highest.value == pytest.approx(values.max(), rel=2e-3, abs=2e-3 * scale)
@@ -110,7 +110,7 @@ def test_random_machines_against_samples_of_closed_forms(request, number):
         assert bounds.lowest.value <= values.min() + 1e-8 * scale
     squares = sum(np.trapezoid(t**2, x) for x, _, t in rows)
     assert found.rms_torque == pytest.approx(math.sqrt(squares / one.motion.total), rel=2e-4)
-    drive = one.train.drive
+    drive = one.train
     driving = sum(np.trapezoid(np.maximum(electric(drive, s, t), 0), x) for x, s, t in rows) / one.speed
     assert found.energy.driving == pytest.approx(driving, rel=2e-4, abs=1e-5 * np.abs(power).max() * one.time)
 
@@ -121,7 +121,7 @@ def test_random_machines_against_samples_of_closed_forms(request, number):
 def friction_work(one):
     """Work of all that resists in a cycle (J), by closed forms and the way alone; in the motor itself by means."""
     train, w, total = one.train, one.speed, 0.0
-    load = train.drive.mechanism.load
+    load = train.mechanism.load
     for stretch in one.torque_intervals:
         a, b = (one.motion.at(stretch.piece.begin + u).y for u in (stretch.low, stretch.high))
         way = abs(b - a)
@@ -136,7 +136,7 @@ def friction_work(one):
         per = phase.scale / phase.duration * w
         square = sum(found[4] for *_, found in integrals(phase.law))
         viscous += train.viscous * per**2 * square * phase.duration / w
-    found, drive = DriveResults(one), train.drive
+    found, drive = DriveResults(one), train
     return total + viscous + (drive.no_load * found.mean_speed + drive.copper * found.rms_torque**2) * one.time
 
 
@@ -169,13 +169,13 @@ def test_a_cycle_that_begins_elsewhere_asks_for_the_same(request, number):
 @machines(4)
 def test_a_mirrored_machine_asks_for_the_mirrored(request, number):
     one = drawn(request, number, from_rest=True, kinds=list(SIZES))
-    m, drive = one.motion, one.train.drive
+    m, drive = one.motion, one.train
     motion = Motion([replace(p, lift=-p.lift) for p in m.phases], position=-m.position)
     mechanism = drive.mechanism
     load = replace(mechanism.load, torque=-mechanism.load.torque)
     windows = tuple(replace(w, force=w.force * (-1 if w.resists == "always" else 1)) for w in one.train.windows)
-    mirrored = replace(drive, mechanism=replace(mechanism, load=load))
-    found = figures(DriveCycle(replace(one.train, drive=mirrored, windows=windows), motion, one.speed, one.shift))
+    mirrored = replace(drive, mechanism=replace(mechanism, load=load), windows=windows)
+    found = figures(DriveCycle(mirrored, motion, one.speed, one.shift))
     back = figures(one)
     expected = [-back[1], -back[0], -back[3], -back[2], *back[4:]]
     assert found == pytest.approx(expected, rel=1e-9, abs=1e-9)
@@ -196,8 +196,8 @@ def test_a_window_counts_where_it_is_and_across_the_end_of_the_cycle():
 
 
 def test_the_cubic_mean_of_a_constant_torque_is_that_torque():
-    drive = Drive(KINDS["lead screw"].of(Load(0.0, 200.0), 100, gears=[Stage("gear", 3.0)]), 0.0)
-    one = drive_cycle(Drivetrain(drive), [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
+    drive = Drivetrain(KINDS["lead screw"].of(Load(0.0, 200.0), 100, gears=[Stage("gear", 3.0)]), 0.0)
+    one = drive_cycle(drive, [0, 90, 360], [0.1, 0.0], ["CIC", "DWL"], 60)
     assert DriveResults(one).mean_shaft_torque(1) == pytest.approx(200 * 0.01 / (2 * pi), rel=1e-12)
 
 

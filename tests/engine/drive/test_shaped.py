@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
 
-from engine.drive import Drive, Mechanism, Motor, Slide, Stage
+from engine.drive import Mechanism, Motor, Slide, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.limits import LimitChecks
@@ -168,7 +168,7 @@ def screw(windows=()) -> Drivetrain:
     """A screw up a slope, with losses either way."""
     stages = Stage("reducer", 5.0, 0.8), Stage("screw", 300.0, 0.9)
     mechanism = Mechanism("screw", stages, (), Slide(40.0, 0.1, 0.3, 200.0, 9.81, 0.0).load)
-    return Drivetrain(Drive(mechanism, 1e-3, no_load=0.1), windows=windows)
+    return Drivetrain(mechanism, 1e-3, no_load=0.1, windows=windows)
 
 
 def checks_of(move, lift: float, motor: Motor, windows=()) -> tuple[Motion, LimitChecks]:

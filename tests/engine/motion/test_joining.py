@@ -75,7 +75,7 @@ def phase_extremes(one):
 
 
 def jumps(motion, periodic=True):
-    """The number of each phase but the first, of a periodic motion of that too, with the jumps of y and y' at its begin."""
+    """The number of each phase but the first, of a periodic motion of that too, with its jumps of y and y'."""
     ends, n = motion.ends, len(motion.phases)
     both = [(k % n, ends[k - 1].end, ends[k % n].begin) for k in range(1, n + periodic)]
     return [(k, after.y - before.y, after.y1 - before.y1) for k, before, after in both]

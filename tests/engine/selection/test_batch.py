@@ -29,14 +29,14 @@ def alone(points, limits, time):
 
 def geared(drive_cycle):
     """Whether a reducer is all that it has before its mechanism."""
-    return len(drive_cycle.train.drive.mechanism.stages) == 2
+    return len(drive_cycle.train.mechanism.stages) == 2
 
 
 @pytest.mark.parametrize("number", range(8))
 def test_each_is_what_its_points_say(number, monkeypatch):
     drive_cycle = next(one for one in map(drive_cycle_of, range(100 * number, 100 * number + 100)) if geared(one))
     load = QuadratureCycle(drive_cycle, motion_pieces(drive_cycle.motion), drive_cycle.motion.tolerance).points()
-    drive = drive_cycle.train.drive
+    drive = drive_cycle.train
     first, *others = drive.mechanism.stages
     monkeypatch.setattr("engine.selection.point_load.AT_ONCE", 2 * load.x.size)
     found = DriveBatch(PointLoad(load, 0.0, 0.0, 0.0), PairArrays(INERTIA, RATIO, ETA, NO_LOAD), LIMITS)
@@ -48,7 +48,7 @@ def test_each_is_what_its_points_say(number, monkeypatch):
         other = replace(
             drive, mechanism=mechanism, motor_inertia=INERTIA[k], no_load=NO_LOAD[k], copper=LIMITS.copper[k]
         )
-        own = replace(load, train=replace(load.train, drive=other))
+        own = replace(load, train=other)
         expected = alone(DrivePoints(own), [one[k] for one in LIMITS], drive_cycle.time)
         here = [*(values[k] for values in found.extremes), works.driving[k], works.regenerated[k]]
         assert here == pytest.approx(expected, rel=1e-11, abs=1e-9 * max(map(abs, expected)))

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from engine.drive import KINDS, Drive, Load, Motor, Part, Stage
+from engine.drive import KINDS, Load, Motor, Part, Stage
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Drivetrain, Window
 from engine.drive.results import DriveResults
@@ -32,14 +32,14 @@ def drive_cycle(inertia=0.0, ratio=1.0, efficiency=1.0, reducer=0.0, no_load=0.0
     """A screw with friction and a force that drives it back, behind a reducer."""
     parts = [BESIDE, Part("reducer", reducer, 0), Part("pulley", 2e-4, 1)]
     screw = KINDS["lead screw"].of(Load(20.0, 90.0, 40.0), 50.0, 0.7, [Stage("reducer", ratio, efficiency)], parts)
-    train = Drivetrain(Drive(screw, inertia, no_load=no_load), windows=(Window(0.5, 2.5, -600.0),))
+    train = Drivetrain(screw, inertia, no_load=no_load, windows=(Window(0.5, 2.5, -600.0),))
     return DriveCycle(train, MOTION, 12.0)
 
 
 def grid(wanted=WIDE):
     one = drive_cycle()
     exact = DriveResults(one)
-    inertia = one.train.drive.mechanism.inertia() - BESIDE.inertia
+    inertia = one.train.mechanism.inertia() - BESIDE.inertia
     load = PointLoad(points_of(one).load, exact.speed.peak, exact.shaft_torque(1).peak, inertia)
     return PairMatrix(load, MOTORS, REDUCERS, BESIDE.inertia, wanted)
 
@@ -50,7 +50,7 @@ def test_a_pair_asks_for_what_a_drive_with_it_does(motor, reducer):
     one, r = grid(), reducer
     own = (float(each[r]) for each in (REDUCERS.reduction, REDUCERS.efficiency, REDUCERS.inertia, REDUCERS.no_load))
     drive = drive_cycle(MOTORS.inertia[motor], *own)
-    mechanism = drive.train.drive.mechanism
+    mechanism = drive.train.mechanism
     found = DriveResults(drive)
     assert one.rms[motor, r] == pytest.approx(points_of(drive).rms_torque, rel=1e-9)
     assert one.rms[motor, r] == pytest.approx(found.rms_torque, rel=1e-3)

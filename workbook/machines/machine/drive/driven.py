@@ -5,7 +5,7 @@ from functools import cached_property
 from math import radians
 from typing import TypeVar
 
-from engine.drive import KINDS, Drive, Load, Mechanism, Part, Slide, Stage, cylinder
+from engine.drive import KINDS, Load, Mechanism, Part, Slide, Stage, cylinder
 from engine.drive.cycle import DriveCycle
 from engine.drive.drivetrain import Brake, Drivetrain, Window
 from engine.drive.limits import LimitChecks
@@ -114,8 +114,8 @@ class Driven:
         brake = entered.motor.brake  # holds any torque, in any dwell, where no figures are entered
         self.brake = Brake(brake.torque, si(brake.closing + brake.opening, MS)) if brake else Brake()
         used = self.motor_used.inertia, self.given.method, self.holding, self.reducer.no_load_torque
-        drive = Drive(self.mechanism, *used, self.motor_used.copper, self.brake)
-        self.train = Drivetrain(drive, self.linkage, load.viscous or 0.0, self.windows, self.by_angle)
+        acting = self.linkage, load.viscous or 0.0, self.windows, self.by_angle
+        self.train = Drivetrain(self.mechanism, *used, self.motor_used.copper, self.brake, *acting)
 
     @property
     def back_efficiency(self) -> float:
