@@ -18,7 +18,8 @@ RMS_POINT, PEAK, CONTINUOUS = "374151", "991B1B", "6B7280"
 
 def limit_checks(reserve: Reserve, of: str, mends: CheckSentence = NOTHING) -> list[Quantity]:
     """Return the checks of RMS torque, peak torque and speed; ``mends`` says, behind what fails, what would mend it."""
-    cell, sizes = CELLS["limit_checks"].sharing(of=of), {"@ok_rms": 1.0, "@ok_peak": 1.0, "@ok_speed": RPM}
+    cell = CELLS["limit_checks"].sharing(of=of)
+    sizes = {"@ok_rms": 1.0, "@ok_peak": 1.0, "@ok_speed": RPM}
     return [
         cell.limit(name, shown(check.value, size), shown(check.limit, size), mends)
         for (name, size), check in zip(sizes.items(), reserve, strict=True)

@@ -10,7 +10,7 @@ from workbook.build import build
 from workbook.judging.verify import verify
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, Rates
 from workbook.machines.machine.exact import drives_of, limit_of_rate
-from workbook.machines.machine.rates_summary import RATE_CHECK, hold_at, rate_check
+from workbook.machines.machine.first_sheet import RATE_CHECK, hold_at, rate_check
 from workbook.reading.descriptions import write_machine
 from workbook.serve.shown import design
 

@@ -9,7 +9,7 @@ from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.build import build, read_inputs
 from workbook.errors import InputError
 from workbook.judging.verify import verify
-from workbook.machines.machine.exact import judgement
+from workbook.machines.machine.exact import judgement, limit_of_stop
 from workbook.reading.descriptions import make_machine
 
 THIRDS = (
@@ -81,8 +81,12 @@ def test_the_exact_reach_decides_too(exact, verdict, tmp_path, monkeypatch):
     """The sheet goes to 20 mm, and the engine's is made another, to stand for a sheet that errs."""
     path = tmp_path / "book.xlsx"
     machine = stopped(-5, 20.5)
-    reached = property(lambda stop: exact if stop.end == "high" else 0.0)
-    monkeypatch.setattr("workbook.machines.machine.timing.stops.HardStop.reached_exactly", reached)
+
+    def erring(stop):
+        limit = limit_of_stop(stop)
+        return limit._replace(exact=limit.exact._replace(value=exact if stop.end == "high" else 0.0))
+
+    monkeypatch.setattr("workbook.machines.machine.exact.limit_of_stop", erring)
     lines = [line for line in build(machine, path) if "upper stop" in line]
     (check,) = (one for one in verify(path).checks if "upper stop" in one.what)
     assert check.found == verdict

@@ -18,7 +18,7 @@ from tests.workbook.machines.test_machine_drives import some_mechanism
 from workbook.build import build
 from workbook.fields.units import MM
 from workbook.judging.verify import verify
-from workbook.machines.machine.drive.driven import linkage_of
+from workbook.machines.machine.drive.driven import changing_ratio
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.reach import size_fault
 from workbook.machines.machine.mechanism import LINKED, MECHANISMS, Belted
@@ -59,7 +59,7 @@ def test_every_place_has_the_mechanism(kind):
 
 @pytest.mark.parametrize("kind", LINKED)
 def test_with_its_large_sizes_it_reaches_wherever_an_axis_goes(kind):
-    low, high, *_ = linkage_of(some_mechanism(kind), MM).reach
+    low, high, *_ = changing_ratio(some_mechanism(kind), MM).reach
     assert low < -FAR < FAR < high, f"LARGE, {MODELS}"
 
 
@@ -77,7 +77,7 @@ def test_each_variation_has_other_sizes_that_reach_its_positions(kind):
     for sizes, low, high in made:
         given = MECHANISMS[kind].model_validate({"kind": kind, "efficiency": 1.0} | sizes)
         assert size_fault(given, "mm") == ""
-        linkage = linkage_of(given, MM)
+        linkage = changing_ratio(given, MM)
         assert [y for y in (low, 0.0, high) if linkage.beyond(y / 1000)] == []
 
 

@@ -1,15 +1,20 @@
 """The Comparison sheet: curves of up to four laws, and every law with what it costs."""
 
-from engine.laws.inverse import DERIVATIVES, joint_code
+from typing import NamedTuple
+
+import numpy as np
+
+from engine.laws import Dwell
+from engine.laws.inverse import DERIVATIVES, LawJoint, continuity, joint_code, law_joints
 from workbook.book.cell_tables import cell_tables
 from workbook.book.chart import Chart, Series
 from workbook.book.declare import FIRST, Book, Quantity, Sheet, result
 from workbook.book.public_names import names_in, place_names
 from workbook.book.rows import LEAST, NOT_ZERO, filled, polynomial
+from workbook.law_sheets.library import NamedLaw
 from workbook.law_sheets.page import finite
 from workbook.laws.sampling import Pieces
-from workbook.machines.laws.entries import MOST_CURVES
-from workbook.machines.laws.view import ComparedLaws
+from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
 
 CELLS = cell_tables(__file__)
 
@@ -27,6 +32,49 @@ NONE = "–"  # in place of a name
 RATES = "v", "a", "j"
 ORDERS = {"a": 0, "j": 1}  # of derivatives of the acceleration
 SINES = {"a": "+INDEX(piece_P{n},[q])*SIN({x})", "j": "+INDEX(piece_pj{n},[q])*COS({x})"}
+
+
+class JointRow(NamedTuple):
+    """A row of the table of joints: a law, the number of its piece, where that begins, and its row in the stack."""
+
+    law: NamedLaw
+    k: int
+    at: LawJoint
+    row: int  # counted from 1: behind the last piece of a law the dwell's
+    first: int  # the row of the law's first piece in the table of joints, counted from 1
+
+
+class ComparedLaws:
+    """The laws of a book, those that are drawn at ``xi``, those compared (all but the dwell), and where pieces meet."""
+
+    def __init__(self, machine: MotionLaws, laws: list[NamedLaw], stack: Pieces) -> None:
+        self.entered = [curve.law for curve in machine.comparison.curves]
+        self.laws, self.stack, self.sizes = laws, stack, machine.sizes
+        chosen = [*self.entered, *(self.entered[0] for _ in range(len(self.entered), MOST_CURVES))]
+        known = {law.name: law for law in laws}
+        self.curves = [known[name] for name in chosen]
+        self.moving = [law for law in laws if not isinstance(law.law, Dwell)]
+        self.xi = np.arange(self.sizes.cycle + 1) / self.sizes.cycle
+        # the order of each law's continuity at its ends and between them
+        self.smooth: list[tuple[int, int]] = []
+        # the begin of each piece of each law, and of the rest behind it
+        self.joints: list[JointRow] = []
+        for law in self.moving:
+            pieces = stack.pieces[law.number]
+            begun = stack.first[law.number]
+            first = len(self.joints) + 1
+            joints = law_joints(law.law, pieces)
+            self.smooth.append(continuity(joints))
+            for k, at in enumerate(joints, 1):
+                row = begun + k - 1 if k <= len(pieces) else stack.first[1]
+                self.joints.append(JointRow(law, k, at, row, first))
+
+    def least(self, figure: str) -> float:
+        """Return the least of a coefficient among the laws whose acceleration does not jump; 0 where there is none."""
+        smooth_coefficients = [
+            law.law.coefficients for law, orders in zip(self.moving, self.smooth, strict=True) if min(orders) > 1
+        ]
+        return float(min((getattr(each, figure) for each in smooth_coefficients), default=0.0))
 
 
 def comparison_sheet(book: Book, view: ComparedLaws) -> None:
@@ -60,7 +108,8 @@ def draw(sheet: Sheet) -> None:
         lines = tuple(Series(f"=curve{i}_name", f"[samples{i}.xi]", f"[samples{i}.{d}]") for i in CURVES)
         title = f"{name} {d}(ξ)"
         about = f"{title} of the laws drawn, for unit rise and unit time"
-        sheet.chart(Chart(title, "ξ = t / t_a", d, lines, about, (0, 1, 0.1)), column, row, RIGHT - LEFT, BELOW - TOP)
+        chart = Chart(title, "ξ = t / t_a", d, lines, about, (0, 1, 0.1))
+        sheet.chart(chart, column, row, RIGHT - LEFT, BELOW - TOP)
     sheet.row = BELOW + BELOW - TOP + 1
 
 

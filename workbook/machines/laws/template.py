@@ -10,8 +10,7 @@ from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import SIX, factors, pick_in_turn, vary_laws, varying
 from workbook.laws.registry import CODES, FAMILY
 from workbook.machines.laws.entries import MOST_CURVES, MotionLaws
-from workbook.machines.laws.sheet import comparison_sheet, names_sheet
-from workbook.machines.laws.view import ComparedLaws
+from workbook.machines.laws.sheet import ComparedLaws, comparison_sheet, names_sheet
 from workbook.template import Template, finish
 
 CELLS = cell_tables(__file__)

@@ -61,9 +61,11 @@ def half_lines(view: DriveView) -> HalfLines:
     rise = np.where(length < SHORT, 0.0, power[:, -1] - first)
     shares = np.tile(np.column_stack([INNER, (1.0, 1.0)]), (len(at) // 2, 1))
     off = power[:, 1:] - first[:, None] - rise[:, None] * shares
-    each = at[:, 0], length, first, rise, np.maximum(off.max(axis=1), 0.0), np.maximum(-off.min(axis=1), 0.0)
+    above, below = np.maximum(off.max(axis=1), 0.0), np.maximum(-off.min(axis=1), 0.0)
+    each = at[:, 0], length, first, rise, above, below
     spare = TURN, 0.0, float(power[-1, -1]), 0.0, 0.0, 0.0
-    return HalfLines(*(np.array(filled(column, 2 * view.rows, end)) for column, end in zip(each, spare, strict=True)))
+    columns = zip(each, spare, strict=True)
+    return HalfLines(*(np.array(filled(column, 2 * view.rows, end)) for column, end in columns))
 
 
 class BusCuts:
@@ -74,10 +76,15 @@ class BusCuts:
     back. From each cut to the next all take at most ``sum_most``, ``sum_climbs`` more at the next, and at least
     ``sum_least``, ``sum_grows`` more. ``shares`` are the ``peaks`` of each drive, on the mains and in its resistor (W),
     over the largest powers at its points: 0 for a drive that is not ``on_bus``; ``alone`` are the sums of these peaks.
+    From the mains the bus takes at most ``peak_most``, into its resistor go at most ``burnt_most`` (W); ``sure`` is the
+    least that it takes or burns in the mean from each cut to the next (W). The ``bounds`` by the cuts in cells are
+    empty where no drives ``meet``: the peaks of one alone bound it.
     """
 
     def __init__(self, drives: Sequence[DriveView], on_bus: Array, peaks: Array) -> None:
         self.drives, near = drives, drives[0].tables.machine.near
+        self.meet = len(drives) > 1
+        self.bounds = BOUNDS if self.meet else ("", "", "")
         self.alone: list[float] = (peaks @ on_bus).tolist()
         tops = np.array([(view.points.power.max(), -view.points.power.min()) for view in drives]).T
         counted = tops > SMALL * peaks[::-1]
@@ -110,46 +117,19 @@ class BusCuts:
         self.sum_least = acts @ self.least + since @ self.grows
         self.sum_climbs = self.span * (acts @ self.climbs)
         self.sum_grows = self.span * (acts @ self.grows)
-
-    @property
-    def meet(self) -> bool:
-        """Whether drives meet on the bus: the peaks of one alone bound it."""
-        return len(self.drives) > 1
-
-    @property
-    def bounds(self) -> tuple[str, ...]:
-        """The bounds by its cuts in cells, of what it takes, burns and saves: empty where one drive is alone."""
-        return BOUNDS if self.meet else ("", "", "")
-
-    @property
-    def peak_most(self) -> float:
-        """The most that the bus takes from the mains (W)."""
-        if not self.meet:
-            return max(0.0, self.alone[0])
-        most = float((self.sum_most + np.maximum(self.sum_climbs, 0.0)).max())
-        return max(0.0, min(self.alone[0], most))
-
-    @property
-    def burnt_most(self) -> float:
-        """The most that goes into its resistor (W)."""
-        if not self.meet:
-            return max(0.0, self.alone[1])
-        most = float((-self.sum_least - np.minimum(self.sum_grows, 0.0)).max())
-        return max(0.0, min(self.alone[1], most))
-
-    @property
-    def sure(self) -> Array:
-        """The least that the bus takes or burns in the mean from each cut to the next (W)."""
+        most = self.sum_most + np.maximum(self.sum_climbs, 0.0), -self.sum_least - np.minimum(self.sum_grows, 0.0)
+        bounds = [float(each.max()) for each in most] if self.meet else self.alone
         high, low = self.sum_most + self.sum_climbs / 2.0, self.sum_least + self.sum_grows / 2.0
-        return np.asarray(np.maximum(0.0, np.maximum(low, -high)))
+        self.sure: Array = np.maximum(0.0, np.maximum(low, -high))
+        self.peak_most, self.burnt_most = (max(0.0, min(each)) for each in zip(self.alone, bounds, strict=True))
 
 
 def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
     """Declare the lines of each drive in the halves of its intervals, and what all add up to between cuts."""
     cell, lines = CELLS["bus_cuts"], cuts.lines
-    each = [(row, drive.driven.number) for row, drive in enumerate(cuts.drives, 1) for _ in range(2 * drive.rows)]
-    row, number = ([*column] for column in zip(*each, strict=True))
-    first = [1 + POINTS * k + side for drive in cuts.drives for k in range(drive.rows) for side in (0, HALF)]
+    counts, numbers = [2 * drive.rows for drive in cuts.drives], [drive.driven.number for drive in cuts.drives]
+    row, number = (np.repeat(each, counts).tolist() for each in (range(1, len(counts) + 1), numbers))
+    first = [1 + POINTS * k + side for count in counts for k in range(count // 2) for side in (0, HALF)]
     # a difference of powers, exact to their own digits, over some degrees
     slope = sheet.sizes.get("kW", 0.0)
     cell.begin(sheet)
@@ -169,7 +149,7 @@ def cuts_table(sheet: Sheet, cuts: BusCuts) -> None:
         cell("least", kw(cuts.least), row=row),
         cell("grows", kw(cuts.grows), row=row, short=SHORT, scale=slope),
         cell("at", cuts.cuts, scale=TURN),
-        cell("span", cuts.span, len=len(each), scale=TURN),
+        cell("span", cuts.span, len=len(row), scale=TURN),
         cell("most", kw(cuts.sum_most), acts=ACTS, since=SINCE),
         cell("more", kw(cuts.sum_climbs), acts=ACTS),
         cell("all_least", kw(cuts.sum_least), acts=ACTS, since=SINCE),

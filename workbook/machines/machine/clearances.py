@@ -68,7 +68,7 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
     entry = table_of(ClearanceEntry).columns([gap.given for gap in gaps], "clearances", len(gaps))
     size = max(gap.size for gap in gaps)
     place = [over.shown_formula(PLACE.format(n=gap.number)) for gap in gaps]
-    cell = cell.sharing(symbol=over.symbol, unit=over.unit, n=[gap.number for gap in gaps])
+    cell = cell.sharing(symbol=over.symbol, unit=over.unit, length=over.length, n=[gap.number for gap in gaps])
     entered = cell.place(
         sheet,
         entry("name"),
@@ -80,7 +80,7 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
         entry("offset", unit=unit),
         entry("least", unit=unit),
         cell("gap", [gap.least for gap in gaps], unit=unit, scale=size),
-        cell("at", [over.shown(gap.place) for gap in gaps], place=place, scale=over.length, format=over.format),
+        cell("at", [over.shown(gap.place) for gap in gaps], place=place, format=over.format),
     )
     cell = CELLS["gaps"]
     sheet.workings(
@@ -88,7 +88,7 @@ def table(sheet: Sheet, gaps: list[ClearanceView]) -> None:
         "gaps",
         "Workings",
         PRINTED + 2,
-        cell("size", [gap.size for gap in gaps], unit=unit, formula=[size_formula(gap) for gap in gaps]),
+        cell("size", [gap.size for gap in gaps], unit=unit, formula=[*map(size_formula, gaps)]),
         in_si("k1", gaps, 0),
         in_si("k2", gaps, 1),
     )
@@ -138,13 +138,15 @@ def pairs(sheet: Sheet, gap: ClearanceView, table: FreePositions) -> None:
     slopes = [f"IF(COUNT({at})=1,({free}-[free])/({at}-[at]),0)" for at, free in after]
     sheet.row += 1
     per, steepest = f"{units[1]}/{units[0]}", float(np.abs(table.slopes).max())
+    begins = filled(table.at.tolist(), PAIRS, float(table.at[-1]))
+    falls = filled(table.slopes.tolist(), PAIRS, 0.0)
     cell = CELLS["pairs"].sharing(unit=units[0], n=n, near=table.near)
     cell.place(
         sheet,
         column("at", unit=units[0]),
         column("free", unit=units[1]),
-        cell("begin", filled(table.at.tolist(), PAIRS, float(table.at[-1])), scale=float(np.ptp(table.at))),
-        cell("slope", filled(table.slopes.tolist(), PAIRS, 0.0), unit=per, line=[*slopes, "0*[k]"], scale=steepest),
+        cell("begin", begins, scale=float(np.ptp(table.at))),
+        cell("slope", falls, unit=per, line=[*slopes, "0*[k]"], scale=steepest),
     )
     sheet.rows(cell("clear{n}_pairs_used", len(table.at)), cell("clear{n}_near", table.near))
 
@@ -166,7 +168,8 @@ def clearance_check(gap: ClearanceView) -> Quantity:
     place = amount(least, gap.least, ": ", f" {unit} at ")
     says = f'[clearances.name.{n}]&{place.says}&ROUND({at},{AT})&"{after}; expected at least "&{entered}&" {unit}"'
     sentence = f"{round(gap.over.shown(gap.place), AT):.15g}{after}; expected at least {gap.given.least:.15g} {unit}"
-    return cell("clear{n}_kept", gap.is_left, n=n, says=CheckSentence(says, f"{gap.given.name}{place.text}{sentence}"))
+    words = CheckSentence(says, f"{gap.given.name}{place.text}{sentence}")
+    return cell("clear{n}_kept", gap.is_left, n=n, says=words)
 
 
 ABOUT = (
@@ -225,7 +228,8 @@ def points(sheet: Sheet, gap: ClearanceView) -> None:
     speeds = []
     for mark, of, rows, values in zip(MARKS, OF, gap.rows, gap.velocities, strict=True):
         place, most = at_sample(rows.pieces, 1, mark), rows.axis.motion.size(1)
-        speeds.append(cell("v{mark}", values, mark=mark, of=of, unit=rows.at.unit(1), sampled=place, scale=most))
+        unit = rows.at.unit(1)
+        speeds.append(cell("v{mark}", values, mark=mark, of=of, unit=unit, sampled=place, scale=most))
     cell.place(
         sheet,
         cell("theta", angles, angle=gap.over.angle, last_part=last_part, scale=TURN),

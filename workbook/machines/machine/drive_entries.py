@@ -5,14 +5,16 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from workbook.book.limits import RowRule
 from workbook.book.sentence import figure
-from workbook.drive.entries import BackEfficiency, Efficiency, RotatingParts
-from workbook.fields.texts import LOOKED_UP
+from workbook.fields.texts import LOOKED_UP, Text
 from workbook.fields.types import DesignError, EmptyCell, EntryError, MakesCells, Model, NotNegative, Number, Positive
 from workbook.machines.machine.entries_beside import Name
 from workbook.selection.catalogue import Factor
 from workbook.selection.entries import Products, Ranked
 
+Efficiency = Annotated[float, Field(gt=0, ge=0.01, le=1, allow_inf_nan=False)]
+BackEfficiency = Annotated[float, Field(ge=-10, le=1, allow_inf_nan=False)]
 Slope = Annotated[float, Field(ge=-90, le=90)]
 Temperature = Annotated[float, Field(ge=-60, le=400, allow_inf_nan=False)]
 Product = Annotated[str, Field(max_length=60), LOOKED_UP]
@@ -161,10 +163,51 @@ class StageEntry(Model):
             yield DesignError("", STAGED, settled)
 
 
-class AxisPart(RotatingParts):
+class AxisPart(Model):
     """Rotating parts on the motor's shaft, or on the mechanism's, behind the reducer; or geared to it."""
 
+    name: Text
+    count: NotNegative
+    inertia: NotNegative | None = None
+    diameter: NotNegative | None = None
+    length: NotNegative | None = None
+    density: NotNegative | None = None
+    bore: NotNegative | None = None
+    teeth_driver: Positive | None = None
+    teeth_driven: Positive | None = None
     shaft: Literal["motor", "mechanism"]
+
+    def design_faults(self) -> Iterator[DesignError]:
+        """Yield a part of no known inertia, or of two; a bore as large as the cylinder; teeth of a gear alone."""
+        size = {"diameter": self.diameter, "length": self.length, "density": self.density}
+        missing = [name for name, value in size.items() if value is None]
+        if self.inertia is None and missing:
+            entry, fits = ("inertia", 0.0) if len(missing) == len(size) else (missing[0], 1.0)
+            yield DesignError(entry, SIZED.words, fits)
+        if self.inertia is not None and (len(missing) < len(size) or self.bore is not None):
+            alone = self.model_dump() | dict.fromkeys([*size, "bore"])
+            yield DesignError("", ALONE.words, alone)
+        if self.bore and self.bore >= (self.diameter or 0.0):
+            yield DesignError("bore", BORED.words, 0.0)
+        if (self.teeth_driver is None) != (self.teeth_driven is None):
+            entry = "teeth_driver" if self.teeth_driver is None else "teeth_driven"
+            yield DesignError(entry, GEARED.words, 1.0)
+
+
+SIZED = RowRule(
+    "sized",
+    'OR([used]=0,[inertia]<>"",COUNT([diameter],[length],[density])=3)',
+    "inertia",
+    "neither an inertia nor a cylinder's diameter, length and density: inertia",
+)
+ALONE = RowRule(
+    "alone",
+    'OR([inertia]="",COUNT([diameter],[length],[density],[bore])=0)',
+    "inertia",
+    "both an inertia and a cylinder: inertia",
+)
+BORED = RowRule("bored", "OR([bore]+0=0,[bore]+0<[diameter]+0)", "bore", "bore, not less than the diameter")
+GEARED = RowRule("geared", "COUNT([driver],[driven])<>1", "driver", "teeth of one gear alone, of the driver")
 
 
 class Choice(Ranked):

@@ -205,8 +205,8 @@ class AnyMachine(Exporting):
         """Return axes that entries name by their numbers, and whether drives know motors whose peak torque falls."""
         names = [axis.name for axis in self.axes]
         data = self.model_dump(include={"clearances", "timing"})
-        named = [entry for pattern in beside.NAMED for entry in spread(data, pattern) if place_of(entry[1], names) >= 0]
-        numbers = {join(path): place_of(name, names) + 1 for path, name in named}
+        named = (entry for pattern in beside.NAMED for entry in spread(data, pattern))
+        numbers = {join(path): i + 1 for path, name in named if (i := place_of(name, names)) >= 0}
         return numbers | {"selection.falling": self.selection.knows_falling}
 
     def built_as(self, names: Mapping[str, str]) -> None:
@@ -240,4 +240,5 @@ def rests(phases: list[AxisPhase], over: Abscissa = ANGLE) -> list[int]:
     """Return the numbers of the phases, from 0, before which an axis rests; behind the last is before another."""
     ends = [0.0, *(over.degrees(p.stop) for p in phases)]
     begins = [*(over.degrees(p.start) for p in phases), TURN]
-    return [i for i, (end, begin) in enumerate(zip(ends, begins, strict=True)) if begin - end > ANGLE_TOLERANCE]
+    both = enumerate(zip(ends, begins, strict=True))
+    return [i for i, (end, begin) in both if begin - end > ANGLE_TOLERANCE]

@@ -5,7 +5,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, GetJsonSchemaHandler, PrivateAttr, ValidatorFunctionWrapHandler, field_validator
+from pydantic import (
+    BeforeValidator,
+    Field,
+    GetJsonSchemaHandler,
+    PrivateAttr,
+    ValidatorFunctionWrapHandler,
+    field_validator,
+)
 from pydantic.json_schema import JsonSchemaValue
 
 from workbook.book.limits import RowRule
@@ -44,16 +51,23 @@ def without_empty_end(rows: Any) -> Any:
     return rows
 
 
-class TimeOn(Model):
+Trimmed = BeforeValidator(without_empty_end)
+
+
+class TwoNumbers(Model):
+    """Two numbers by their keys; a description may list them."""
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Take [first, second] too, as editors see it."""
+        return {"anyOf": [TWO_NUMBERS, handler(core)]}
+
+
+class TimeOn(TwoNumbers):
     """A time of being on, across the cycle's end where it ends before it begins."""
 
     start: NotNegative | None = None
     stop: NotNegative | None = None
-
-    @classmethod
-    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """Take [from, to] too, as editors see it."""
-        return {"anyOf": [TWO_NUMBERS, handler(core)]}
 
     @property
     def ends(self) -> tuple[float, float] | None:
@@ -65,13 +79,8 @@ class SwitchEntry(Model):
     """A lane that is on or off over the cycle: a cylinder, a valve, a sensor, a cam switch."""
 
     name: Name
-    on: Annotated[list[TimeOn], Field(max_length=TIMES)] = []  # noqa: RUF012 - frozen
+    on: Annotated[list[TimeOn], Field(max_length=TIMES), Trimmed] = []  # noqa: RUF012 - frozen
     dead_time: NotNegative = 0.0
-
-    @field_validator("on", mode="before")
-    @classmethod
-    def _used(cls, on: Any) -> Any:
-        return without_empty_end(on)
 
     def design_faults(self) -> Iterator[DesignError]:
         """Yield the first time that lacks an end."""
@@ -79,16 +88,11 @@ class SwitchEntry(Model):
         yield from (DesignError(f"on.{k}", HALF.words, UNUSED) for k in [*half][:1])
 
 
-class HardStops(Model):
+class HardStops(TwoNumbers):
     """The hard stops of an axis, in its unit: [low, high], or { low } or { high } alone; it stays between them."""
 
     low: Number | None = None
     high: Number | None = None
-
-    @classmethod
-    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """Take [low, high] too, as editors see it."""
-        return {"anyOf": [TWO_NUMBERS, handler(core)]}
 
 
 UNTUNED = "neither a natural frequency, nor both stiffness and inertia"
@@ -116,16 +120,11 @@ class Vibration(Model):
         return math.sqrt(self.stiffness * stiff / (self.inertia * heavy)) / math.tau
 
 
-class FreePosition(Model):
+class FreePosition(TwoNumbers):
     """The free position of the second axis of a clearance at a position of the first, each in its axis' unit."""
 
     at: Number
     free: Number
-
-    @classmethod
-    def __get_pydantic_json_schema__(cls, core: Any, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """Take [at, free] too, as editors see it."""
-        return {"anyOf": [TWO_NUMBERS, handler(core)]}
 
 
 class NamedPart(Model):
@@ -157,12 +156,7 @@ class ClearanceEntry(NamedPart):
     second_factor: Number = -1.0
     offset: Number = 0.0
     least: Number = 0.0
-    pairs: Annotated[list[FreePosition], MakesCells([[0.0, 0.0], [1.0, 0.0]])] = Field([], max_length=PAIRS)
-
-    @field_validator("pairs", mode="before")
-    @classmethod
-    def _used(cls, pairs: Any) -> Any:
-        return without_empty_end(pairs)
+    pairs: Annotated[list[FreePosition], MakesCells([[0.0, 0.0], [1.0, 0.0]]), Trimmed] = Field([], max_length=PAIRS)
 
     @field_validator("pairs")
     @classmethod

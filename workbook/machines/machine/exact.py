@@ -15,9 +15,9 @@ from workbook.machines.machine.backlash import sides_of
 from workbook.machines.machine.drive.max_rate import range_in_words
 from workbook.machines.machine.drive.view import DriveView, Rates, drive_of
 from workbook.machines.machine.entries import AnyMachine
+from workbook.machines.machine.first_sheet import RATE_CHECK
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables
-from workbook.machines.machine.rates_summary import RATE_CHECK
 from workbook.machines.machine.timing.stops import HardStop, stops_of
 from workbook.machines.machine.vibration import swings_of
 from workbook.machines.machine.view import MachineView, MovingAxis
@@ -90,7 +90,8 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     views = list(filter(None, map(drive_of, rows)))
     lines = [line for view in views for line in (*results_of(view), *rate_of(view))]
     gaps = [ClearanceView(clearance, k, rows) for k, clearance in enumerate(machine.clearances, 1)]
-    lines += [*filter(None, map(gap_of, gaps)), *(line for row in rows for line in extremes_of(row.axis))]
+    lines += filter(None, map(gap_of, gaps))
+    lines += (line for row in rows for line in extremes_of(row.axis))
     swings = swings_of(rows)
     lines += filter(None, (swing.deviation for swing in swings))
     stops = [swing.limit for swing in swings if swing.entered.settled is not None]
@@ -111,12 +112,14 @@ def limit_of_rate(view: DriveView, limits: Sequence[JudgedLimit], rate: float) -
     if view.driven.entered.rate is None:
         return max(limits, key=lambda limit: limit.exact.use)._replace(check=RATE_CHECK, bound=0.0)
     exact = at_speed(view.driven.limit_checks, si(rate, PER_MINUTE) * math.tau).worst
-    uses = view.search.at(rate / view.rate).uses
-    sheet, truth = (
-        LimitCheck(exact.name, shown(use, PERCENT), shown(1.0, PERCENT)) for use in (max(uses.values()), exact.use)
-    )
-    what = f"at {as_shown(rate)} cycles/min the most used limit, {exact.name},"
-    return JudgedLimit(RATE_CHECK, view.driven.called, what, "%", sheet, truth, 0.0)
+    where, use = f"at {as_shown(rate)} cycles/min", max(view.search.at(rate / view.rate).uses.values())
+    return limit_in_percent(RATE_CHECK, view, where, exact.name, use, exact.use)
+
+
+def limit_in_percent(check: str, view: DriveView, where: str, name: str, *uses: float) -> JudgedLimit:
+    """Return the most used limit of a drive, by its use on the sheet and by the exact engine, for a check."""
+    sheet, truth = (LimitCheck(name, shown(use, PERCENT), shown(1.0, PERCENT)) for use in uses)
+    return JudgedLimit(check, view.driven.called, f"{where} the most used limit, {name},", "%", sheet, truth, 0.0)
 
 
 class AtLeast(LimitCheck):
@@ -143,7 +146,9 @@ def limit_of_stop(stop: HardStop) -> JudgedLimit:
     """Return how far an axis goes towards a hard stop as its sheet and as the exact engine have it."""
     what, kind = ("lowest position", AtLeast) if stop.end == "low" else ("highest position", LimitCheck)
     limit = stop.position + stop.outwards * stop.tolerance
-    sheet, exact = (kind(what, reached, limit) for reached in (stop.reached, stop.reached_exactly))
+    sheet, exact = (
+        kind(what, stop.reached_by(motion), limit) for motion in (stop.axis.motion, stop.axis.joined.motion)
+    )
     return JudgedLimit(f"{stop.name}_kept", stop.axis.given.name, what, stop.axis.given.unit, sheet, exact, 0.0)
 
 
@@ -161,9 +166,8 @@ def limit_of_creeping(view: DriveView) -> Iterator[JudgedLimit]:
     checks = creeping(view.driven.limit_checks, view.creeps_loaded)
     exact = max(checks.of([BELOW, *CREEP_LIMITS]), key=lambda check: check.use)
     exactly = 1.0 if 1.0 < exact.use <= 1.0 + ROUNDING else exact.use
-    sheet, truth = (LimitCheck(exact.name, shown(each, PERCENT), shown(1.0, PERCENT)) for each in (use, exactly))
-    what, driven = f"creeping at 1 cycle/min the most used limit, {exact.name},", view.driven
-    yield JudgedLimit(f"drive{driven.number}_ok_creep", driven.called, what, "%", sheet, truth, 0.0)
+    check = f"drive{view.driven.number}_ok_creep"
+    yield limit_in_percent(check, view, "creeping at 1 cycle/min", exact.name, use, exactly)
 
 
 def extremes_of(axis: MovingAxis) -> Iterator[str]:

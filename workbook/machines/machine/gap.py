@@ -68,7 +68,7 @@ class ClearanceView:
     """A clearance: its gap over the cycle, in the unit of its axis; angles in degrees of the master shaft.
 
     ``scales`` are what a position of each axis in m or rad is multiplied by, ``terms`` these with the motions, ``size``
-    how large the gap grows.
+    how large the gap grows; the points divide each piece into so many ``parts``.
     """
 
     def __init__(self, given: ClearanceEntry, number: int, rows: list[AxisTables]) -> None:
@@ -79,6 +79,7 @@ class ClearanceView:
         self.rows = [rows[k if k >= 0 else int(name) - 1] for k, name in places]
         pairs = np.array([(pair.at, pair.free) for pair in given.pairs])
         self.table = FreePositions(*pairs.T) if given.pairs else None
+        self.parts = PARTS_BY_PAIRS if self.table else PARTS
         self.over = self.rows[0].machine.over
         self.unit = self.rows[1 if self.table else 0].axis.given.unit
         self.factors = (given.first_factor, given.second_factor)
@@ -115,11 +116,6 @@ class ClearanceView:
             free = self.table.position(np.concatenate([reach, inner]))
             moved[0] = abs(self.given.first_factor) * np.ptp(free)
         return float(np.sum(moved))
-
-    @property
-    def parts(self) -> int:
-        """Into how many parts the points divide each piece."""
-        return PARTS_BY_PAIRS if self.table else PARTS
 
     def cuts(self, end: int) -> list[list[float]]:
         """Return where each piece of an axis begins, and each further part; spare pieces as the end of the turn."""

@@ -15,6 +15,7 @@ from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.view import DriveView, drive_of
+from workbook.machines.machine.drive_entries import NEEDED
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.gap import ClearanceView
@@ -32,7 +33,7 @@ USES = {  # of each limit by its name in the engine: its key and label, and the 
     "reducer mean torque": ("reducer_mean", "reducer mean"), "reducer input speed": ("reducer_speed", "reducer speed"),
 }  # fmt: skip
 
-OWN = ("inertia", "stall_torque", "rated_torque", "rated_speed", "peak_torque", "max_speed")  # entries of a motor
+OWN = (*NEEDED, "stall_torque", "rated_speed")  # entries of a motor
 COMES_TO = ("rms", "peak", "speed", "inertia_ratio", "verdict")
 
 
@@ -74,9 +75,10 @@ def product_figures(machine: AnyMachine, of_motors: bool) -> dict[str, Any]:
     if not of_motors:
         entered, row = view.driven.entered_motor, view.driven.motor_used.row
         motors = machine.selection.motors
-        own = motors[row - 1] if row else MotorRow.model_validate(
-            {"name": "own"} | {key: getattr(entered, key) for key in MotorRow.model_fields if key in OWN})  # fmt: skip
-        motor, rate = engine_motors([own]).derated(view.driven.left), si(choice.shaft.values["cycles"], PER_HOUR)
+        known = {key: getattr(entered, key) for key in MotorRow.model_fields if key in OWN}
+        own = motors[row - 1] if row else MotorRow.model_validate({"name": "own"} | known)
+        motor = engine_motors([own]).derated(view.driven.left)
+        rate = si(choice.shaft.values["cycles"], PER_HOUR)
         beside, names = choice.shaft.values["beside"], choice.reducers.names
         pairs = PairMatrix(choice.load, motor, choice.reducers, beside, choice.requirements, rate)
     motors_of = pairs.motors
@@ -125,9 +127,14 @@ def motion_charts(axis: MovingAxis, x: Array, samples: Array) -> Iterator[dict[s
 
 def chart(key: str, title: str, unit: str, x: Array, y: Array, x_title: str, **more: Any) -> dict[str, Any]:
     """Return a chart as the page has it, its numbers to six digits."""
-    lines = {"x": [float(f"{v:.6g}") for v in x.tolist()], "y": [float(f"{v:.6g}") for v in y.tolist()]}
-    return {"key": key, "title": title, "quantity": key, "unit": unit, "x_title": x_title} | lines | {
-        "limits": [], "points": []} | more  # fmt: skip
+    lines = {"x": to_six_digits(x), "y": to_six_digits(y), "limits": [], "points": []}
+    titles = {"key": key, "title": title, "quantity": key, "unit": unit, "x_title": x_title}
+    return titles | lines | more
+
+
+def to_six_digits(values: Array) -> list[float]:
+    """Return numbers as the page has them."""
+    return [float(f"{value:.6g}") for value in values.tolist()]
 
 
 def driven(view: DriveView, x: Array, charts: list[dict[str, Any]]) -> dict[str, Any]:
@@ -177,7 +184,7 @@ def places(view: DriveView) -> list[float]:
     """Return where in the cycle each point of a drive is, in the unit of places."""
     axis = view.driven.axis
     later = shown(view.load.x.ravel() + axis.shifted.shift, DEGREE)
-    return [float(f"{x:.6g}") for x in axis.over.shown(np.where(later > TURN, later % TURN, later)).tolist()]
+    return to_six_digits(axis.over.shown(np.where(later > TURN, later % TURN, later)))
 
 
 def torque_limits(value: float, label: str, kind: str) -> Iterator[dict[str, Any]]:

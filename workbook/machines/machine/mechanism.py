@@ -5,8 +5,8 @@ from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import Field
 
-from workbook.drive.entries import BackEfficiency, Efficiency
 from workbook.fields.types import DesignError, MakesCells, Model, NotNegative, Number, Positive
+from workbook.machines.machine.drive_entries import BackEfficiency, Efficiency
 
 ON_BED = "more of the belt lies on the bed than the whole belt"
 UNSIZED = "a size of the mechanism is empty"

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import cached_property
+from itertools import accumulate
 from typing import Any
 
 from engine.drive.turning import MIDDLES, Directions, Turn, directions, turns_of
@@ -13,7 +14,7 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
 from workbook.book.rows import filled, spread
 from workbook.laws.sampling import HIGH, LOW, Pieces
-from workbook.machines.machine.boundary.curve_extremes import points, polynomial_extremes, pulse_extremes, step_extremes
+from workbook.machines.machine.boundary import curve_extremes
 from workbook.machines.machine.boundary.curves import bends_table, curves_between_ends, end_kinds
 from workbook.machines.machine.boundary.handover import AxisHandover, required_ends, taken_by_pieces
 from workbook.machines.machine.view import MachineView, MovingAxis
@@ -25,6 +26,8 @@ from workbook.motion.smooth import Joints
 CELLS = cell_tables(__file__)
 
 Figure = Callable[[int, Phase], Any]
+BACKWARD = 1e-9  # share of the mean velocity: a law that is slower than minus this may turn round
+MIDDLE = "mid"  # the name of the shares of a piece at which its direction is looked at
 STEPS = "Steps of axis {}: its phases, and the rests between them"
 
 
@@ -32,18 +35,19 @@ class AxisTables:
     """An axis at its place in a book: its pieces in cells, and their joints.
 
     With its ``name``, that of the table of phases, all its tables begin; the table of phases has ``rows`` rows, and
-    its workings beside it are called ``taken``; ``room`` are the rows of its pieces.
+    its workings beside it are called ``taken``; ``room`` are the rows of its pieces, ``moves`` the name of the table of
+    their directions.
     """
 
     def __init__(self, machine: MachineView, axis: MovingAxis, stack: Pieces) -> None:
         self.axis, self.machine, self.name = axis, machine, f"axis{axis.number}"
-        self.taken, self.rows = f"{self.name}_taken", machine.given.sizes.phases
+        self.taken = f"{self.name}_taken"
+        self.moves, self.rows = f"{self.name}_moves", machine.given.sizes.phases
         self.steps = self.rows + self.rows + 1
         self.room = machine.given.sizes.pieces_of(axis.number)
         self.pieces = rows_of(self.at, axis.motion, stack, axis.places, self.steps)
         self.joints = Joints.of(self.pieces, axis.motion, self.required)
         self.ends = AxisHandover(self.pieces, axis, machine.over) if machine.hands_over else None
-        self.turning = AxisTurns(self.pieces, axis, self.ends, self.room)
 
     @property
     def at(self) -> Cells:
@@ -80,6 +84,29 @@ class AxisTables:
             lift=(lift.shown, lift.size),
         )
 
+    @cached_property
+    def may_turn(self) -> list[bool]:
+        """Whether each piece may turn round: its law moves backward too, or its phase takes velocity from others."""
+        ends, pieces = self.ends, self.pieces.pieces
+        takes = (ends is not None and ends.step_of(piece).mode > 0 for piece in pieces)
+        each = zip(pieces, takes, strict=True)
+        return [piece.duration > 0.0 and (taken or slowest(self.law_of(piece)) < -BACKWARD) for piece, taken in each]
+
+    def law_of(self, piece: MotionPiece) -> Law:
+        """Return the law of a piece's phase, as entered."""
+        return self.axis.motion.phases[self.axis.places.index(piece.phase)].named
+
+    @cached_property
+    def directions(self) -> list[Directions]:
+        """The shares of each piece that move each way."""
+        both = zip(self.pieces.pieces, self.may_turn, strict=True)
+        return [directions(piece) if may else Directions() for piece, may in both]
+
+    @cached_property
+    def turns(self) -> list[Turn]:
+        """All turns inside pieces, in order."""
+        return turns_of(self.pieces.pieces, self.directions)
+
 
 def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
     """Declare the sheet of the motions as pieces."""
@@ -92,12 +119,13 @@ def pieces_sheet(book: Book, axes: list[AxisTables]) -> None:
         steps = [*step_columns(axis), *phase_columns(axis.pieces), *(fastest(axis) if axis.ends else [])]
         sheet.table(f"{axis.name}_steps", title, axis.steps, *steps)
         room, ends = axis.room, axis.ends
-        columns, halves = (pulse_extremes(ends, room), taken_by_pieces(ends, room)) if ends else ([], [])
+        columns = curve_extremes.pulse_extremes(ends, room) if ends else []
+        halves = taken_by_pieces(ends, room) if ends else []
         title, size = f"Pieces of axis {axis.axis.number}", axis.axis.motion.size
         pieces_table(sheet, title, axis.pieces, room, size, *columns, taken=halves)
         axis.joints.table(sheet, f"What jumps where each piece of axis {axis.axis.number} begins", room)
         if axis.axis.given.motor:
-            moves_table(sheet, axis.turning)
+            moves_table(sheet, axis)
             if ends:
                 bends_table(sheet, ends)
         sheet.print_rows = sheet.print_rows or sheet.row  # the first axis, to see what they are
@@ -173,86 +201,46 @@ def fastest(tables: AxisTables) -> list[Quantity]:
 
 def carried_back(values: list[float | None], last: float) -> list[float]:
     """Return values of steps; a step that is missing has the value of the next step."""
-    carried: list[float] = []
-    for value in reversed(values):
-        carried.append(last if value is None else value)
-        last = carried[-1]
-    return carried[::-1]
+    following = accumulate(reversed(values), lambda after, value: after if value is None else value, initial=last)
+    return [*following][:0:-1]
 
 
 def place_boundaries(sheet: Sheet, axes: Sequence[AxisHandover]) -> None:
     """Declare what the steps of each axis that hands velocity over take from their neighbours."""
     CELLS["taken"].begin(sheet)
     for handover in axes:
-        at, axis = handover.rows.at, f"axis {handover.axis.number}"
-        sheet.rows(
-            CELLS["taken"]("{last}", handover.axis.places[-1] + 1, last=handover.last, axis=axis, phases=at.phases)
-        )
-        carried_out = [*curves_between_ends(handover), *polynomial_extremes(handover), *step_extremes(handover)]
+        at, axis, last = handover.rows.at, f"axis {handover.axis.number}", handover.axis.places[-1] + 1
+        sheet.rows(CELLS["taken"]("{last}", last, last=handover.last, axis=axis, phases=at.phases))
+        carried_out = [
+            *curves_between_ends(handover),
+            *curve_extremes.polynomial_extremes(handover),
+            *curve_extremes.step_extremes(handover),
+        ]
         for name, title, columns in (
             (handover.required, f"What the steps of {axis} take", required_ends(handover)),
             (at.ends, f"How the steps of {axis} are carried out", carried_out),
             (handover.kinds, f"Ends of the steps of {axis}", end_kinds(handover)),
         ):
             sheet.table(name, title, handover.room, *columns, blank=f"INDEX([{at.phases}.span],[k])=0")
-    points(sheet.book, sheet)
+    curve_extremes.points(sheet.book, sheet)
 
 
-BACKWARD = 1e-9  # share of the mean velocity: a law that is slower than minus this may turn round
-MIDDLE = "mid"  # the name of the shares of a piece at which its direction is looked at
-
-
-class AxisTurns:
-    """The directions of an axis' pieces, and its turns inside pieces, in order.
-
-    A piece is looked at where its law moves backward too, or where its phase takes velocity from its neighbours.
-    """
-
-    def __init__(self, rows: PieceRows, axis: MovingAxis, ends: AxisHandover | None, room: int) -> None:
-        self.rows, self.axis, self.ends, self.room = rows, axis, ends, room
-        self.name = rows.at.pieces.replace("_pieces", "_moves")
-
-    @cached_property
-    def may_turn(self) -> list[bool]:
-        """Whether each piece may turn round."""
-
-        def may(piece: MotionPiece) -> bool:
-            takes = self.ends is not None and self.ends.step_of(piece).mode > 0
-            return takes or slowest(self.law_of(piece)) < -BACKWARD
-
-        return [piece.duration > 0.0 and may(piece) for piece in self.rows.pieces]
-
-    def law_of(self, piece: MotionPiece) -> Law:
-        """Return the law of a piece's phase, as entered."""
-        return self.axis.motion.phases[self.axis.places.index(piece.phase)].named
-
-    @cached_property
-    def directions(self) -> list[Directions]:
-        """The shares of each piece that move each way."""
-        both = zip(self.rows.pieces, self.may_turn, strict=True)
-        return [directions(piece) if may else Directions() for piece, may in both]
-
-    @cached_property
-    def turns(self) -> list[Turn]:
-        """All turns inside pieces."""
-        return turns_of(self.rows.pieces, self.directions)
-
-
-def moves_table(sheet: Sheet, of: AxisTurns) -> None:
+def moves_table(sheet: Sheet, tables: AxisTables) -> None:
     """Declare where each piece moves which way, and how often the motion has turned round inside a piece."""
-    cell, at, rows, room = CELLS["moves_table"], of.rows.at, of.rows, of.room
+    cell, rows, room = CELLS["moves_table"], tables.pieces, tables.room
+    at = rows.at
     taken = f"+(INDEX([{at.ends}.mode],[{at.pieces}.p.same])>0)" if at.ends else ""
-    turned = [sum(turn.piece <= k for turn in of.turns) for k in range(len(rows.pieces))]
-    lows, speed = [slowest(of.law_of(piece)) for piece in rows.pieces], velocity(rows)
-    both = zip(zip(*of.directions, strict=True), Directions(), strict=True)
+    turned = [sum(turn.piece <= k for turn in tables.turns) for k in range(len(rows.pieces))]
+    lows, speed = [slowest(tables.law_of(piece)) for piece in rows.pieces], velocity(rows)
+    both = zip(zip(*tables.directions, strict=True), Directions(), strict=True)
     ff, fb, lf, lb = (filled(values, room, spare) for values, spare in both)
     sheet.table(
-        of.name,
-        f"Which way each piece of axis {of.axis.number} moves, as shares of it",
+        tables.moves,
+        f"Which way each piece of axis {tables.axis.number} moves, as shares of it",
         room,
         cell("r", list(range(1, room + 1))),
         cell("low", filled(lows, room, lows[-1]), at=at, scale=1.0),
-        cell("may", filled([int(may) for may in of.may_turn], room), at=at, taken=taken),
+        cell("may", filled([int(may) for may in tables.may_turn], room), at=at, taken=taken),
         cell("ff", ff, velocity=speed, scale=1.0),
         cell("fb", fb, velocity=speed, scale=1.0),
         cell("lf", lf, velocity=speed, scale=1.0),

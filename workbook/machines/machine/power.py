@@ -26,10 +26,10 @@ TOGETHER = "On a common DC bus drives use what others give back; a drive at a ra
 ON_BUS = "of the mains, where the drive's sheet has that of the motor"
 CHART_COLUMN, COLUMNS = 11, 17
 INK = COLOURS[-1]
-OF_BUS = {
-    *("power_peak_most", "bus_alone", "bus_resistor_most", "power_mains", "power_resistors", "power_year"),
-    *("bus_saved", "bus_saved_most", "bus_saved_year", "bus_saved_price"),
-}
+OF_BUS = frozenset(
+    "power_peak_most bus_alone bus_resistor_most power_mains power_resistors power_year "
+    "bus_saved bus_saved_most bus_saved_year bus_saved_price".split()
+)
 """results that say something of several drives alone"""
 kw = partial(shown, unit=KW)
 
@@ -93,16 +93,17 @@ def power_sheet(book: Book, bus: Mains) -> None:
     printed = [q for q in every if bus.drives[1:] or q.name not in OF_BUS]
     sheet.rows(*printed)
     if bus.on_bus.any():
-        sheet.chart(power_chart(bus), column=CHART_COLUMN, row=5, width=COLUMNS - CHART_COLUMN + 1, height=20)
+        sheet.chart(power_chart(bus), CHART_COLUMN, 5, COLUMNS - CHART_COLUMN + 1, 20)
     sheet.row += 1
     drives_table(sheet, bus)
     sheet.not_printed_below()
     sheet.one_page, sheet.print_columns = True, COLUMNS
     sheet.heading("Workings: the common DC bus")
     cell, without, taken = CELLS["on the bus"], bus.without, bus.cuts.bounds[0]
+    peaks = OF_ALL.format("peak")
     sheet.rows(
         cell("bus_mains_peak", kw(bus.peak)),
-        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=OF_ALL.format("peak"), between_cuts=taken),
+        cell("bus_mains_most", kw(bus.cuts.peak_most), of_all=peaks, between_cuts=taken),
         cell("bus_apart", kw(without.mains), of_all=OF_ALL.format("mains")),
         cell("bus_net", kw(without.net), of_all=OF_ALL.format("resistor")),
         *(q for q in every if q not in printed),
@@ -134,13 +135,13 @@ def results(bus: Mains) -> list[Quantity]:
     apart = max(float(bus.apart.max()), float((bus.on_bus * bus.mains).max()))
     year = shown(MeanBusPower(bus.saved, 0.0).energy_a_year(entered.hours), KWH)
     beside = BESIDE.format("peak")
-    _, burnt, saved = bus.cuts.bounds
+    of_all, (_, burnt, saved) = OF_ALL.format("burnt"), bus.cuts.bounds
     return [
         cell("power_peak", kw(bus.peak + bus.beside), beside=beside, on_bus=ON_BUS),
         cell("power_peak_most", kw(bus.cuts.peak_most + bus.beside), beside=beside),
         cell("bus_alone", kw(apart + bus.beside), beside=beside),
         cell("bus_resistor_peak", kw(bus.burnt_peak)),
-        cell("bus_resistor_most", kw(bus.cuts.burnt_most), of_all=OF_ALL.format("burnt"), between_cuts=burnt),
+        cell("bus_resistor_most", kw(bus.cuts.burnt_most), of_all=of_all, between_cuts=burnt),
         cell("power_mean", kw(whole.mains)),
         cell("power_mains", kw(alone.mains), total=total("power.mains")),
         cell("power_burnt", kw(whole.resistor)),

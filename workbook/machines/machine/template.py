@@ -19,8 +19,7 @@ from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import laws
-from workbook.machines.machine import live
-from workbook.machines.machine.axes_summary import NO_DRIVE, axes_summary, gaps_summary, least_gap
+from workbook.machines.machine import first_sheet, live
 from workbook.machines.machine.backlash import backlash_sheet, sides_of
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
@@ -34,7 +33,6 @@ from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
-from workbook.machines.machine.rates_summary import range_of_rates, rate_check, rates_in_words, whole_range
 from workbook.machines.machine.studies import changes
 from workbook.machines.machine.studies.results import SCALING
 from workbook.machines.machine.switches import switches_sheet
@@ -61,21 +59,22 @@ def declare(given: AnyMachine) -> Book:
     rows = [AxisTables(machine, axis, book_laws.stack) for axis in machine.axes]
     drives = {row.axis.number: view for row in rows if (view := drive_of(row))}
     bus = Mains(list(drives.values()), given.power) if drives else None
-    over = f"a cycle in {machine.over.unit}" if machine.over.measured else "one master shaft, at one rate"
+    abscissa = machine.over
+    over = f"a cycle in {abscissa.unit}" if abscissa.measured else "one master shaft, at one rate"
     results, says = pace(machine), NOTHING
     if bus:
-        rates = whole_range(drives.values())
-        results += [*range_of_rates(rates, len(rows), machine.over), *supply(bus)]
-        says = rates_in_words(rates)
-        results.append(rate_check(rates.rates, given.per_minute))
+        rates = first_sheet.whole_range(drives.values())
+        results += [*first_sheet.range_of_rates(rates, len(rows), machine.over), *supply(bus)]
+        says = first_sheet.rates_in_words(rates)
+        results.append(first_sheet.rate_check(rates.rates, given.per_minute))
     gaps = [ClearanceView(clearance, k, rows) for k, clearance in enumerate(given.clearances, 1)]
-    results += least_gap(gaps)
+    results += first_sheet.least_gap(gaps)
     names = {f"about_{name}" for name in FIGURES.split()}
     figures = [q for q in results if q.name in names]
     more = [q for q in results if q.name not in names]
     sheet = summary_sheet(book, given, f"A machine: the motions of its axes over {over}.", figures, more)
-    axes_summary(sheet, machine, drives)
-    gaps_summary(sheet, gaps)
+    first_sheet.axes_summary(sheet, machine, drives)
+    first_sheet.gaps_summary(sheet, gaps)
     timing_sheet(book, machine, rows)
     switches_sheet(book, machine)
     book.name("axes", axis_name="name")
@@ -91,7 +90,8 @@ def declare(given: AnyMachine) -> Book:
         number = place_of(given.selection.axis, [shaft.name for shaft in shafts])
         selection_sheet(book, PairSelection(given.selection, given.sizes, shafts, number), given.selection.axis)
     catalogue_sheet(book, given.selection, given.sizes)
-    book_laws.sheets(book, {axis.given.name: [p.law for p in axis.given.phases if p.law] for axis in machine.axes})
+    entered = (axis.given for axis in machine.axes)
+    book_laws.sheets(book, {axis.name: [p.law for p in axis.phases if p.law] for axis in entered})
     for row in rows:
         cycle_sheet(book, machine, row, len(rows) + len(given.switches) - row.axis.number)
     pieces_sheet(book, rows)
@@ -120,7 +120,8 @@ def named_drive_sheet(book: Book, view: DriveView) -> None:
     drive_sheet(book, view)
     i, names = view.driven.number, POINTS | ({"phi": "phi"} if view.varies else {})
     if view.for_selection:
-        names |= {"dir": "dir", "al": "al" if view.varies else "a", "S": "Sm" if view.brakes else "S"}
+        names |= {"dir": "dir", "al": "al" if view.varies else "a"}
+        names["S"] = "Sm" if view.brakes else "S"
     book.name(f"drive{i}_pt", **{f"drive{i}_{name}": column for name, column in names.items()})
     book.name(f"drive{i}_iv", **{f"drive{i}_up": "dir"})  # 1 forwards, -1 backwards
 
@@ -144,7 +145,8 @@ def name_figures(book: Book, axes: Sequence[MovingAxis], clearances: Sequence[Cl
     place_names(sheet, NAMES["Results"], "machine")
     units = {axis.given.name: (axis.given.unit, *axis.over.rates(axis.given.unit)) for axis in axes}
     for axis in axes:
-        place_names(sheet, NAMES["Axis"], f"axis{axis.number}", axis.typed.called, axis.number, units[axis.given.name])
+        i, unit = axis.number, units[axis.given.name]
+        place_names(sheet, NAMES["Axis"], f"axis{i}", axis.typed.called, i, unit)
     for n, clearance in enumerate(clearances, 1):
         unit = units[clearance.second if clearance.pairs else clearance.first]
         place_names(sheet, NAMES["Clearance"], f"clear{n}", clearance.called, n, unit)
@@ -154,7 +156,7 @@ SEVERAL, DWELL = "several", 1
 """what stands for laws that differ, and the number of the dwell, which spare rows have too"""
 LAST = "MAX([axis{0}_taken.no])"
 OTHERS = f"SUMPRODUCT(([axis{{0}}_taken.no]<>{DWELL})*([axis{{0}}_taken.no]<>{LAST}))>0"
-LAW = f'=IF({OTHERS},"{SEVERAL}",IF({LAST}={DWELL},"{NO_DRIVE}",INDEX(law_code,{LAST})))'
+LAW = f'=IF({OTHERS},"{SEVERAL}",IF({LAST}={DWELL},"{first_sheet.NO_DRIVE}",INDEX(law_code,{LAST})))'
 
 
 def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> None:
@@ -163,7 +165,7 @@ def judge_axes(book: Book, axes: Sequence[MovingAxis], names: Sequence[str]) -> 
     texts, checks, of_phases = [], [], []
     for axis in axes:
         moving = {names.index(phase.law) for phase in axis.given.phases} - {DWELL - 1}
-        texts.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else NO_DRIVE)
+        texts.append(SEVERAL if len(moving) > 1 else names[moving.pop()] if moving else first_sheet.NO_DRIVE)
         own = (f"axis{axis.number}_", f"drive{axis.number}_")
         checks.append([k for k, (_, q) in enumerate(book.checks, 1) if q.name.startswith(own)])
         of_phases.append([k for k in checks[-1] if book.checks[k - 1][1].name.startswith(own[0])])

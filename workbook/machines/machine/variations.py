@@ -6,7 +6,7 @@ from typing import Any, get_args
 from engine.selection.pair_matrix import RANKS
 from workbook.entries.facts import vary
 from workbook.entries.phase import AxisPhase
-from workbook.law_sheets.library import SIX, factors, page_of, passing, pick_in_turn, variations, vary_laws
+from workbook.law_sheets import library
 from workbook.machines.machine import drive_entries
 from workbook.machines.machine.drive import by_angle
 from workbook.machines.machine.drive.mechanisms import LINKAGES
@@ -19,13 +19,14 @@ from workbook.selection.entries import Limits, OwnLimits
 
 CYLINDER = {"diameter": 60.0, "density": 7800.0}
 STRAIGHT = "=-1"  # of a page: how a straight line meets its neighbours
+BESIDE_SOME = ("LIN", "PO5", "OWN", "SPL")  # laws that an axis cannot take beside any neighbours
 SHIFTS = (0.0, 37.5, -20.0, 360.0, 145.25, 733.0)
 
 
 def variants(machine: AnyMachine) -> list[AnyMachine]:
     """Return six machines of the same layout as ``machine``, with other inputs everywhere."""
     suited = list if any(axis.motor is None for axis in machine.axes) else suited_to("table")
-    return [type(machine).model_validate(data) for data in variations(machine, varied, suited)]
+    return [type(machine).model_validate(data) for data in library.variations(machine, varied, suited)]
 
 
 def suited_to(kind: str | None) -> Callable[[dict[str, Any]], list[str]]:
@@ -35,18 +36,18 @@ def suited_to(kind: str | None) -> Callable[[dict[str, Any]], list[str]]:
     """
 
     def suited(laws: dict[str, Any]) -> list[str]:
-        pages = {name: page_of(name, entry) for name, entry in laws.items()}
+        pages = {name: library.page_of(name, entry) for name, entry in laws.items()}
         straight = [name for name, page in pages.items() if page.end_mode == STRAIGHT and kind not in LINKAGES]
-        return straight + [name for name, page in pages.items() if page.law.code not in ("LIN", "PO5", "OWN", "SPL")]
+        return straight + [name for name, page in pages.items() if page.law.code not in BESIDE_SOME]
 
     return suited if kind else list
 
 
 def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
     """Return the variation of a turn: numbers scaled each by its own factor, choices turned."""
-    k, laws, sizes, master = turn % SIX, data["laws"], data["sizes"], data["master"]
-    scale, pace = factors(k), next(iter(master))
-    vary_laws(laws, k, scale, sizes["pieces"])
+    k, laws, sizes, master = turn % library.SIX, data["laws"], data["sizes"], data["master"]
+    scale, pace = library.factors(k), next(iter(master))
+    library.vary_laws(laws, k, scale, sizes["pieces"])
     choose(data, k)
     master[pace] *= next(scale)
     master |= {"compare_rate": 41.0 * k} if master.get("compare_rate") is not None else {}
@@ -58,8 +59,8 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
         room = MachineSizes(**sizes).pieces_of(i + 1) - resting - cuts
         axis |= {
             "closes": "feed" if (i + k) % 2 else "position",
-            "smoothness": pick_in_turn(turn + i, get_args(Smoothness)),
-            "shift": SHIFTS[(i + k) % SIX],
+            "smoothness": library.pick_in_turn(turn + i, get_args(Smoothness)),
+            "shift": SHIFTS[(i + k) % library.SIX],
             "position": 0.0 if kind in LINKAGES else (k - 2) * (7.5 + i),
             "phases": dwells_for_room(rows, laws, room),
         }
@@ -67,9 +68,9 @@ def varied(data: dict[str, Any], turn: int) -> dict[str, Any]:
             axis["rate"] = (None, 31.0, 260.5)[(i + k) % 3]
             drive(axis, i, k, sizes, data["selection"])
         else:
-            axis["closes"] = ("feed", "open", "position", "open", "feed", "position")[(i + k) % SIX]
+            axis["closes"] = ("feed", "open", "position", "open", "feed", "position")[(i + k) % library.SIX]
             for n, phase in enumerate(axis["phases"]):
-                phase |= passing(k, n, laws, 0.01)
+                phase |= library.passing(k, n, laws, 0.01)
         loose = axis["backlash"] or {}
         vary(loose, drive_entries.Backlash, i + k)
         loose["works"] = len(axis["load"]["windows"]) or None
@@ -103,7 +104,7 @@ def choose(data: dict[str, Any], k: int) -> None:
         products["falling"] = True
         for n, motor in enumerate(products["motors"]):
             level = (n + k) % 4 == 3
-            motor["full_torque_to"] = None if level else motor["max_speed"] * (0.02 + 0.15 * ((n + k) % SIX))
+            motor["full_torque_to"] = None if level else motor["max_speed"] * (0.02 + 0.15 * ((n + k) % library.SIX))
             motor["end_torque"] = None if level else motor["peak_torque"] * 0.23 * ((n + 2 * k) % 4)
     if products["axis"] is not None:
         products |= {
@@ -117,8 +118,8 @@ def choose(data: dict[str, Any], k: int) -> None:
 
 def times(i: int, k: int) -> list[dict[str, float | None]]:
     """Return times of being on: up to the table's last, a time across the end, an empty one; always on, and never."""
-    if (i + k) % SIX in (1, 4):
-        return [{"start": 0.0, "stop": 360.0}] if (i + k) % SIX == 1 else []
+    if (i + k) % library.SIX in (1, 4):
+        return [{"start": 0.0, "stop": 360.0}] if (i + k) % library.SIX == 1 else []
     begins = [60.0 * t + 17.0 * k + 3.5 * i for t in range(TIMES if k == 0 else 1 + (i + k) % 4)]
     times_on: list[dict[str, float | None]] = [
         {"start": (x + 40.0) % 360, "stop": (x + 71.25 + k) % 360} for x in begins
@@ -170,7 +171,8 @@ def parts(k: int, room: int) -> list[dict[str, Any]]:
     """Return parts on the motor's shaft and on the mechanism's, by inertia or as cylinders; once ``room`` of them."""
     cylinder, rows = CYLINDER | {"length": 100.0 + 15 * k, "bore": 20.0 if k % 2 else None}, []
     for j in range(room if k == 0 else k % 3):
-        part = {"name": f"part {j + 1}", "count": 1.0 + j, "shaft": ("motor", "mechanism")[(j + k) % 2]}
+        shaft = ("motor", "mechanism")[(j + k) % 2]
+        part = {"name": f"part {j + 1}", "count": 1.0 + j, "shaft": shaft}
         geared = {"teeth_driver": 40.0 + j, "teeth_driven": 23.0 + k} if (j // 2 + k) % 2 else {}
         rows.append(part | (cylinder if (j + k) % 3 == 1 else {"inertia": 20.0 * (j + k)}) | geared)
     return rows
@@ -178,16 +180,19 @@ def parts(k: int, room: int) -> list[dict[str, Any]]:
 
 def forces(i: int, k: int, size: float) -> list[dict[str, Any]]:
     """Return process forces up to the table's last row: of both kinds and signs, also across the end of the cycle."""
-    windows = ((20.0, 95.5, 1.0), (300.0, 40.0, -0.7), (0.0, 360.0, 0.3), (88.25, 88.25, 2.0))
+    kinds, windows = (
+        ("always", "moving"),
+        ((20.0, 95.5, 1.0), (300.0, 40.0, -0.7), (0.0, 360.0, 0.3), (88.25, 88.25, 2.0)),
+    )
     return [
-        {"start": start, "stop": stop, "force": share * size, "resists": ("always", "moving")[(i + k + n) % 2]}
+        {"start": start, "stop": stop, "force": share * size, "resists": kinds[(i + k + n) % 2]}
         for n, (start, stop, share) in enumerate(windows[: drive_entries.WINDOWS if k == 2 else (i + k) % 3])
     ]
 
 
 def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[str, Any]]:
     """Return phases up to the table's last row in turn, with laws and lifts of every kind; some rests are left out."""
-    k = turn % SIX
+    k = turn % library.SIX
     count = room if k == 0 else min(room, 2 + (axis + k) % 5)
     step = 360.0 / count
     edges = [0.0, *((i + 0.1 * ((i + k) % 3)) * step for i in range(1, count)), 360.0]
@@ -197,7 +202,7 @@ def phases(axis: int, turn: int, room: int, laws: Iterable[str]) -> list[dict[st
         if rest and i and (axis + k) % 2:
             continue
         lift = 0.0 if rest else (40.0 + 11 * axis + 3 * i) * (-1) ** (i + k)
-        law = "DWL" if rest else pick_in_turn(axis + turn + i, laws)
+        law = "DWL" if rest else library.pick_in_turn(axis + turn + i, laws)
         stop = edges[i + 1] - (3.7 if (i + k) % 3 == 1 else 0.0)
         rows.append({"start": edges[i], "stop": stop, "lift": lift, "law": law})
     return rows

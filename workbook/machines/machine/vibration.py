@@ -32,7 +32,7 @@ from workbook.template_outputs import JudgedLimit
 CELLS = cell_tables(__file__)
 
 NODES, WEIGHTS = (each / 2.0 for each in np.polynomial.legendre.leggauss(48))
-MOST, BOUND = 16.0, 1e-6  # natural periods of a piece that these points tell, to this share of the lift
+MOST, BOUND = 16.0, 1e-6  # natural periods of a piece that points tell, to this share of the lift
 CURVE, STEPS = 48, 96  # points of the chart, and samples of the move that it is drawn of
 NEVER, NEXT_CYCLE, NEAR = "never", 1e6, 1e-6  # NEAR in degrees
 PER_S2 = {"mm": 1000, "°": 10000}  # stiffness over inertia as entered, to 1/s²
@@ -195,9 +195,10 @@ def words(swing: Swing) -> dict[str, Any]:
 
 def page(sheet: Sheet, swing: Swing) -> None:
     """Declare what is entered of a load, what each move leaves, checks and chart."""
-    e, parts, unit, later = swing.entered, words(swing), swing.axis.given.unit, swing.later(swing.left)
-    rows, end = entry_cells(e, f"axes.{swing.i - 1}.vibration", unit=unit), 0 if unit == "mm" else -1
-    sheet.rows(*(q._replace(unit=q.unit.split(" or ")[end]) for q in rows))
+    e = swing.entered
+    parts, unit, later = words(swing), swing.axis.given.unit, swing.later(swing.left)
+    rows = entry_cells(e, f"axes.{swing.i - 1}.vibration", unit=unit)
+    sheet.rows(*(q._replace(unit=q.unit.split(" or ")[0 if unit == "mm" else -1]) for q in rows))
     cell, most = CELLS["results"].sharing(**parts), float(later.max())
     sheet.rows(
         cell("@natural", swing.natural, stiffness=f"@stiffness*{PER_S2[unit]}/@inertia"),

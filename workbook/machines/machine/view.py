@@ -241,12 +241,9 @@ def with_extremes(motion: Motion) -> Motion:
     if not any(phase.origin for phase in motion.phases):
         return motion
     pieces = motion_pieces(motion)
-
-    def of(k: int, phase: Phase) -> Phase:
-        if not phase.origin:
-            return phase
-        parts = tuple(piece for piece in pieces if piece.phase == k)
-        return MeasuredPhase(phase.law, phase.lift, phase.duration, phase.origin, parts)
-
-    phases = [of(k, phase) for k, phase in enumerate(motion.phases)]
+    phases = list(motion.phases)
+    for k, phase in enumerate(phases):
+        if phase.origin:
+            parts = tuple(piece for piece in pieces if piece.phase == k)
+            phases[k] = MeasuredPhase(phase.law, phase.lift, phase.duration, phase.origin, parts)
     return MeasuredMotion(phases, float(motion.edges[0]), motion.position)

@@ -91,6 +91,8 @@ def end_kinds(handover: AxisHandover) -> list[Quantity]:
     column = handover.columns(CELLS["end_kinds"])
     both = list(enumerate(WORDS))
 
+    kinds = [handover.spread([step.kinds[i] for step in handover.handed], "") for i, _ in both]
+
     def rates(name: str, order: int) -> list[Quantity]:
         values = [[(at.begin, at.end)[i][order] for at in handover.motion.ends] for i, _ in both]
         return [column(name, handover.spread(values[i]), order=order, i=i, end=end) for i, end in both]
@@ -108,10 +110,7 @@ def end_kinds(handover: AxisHandover) -> list[Quantity]:
         *rates("v{i}", 1),
         *rates("a{i}", 2),
         *(has(name, kinds, i) for i, _ in both for name, kinds in (("moves{i}", "GB"), ("bends{i}", "UB"))),
-        *(
-            column("{end}s", handover.spread([step.kinds[i] for step in handover.handed], ""), i=i, end=end)
-            for i, end in both
-        ),
+        *(column("{end}s", kinds[i], i=i, end=end) for i, end in both),
     ]
 
 
@@ -121,11 +120,6 @@ BENT_FROM = 5  # degree from which on the acceleration of a polynomial may bend
 def bends_name(handover: AxisHandover) -> str:
     """Return the name of the table of an axis."""
     return f"{handover.entries}_bends"
-
-
-def rows_of_phases(handover: AxisHandover) -> int:
-    """Return the number of rows for phases: each stands in every second row of the table of steps."""
-    return handover.room // 2
 
 
 def bend_angles(handover: AxisHandover) -> list[float]:
@@ -140,7 +134,7 @@ def bend_angles(handover: AxisHandover) -> list[float]:
             begin + span * share if 0.0 < share < 1.0 else TURN
             for begin, span, share in zip(begins, spans, shares, strict=True)
         ]
-        bends += filled(angles, rows_of_phases(handover), TURN)
+        bends += filled(angles, handover.room // 2, TURN)
     return bends
 
 
@@ -151,7 +145,7 @@ def bends_table(sheet: Sheet, handover: AxisHandover) -> None:
     W = −(B ± √(B² − 4 A C))/2.
     """
     column = handover.columns(CELLS["bends_table"])
-    room = rows_of_phases(handover)
+    room = handover.room // 2
     at = handover.rows.at
     phases = [step for _, step in handover.phases]
     size, angles = handover.motion.size(0), bend_angles(handover)

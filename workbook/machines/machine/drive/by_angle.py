@@ -71,7 +71,7 @@ def resisting(view: DriveView, steady: str, friction: str) -> str:
 def forces(view: DriveView) -> tuple[tuple[str, str], tuple[str, str]]:
     """Return the resisting torque at the axis without inertia, and the driving torque: formula and equation."""
     resists = f"={resisting(view, 'INDEX([@iv.steady],[iv])', 'INDEX([@iv.friction],[iv])')}"
-    viscous = f"+@viscous*{'[vs]' if view.slides else '[v]'}" if view.driven.entered.load.viscous is not None else ""
+    viscous = f"+@viscous*{'[vs]' if view.slides else '[v]'}" if view.is_viscous else ""
     if view.slides:
         return (resists, "dx/dψ F_r, without inertia"), (f"=[R]+[dx]*(@m*[as]{viscous})", "F_r + dx/dψ m ẍ")
     return (resists, "without inertia"), (f"=[R]+@m*[a]{viscous}", "F_r + m ÿ")

@@ -28,8 +28,11 @@ SHAFTS = ("motor", "mechanism")
 FALLS = "point {} at {} °, {} {} is not beyond the one before it, at {} °, {} {}"
 
 
-def linkage_of(given: kinds.MechanismEntry, unit: float) -> Linkage:
-    """Return the mechanism that is entered, of an axis in a unit. Raises ValueError for sizes that cannot be."""
+def changing_ratio(given: kinds.MechanismEntry, unit: float) -> Linkage | ByAngle:
+    """Return the entered mechanism of an axis in a unit, if its ratio changes or its slide follows the angle.
+
+    Raises ValueError for sizes that cannot be.
+    """
 
     def mm(*sizes: float | None) -> tuple[float, ...]:
         return tuple(si(size or 0.0, MM) for size in sizes)
@@ -45,14 +48,10 @@ def linkage_of(given: kinds.MechanismEntry, unit: float) -> Linkage:
         case kinds.CrankSlider():
             crank, rod, offset, start = mm(given.crank_radius, given.rod_length, given.offset, given.start)
             return crank_slider(crank, rod, offset, given.zero or "inner", given.branch or "ahead", start)
-    raise TypeError(f"linkage_of makes no linkage of a {given.kind}")
-
-
-def by_angle_of(given: kinds.MechanismEntry) -> ByAngle:
-    """Return a slide that follows the angle of its axis. Raises ValueError for sizes that cannot be."""
-    given = of_kind(kinds.PressCrank, given)
-    crank, rod, offset = (si(size, MM) for size in (given.crank_radius, given.rod_length, given.offset or 0.0))
-    return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
+        case kinds.PressCrank():
+            crank, rod, offset = mm(given.crank_radius, given.rod_length, given.offset)
+            return by_angle.PressCrank(crank, rod, offset, si(given.start_angle or 0.0, DEGREE))
+    raise TypeError(f"the ratio of a {given.kind} does not change")
 
 
 def turning(part: AxisPart, mechanism: int = 1) -> Part:
@@ -94,14 +93,16 @@ class Driven:
         self.motor = replace(self.motor_used.motor, falling=falling)
         self.left = left_of(entered.motor)
 
-        self.linkage = linkage_of(self.given, self.axis.unit) if self.given.kind in kinds.LINKED else None
-        self.by_angle: ByAngle | None = by_angle_of(self.given) if self.given.SLIDES else None
+        changing = changing_ratio(self.given, self.axis.unit) if self.given.LARGE else None
+        self.linkage = changing if isinstance(changing, Linkage) else None
+        self.by_angle = changing if isinstance(changing, ByAngle) else None
         if arm := load.arm:
             self.by_angle = Arm(arm.mass * machine.gravity * si(arm.radius, MM), si(arm.angle, DEGREE))
         # the load: with its axis, or as a slide
         self.travels = entered.unit == "mm" or self.given.SLIDES
-        bed = (self.given.belt_on_bed or 0.0) if isinstance(self.given, kinds.Belted) else 0.0
-        slide = Slide(load.mass, load.friction, radians(load.slope), load.force, machine.gravity, bed).load
+        bed = self.given.belt_on_bed if isinstance(self.given, kinds.Belted) else None
+        self.has_bed = bed is not None  # for a part of its belt to lie on
+        slide = Slide(load.mass, load.friction, radians(load.slope), load.force, machine.gravity, bed or 0.0).load
         turns = Load(si(load.inertia, KG_CM2), load.torque, load.friction_torque)
         self.load = slide if self.travels else turns
         self.parts = [turning(part, 1 + len(entered.stages)) for part in entered.parts]

@@ -6,13 +6,13 @@ from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.rows import filled
 from workbook.book.sentence import PLACES, Sentence, as_shown, figure
-from workbook.drive.entries import ALONE, BORED, GEARED, SIZED
 from workbook.entries.facts import entry_cells, table_of
+from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KG_CM2, shown
+from workbook.machines.machine import drive_entries
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.drive_entries import WINDOWS, AxisPart, ForceWindow, lacking
 from workbook.machines.machine.timing.phases import beyond, no_fault
 
 CELLS = cell_tables(__file__)
@@ -37,8 +37,8 @@ def parts_and_forces(sheet: Sheet, view: DriveView) -> None:
 def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
     """Declare the rotating parts."""
     cell = CELLS["parts"]
-    column = table_of(AxisPart).columns(driven.entered.parts, f"axes.{driven.number - 1}.parts", rows)
-    turned = driven.parts
+    column = table_of(drive_entries.AxisPart).columns(driven.entered.parts, f"axes.{driven.number - 1}.parts", rows)
+    turned, before = driven.parts, BEFORE.format("[all]=0")
     cell.place(
         sheet,
         column("name"),
@@ -47,8 +47,8 @@ def parts_table(sheet: Sheet, driven: Driven, rows: int) -> None:
         cell("one", filled([shown(p.inertia, KG_CM2) for p in turned], rows)),
         cell("speed", filled([p.speed_ratio for p in turned], rows, 1.0)),
         cell("all", filled([shown(p.reflected, KG_CM2) for p in turned], rows)),
-        cell("listed", so_far(parts_in_words(driven), rows), before=BEFORE.format("[all]=0"), places=PLACES),
-        rules=[SIZED, ALONE, BORED, GEARED],
+        cell("listed", so_far(parts_in_words(driven), rows), before=before, places=PLACES),
+        rules=[drive_entries.SIZED, drive_entries.ALONE, drive_entries.BORED, drive_entries.GEARED],
     )
 
 
@@ -96,7 +96,7 @@ def on_shaft(shaft: str) -> str:
 def loads(driven: Driven, key: str) -> list[Quantity]:
     """Return the entries of the load of this kind."""
     e, travels = driven.entered.load, driven.travels
-    rows = entry_cells(e, f"{key}.load", lacking(travels, e.viscous))
+    rows = entry_cells(e, f"{key}.load", drive_entries.lacking(travels, e.viscous))
     return [row._replace(unit=row.unit.split(" or ")[0 if travels else -1]) for row in rows]
 
 
@@ -110,23 +110,28 @@ def windows_table(sheet: Sheet, key: str, view: DriveView) -> None:
     found, unit = driven.windows, "N" if driven.travels else "Nm"
     start = over.degrees_formula("[start]")
     stop = f"MIN(360,{over.degrees_formula('[stop]')})" if over.measured else "[stop]"
-    column = table_of(ForceWindow).columns(driven.axis.typed.load.windows, f"{key}.load.windows", WINDOWS)
+    column = table_of(drive_entries.ForceWindow).columns(
+        driven.axis.typed.load.windows, f"{key}.load.windows", drive_entries.WINDOWS
+    )
     late = f"[axes_taken.late.{driven.number}]"
-    spans = [shown((w.end - w.begin), DEGREE) for w in found]
+    spans = [shown(w.end - w.begin, DEGREE) for w in found]
+    spans = [span + TURN * (span < 0) for span in spans]
+    rows, own = drive_entries.WINDOWS, {"format": over.format, "upper_limit": over.upper_limit}
+    listed, before = so_far(forces_in_words(driven), rows), BEFORE.format('[start]=""')
     cell = CELLS["windows"].sharing(start=start, unit=unit, late=late)
     cell.place(
         sheet,
-        column("start", place=over.unit, format=over.format, upper_limit=over.upper_limit),
-        column("stop", place=over.unit, source=over.entered_of, format=over.format, upper_limit=over.upper_limit),
+        column("start", place=over.unit, **own),
+        column("stop", place=over.unit, source=over.entered_of, **own),
         column("force", unit=unit),
         column("resists"),
-        cell("from", filled([w.start for w in driven.entered.load.windows], WINDOWS)),
-        cell("span", filled([span + (360 if span < 0 else 0) for span in spans], WINDOWS), stop=stop),
-        cell("always", filled([w.load.torque for w in found], WINDOWS)),
-        cell("moving", filled([w.load.friction for w in found], WINDOWS)),
+        cell("from", filled([w.start for w in driven.entered.load.windows], rows)),
+        cell("span", filled(spans, rows), stop=stop),
+        cell("always", filled([w.load.torque for w in found], rows)),
+        cell("moving", filled([w.load.friction for w in found], rows)),
         cell("b", view.edges[::2], scale=360.0),
         cell("e", view.edges[1::2], scale=360.0),
-        cell("listed", so_far(forces_in_words(driven), WINDOWS), before=BEFORE.format('[start]=""')),
+        cell("listed", listed, before=before),
         *([beyond(over)] if over.measured else []),
     )
 

@@ -44,6 +44,8 @@ FIXED = "Limits"  # the group above the charts
 REST = "*"
 
 Watched = tuple[Quantity, Limit]
+Row = tuple[str, dict[int, Quantity]]
+"""the label of a row, and its cells by their columns"""
 
 
 class Group(NamedTuple):
@@ -95,7 +97,7 @@ class FrontPage:
                 sheet.row = self.place_group(group, rows, sheet.row)
         sheet.heights |= {row: ROW for row in range(TOP, bottom) if row not in sheet.heights}
 
-    def place_group(self, group: Group, rows: Sequence[tuple[str, dict[int, Quantity]]], top: int) -> int:
+    def place_group(self, group: Group, rows: Sequence[Row], top: int) -> int:
         """Place a group at a row; return the row behind it."""
         ruled = range(group.side + 1, UNITS[LEFT] if group.side == LEFT else SAYS + 1)
         heads = dict.fromkeys(ruled, "") | {COLUMNS[head]: head for head in group.heads if head not in QUIET}
@@ -108,7 +110,7 @@ class FrontPage:
                 self.place_row(row, label, cells, group.side)
         return top + len(rows) + 1
 
-    def rows_of(self, group: Group) -> Iterator[tuple[str, dict[int, Quantity]]]:
+    def rows_of(self, group: Group) -> Iterator[Row]:
         """Yield the labels of a group's rows, with what the drive has of each by its column."""
         for row in group.rows:
             if REST in row.values():

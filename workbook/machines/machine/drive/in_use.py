@@ -101,7 +101,8 @@ def motor_in_use(axis: Axis, products: Products, limits: Limits) -> MotorInUse:
     speed = given.rated_speed or 0.0
     own = axis.motor.copper_losses
     losses = (given.copper_losses if own is None else own) or 0.0
-    used = rated * lasting, peak / limits.peak_reserve, fastest / limits.speed_reserve, stall, speed or fastest, speed
+    highest = rated * lasting, peak / limits.peak_reserve, fastest / limits.speed_reserve
+    used = *highest, stall, speed or fastest, speed
     built = (found.shaft or 0.0, found.mass or 0.0) if found else ()
     return MotorInUse(row, si(inertia, KG_CM2), *used, losses, si(losses, KW) / rated**2, *built)
 
@@ -125,8 +126,8 @@ def left_of(motor: AxisMotor) -> float:
 def reducer_in_use(axis: Axis, products: Products, limits: Limits) -> ReducerInUse:
     """Return the reducer of an axis, its peak torque over the factor; one of ratio 1 where nothing is entered."""
     row, found = find_product(products.reducers, axis.reducer.name)
-    used = found or axis.reducer
-    ratio, peak = (found.reduction, found.max_torque) if found else (axis.reducer.ratio, axis.reducer.peak_torque)
+    given, used = axis.reducer, found or axis.reducer
+    ratio, peak = (found.reduction, found.max_torque) if found else (given.ratio, given.peak_torque)
     return ReducerInUse(
         row,
         ratio,
@@ -148,7 +149,8 @@ def entries(driven: "Driven", key: str) -> list[Quantity]:
     rows = list[Quantity]()
     products: dict[str, AxisMotor | Reducer] = {"motor": driven.entered_motor, "reducer": axis.reducer}
     for kind, entered in products.items():
-        rows.append(cell("@{kind}_name", entered.name or None, kind=kind, product=kind.capitalize(), key=key))
+        parts = {"kind": kind, "product": kind.capitalize(), "key": key}
+        rows.append(cell("@{kind}_name", entered.name or None, **parts))
         figures = entry_cells(entered, f"{key}.{kind}")
         rows += [q._replace(grey=f"@{kind}_row>0") if q.name.startswith("@own_") else q for q in figures]
     return [*rows, *entry_cells(axis.limits, f"{key}.limits")]

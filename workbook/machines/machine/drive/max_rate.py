@@ -6,17 +6,8 @@ With T_s the torque at standstill and I = T − T_s, a rate of √x times the pr
 import math
 from collections.abc import Iterable, Sequence
 
+from engine.drive import rate_estimates
 from engine.drive.limits import CREEP_RATE, CYCLES, PEAK_TORQUE, REDUCER_TORQUE
-from engine.drive.rate_estimates import (
-    LEAST_USE,
-    NO_LIMIT,
-    SPEEDS,
-    Ends,
-    continuous_line,
-    growth_power,
-    mean_squares,
-    mean_torque_line,
-)
 from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Quantity, Sheet
 from workbook.book.sentence import CheckSentence, Sentence, amount, around
@@ -33,7 +24,7 @@ ABOUT = (
     "torque is T_s + x I; of each limit, 1/x is the share that grows so and is used. T_rms is at its limit where "
     "A_s + 2 B_s x + C_s x² = (M − ΔM √x)², with √x ≤ (x_s + x/x_s)/2."
 )
-MEETS = (PEAK_TORQUE, REDUCER_TORQUE, CYCLES)  # the limits of torques at points
+MEETS = (PEAK_TORQUE, REDUCER_TORQUE, CYCLES)  # of torques at points
 RATE_LOOK = "0.0##;-0.0##;0"
 """the format of an end of a range: from standstill on it is 0"""
 RANGE_END = 0.0499
@@ -97,12 +88,13 @@ def means(view: DriveView) -> list[Quantity]:
     """Return the rows of the means that the rates depend on, and of the line of the continuous torque."""
     cell = CELLS["means"].sharing(**view.parts)
     points, size = view.points, view.scales.torque**2
-    own, mixed, growing = mean_squares(points)
-    (stall, _, _, half, left, square), fall, near = continuous_line(points, view.driven.motor)
+    own, mixed, growing = rate_estimates.mean_squares(points)
+    (stall, _, _, half, left, square), fall, near = rate_estimates.continuous_line(points, view.driven.motor)
     most = size + stall**2
+    speed = "[@pt.vs]" if view.slides else "[@pt.v]"
     behind = view.driven.reducer.mean_torque
     behind = 0.0 if math.isinf(behind) else behind
-    mean, most_behind = mean_torque_line(points, behind), view.scales.behind**2 + behind**2
+    mean, most_behind = rate_estimates.mean_torque_line(points, behind), view.scales.behind**2 + behind**2
     return [
         cell("@stand", own, scale=size),
         cell("@mixed", mixed, scale=size),
@@ -120,39 +112,32 @@ def means(view: DriveView) -> list[Quantity]:
         cell("@left_s", mean.left, scale=most_behind),
         cell("@square_s", mean.square, scale=most_behind**2),
         cell("@root_s", math.sqrt(max(0.0, mean.square)), scale=most_behind),
-        cell("@least_use", LEAST_USE),
-        *([growth(view)] if is_viscous(view) else []),
+        cell("@least_use", rate_estimates.LEAST_USE),
+        *([cell("@growth", rate_estimates.growth_power(view.search.points), speed=speed)] if view.is_viscous else []),
     ]
-
-
-def is_viscous(view: DriveView) -> bool:
-    """Return whether a drive has a cell for viscous friction."""
-    return view.driven.entered.load.viscous is not None
-
-
-def growth(view: DriveView) -> Quantity:
-    """Return the row of the power of the rate with which torques grow in estimates."""
-    speed = "[@pt.vs]" if view.slides else "[@pt.v]"
-    return CELLS["growth of a viscous load"]("@growth", growth_power(view.search.points), speed=speed)
 
 
 SHARES = {"forward": "forward", "backward": "backward", "from": "from_forward", "from_back": "from_backward"}
 """the fields of an estimate, by their columns"""
+LEVEL = {"limit": math.inf} | dict.fromkeys(SHARES.values(), 0.0)
 
 
 def estimates_table(sheet: Sheet, view: DriveView) -> None:
     """Declare the table of the estimated rates of each limit."""
     names, search = names_of(view), view.search
     estimates = [search.estimates.get(name, search.estimates[PEAK_TORQUE]._replace(**LEVEL)) for name in names]
-    estimated = [search.estimated.get(name, Ends(0.0, math.inf)) for name in names]
+    estimated = [search.estimated.get(name, rate_estimates.Ends(0.0, math.inf)) for name in names]
     _, limits, stands, *shares = (column[: len(names)] for column in LIMITS.values())
 
     def in_units(values: Iterable[float]) -> list[float]:
         each = [0.0 if math.isinf(value) else value for value in values]
-        return [shown(value, RPM) if name in SPEEDS else value for name, value in zip(names, each, strict=True)]
+        return [
+            shown(value, RPM) if name in rate_estimates.SPEEDS else value
+            for name, value in zip(names, each, strict=True)
+        ]
 
     limit = in_units(estimate.limit for estimate in estimates)
-    root = "{}^(1/@growth)" if is_viscous(view) else "SQRT({})"
+    root = "{}^(1/@growth)" if view.is_viscous else "SQRT({})"
     speed, torque = (f'IF([most]<=@least_use,"{NOT_REACHED}",@rate/{of.format("[most]")})' for of in ("SQRT({})", root))
     cycles = (
         f'IF(AND([most]<=@least_use,[stands]<[cap]),"{NOT_REACHED}",'
@@ -165,7 +150,7 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
         sheet,
         cell("name", names),
         cell("limit", limit, limit_of=limits),
-        cell("cap", [each or NO_LIMIT for each in limit]),
+        cell("cap", [each or rate_estimates.NO_LIMIT for each in limit]),
         cell("stands", in_units(estimate.standing for estimate in estimates), standing=stands),
         *(
             cell(name, [getattr(estimate, field) for estimate in estimates], share=cells, scale=1.0)
@@ -175,7 +160,7 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
         cell(
             "rate",
             [as_rate(estimate.high) for estimate in estimated],
-            up_to=[cycles if name == CYCLES else speed if name in SPEEDS else torque for name in names],
+            up_to=[cycles if name == CYCLES else speed if name in rate_estimates.SPEEDS else torque for name in names],
         ),
         cell(
             "low",
@@ -183,9 +168,6 @@ def estimates_table(sheet: Sheet, view: DriveView) -> None:
             since=["0+0" if name == CYCLES else since for name in names],
         ),
     )
-
-
-LEVEL = {"limit": math.inf, "forward": 0.0, "backward": 0.0, "from_forward": 0.0, "from_backward": 0.0}
 
 
 def as_rate(rate: float, none: str = NOT_REACHED) -> float | str:
@@ -221,7 +203,8 @@ def longer_moves(view: DriveView, held: str) -> tuple[Quantity, ...]:
     decimals, half = (3, 4.9e-4) if over.measured else (0, 0.49)  # rounded up
     least = f"{round(needed + half, decimals):.15g}{over.after}"
     words = f", or with moves of about {least} in all" if 0.0 < needed <= over.length else ""
-    cell, taken = CELLS["range_results"].sharing(over=over, half=half, decimals=decimals), f"axis{axis.number}_taken"
+    cell = CELLS["range_results"].sharing(over=over, half=half, decimals=decimals)
+    taken = f"axis{axis.number}_taken"
     turned = over.shown_formula(f"SUMPRODUCT([{taken}.span]*([{taken}.h]<>0))*180/PI()")
     return (
         cell("@moved", moved, turned=turned),

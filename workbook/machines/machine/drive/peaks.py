@@ -57,7 +57,8 @@ class Peaks:
     @cached_property
     def again(self) -> dict[Key, Peak]:
         """The second look at torques and powers."""
-        there, found = self.worked_out((first.at, first.offset) for first in self.beside_points.values()), {}
+        there = self.worked_out((first.at, first.offset) for first in self.beside_points.values())
+        found = {}
         for row, ((name, way, _), first) in enumerate(self.beside_points.items()):
             if name != "n":
                 found[name, way, 2] = second_look(first, float(way * PEAKED[name](there)[row, 0]))
@@ -97,9 +98,10 @@ class Peaks:
     def tops(self) -> dict[Key, float]:
         """The larger of each peak and of its point, or of the first look; −1 times the lowest."""
         found: dict[Key, float] = {}
-        for row, ((name, way, rank), (at, _)) in enumerate(self.places.items()):
-            before = found[name, way, 1] if (name, way, rank) in self.again else self.upward(name, way).flat[at]
-            found[name, way, rank] = max(float(before), float(way * PEAKED[name](self.there)[row, 0]))
+        for row, (key, (at, _)) in enumerate(self.places.items()):
+            name, way, _ = key
+            before = found[name, way, 1] if key in self.again else self.upward(name, way).flat[at]
+            found[key] = max(float(before), float(way * PEAKED[name](self.there)[row, 0]))
         return found
 
     def top(self, name: str, way: int = 1) -> float:

@@ -4,6 +4,7 @@ Intervals are pieces of its motion, cut where a process force begins or ends and
 those of the rule of Gauss and Lobatto: both ends and seven between, each with what it counts in a mean.
 """
 
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from workbook.entries.abscissa import ANGLE
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, RPM, shown
 from workbook.machines.machine.boundary.curves import bends_name
-from workbook.machines.machine.drive import brake, by_angle, other_rates, stages
+from workbook.machines.machine.drive import by_angle, torques
 from workbook.machines.machine.drive.entered import ACTS
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.peaks import PEAK_UNITS
@@ -42,9 +43,9 @@ def points_table(sheet: Sheet, view: DriveView) -> None:
         cell("w", list(WEIGHTS) * view.rows),
         *chain(view, "=INDEX([@iv.begin],[iv])+[s]*INDEX([@iv.len],[iv])"),
         cell("share", view.by_point(view.load.share, 0.0), scale=1.0),
-        *other_rates.standing(view),
-        *other_rates.at_another_rate(view, stages.TRIED),
-        *other_rates.at_another_rate(view, stages.CREEPING),
+        *torques.standing(view),
+        *torques.at_another_rate(view, torques.TRIED),
+        *torques.at_another_rate(view, torques.CREEPING),
         blank="[share]=0",
     )
 
@@ -58,12 +59,14 @@ def tops_table(sheet: Sheet, view: DriveView) -> None:
     for key in peaks.places:
         name, way, _ = key
         row = f"{first[name, way, 1]}" if key in peaks.again else "same"
-        before = f"[@tops.top.{row}]" if key in peaks.again else "[@peaks.y.same]"
-        place = f"again.place.{list(peaks.again).index(key) + 1}" if key in peaks.again else "peaks.place.same"
+        before, place = "[@peaks.y.same]", "peaks.place.same"
+        if key in peaks.again:
+            before, place = f"[@tops.top.{row}]", f"again.place.{list(peaks.again).index(key) + 1}"
         at.append(f"[@peaks.at.{row}]")
         formulas.append(f"={'MAX' if way > 0 else 'MIN'}({before},[{name}])")
         places.append(f"=[@{place}]+0")
-    size = max(view.scales.torque, view.scales.behind, view.scales.power, view.scales.rpm if view.varies else 0.0)
+    scales = view.scales
+    size = max(scales.torque, scales.behind, scales.power, scales.rpm if view.varies else 0.0)
     cell.place(
         sheet,
         cell("iv", (there.numbers.ravel() + 1).tolist(), at=at),
@@ -77,10 +80,11 @@ def chain(view: DriveView, place: str | list[str]) -> list[Quantity]:
     cell = CELLS["chain"].sharing(**view.parts)
     load, points = view.load, view.points
     (resists, without), (drives, equation) = by_angle.forces(view)
-    between = stages.between(view.driven)
-    motor_ratio, (inertia, motor_inertia) = f"@i1{between}*[g]" if view.varies else "@i", other_rates.by_inertia(view)
-    before, output = stages.output(view, load.shaft_torques, other_rates.behind(view), inertia)
-    of, axis, unit = view.by_point, view.driven.axis, other_rates.driven_unit(view)
+    between = torques.between(view.driven)
+    motor_ratio = f"@i1{between}*[g]" if view.varies else "@i"
+    (inertia, motor_inertia) = torques.by_inertia(view)
+    before, output = torques.output(view, load.shaft_torques, torques.behind(view), inertia)
+    of, axis, unit = view.by_point, view.driven.axis, torques.driven_unit(view)
     linked, position = list[Quantity](), list[Quantity]()
     if view.varies:
         linked = LINKAGES[view.driven.given.kind].ratios(view.driven, load.position, of)
@@ -98,8 +102,8 @@ def chain(view: DriveView, place: str | list[str]) -> list[Quantity]:
         cell("F", of(load.force), unit=unit, formula=drives, source=equation),
         *before,
         cell("S", of(load.output_torque), output=output),
-        *(brake.of_points(view) if view.brakes else ()),
-        cell("T", of(points.torque), held=brake.holding(view), own_inertia=motor_inertia),
+        *(torques.braked_columns(view) if view.brakes else ()),
+        cell("T", of(points.torque), held=torques.brake_holds(view), own_inertia=motor_inertia),
         cell("n", of(shown(points.speed, RPM)), ratio=motor_ratio),
         cell("P", of(shown(points.power, KW))),
     ]
@@ -114,14 +118,15 @@ def motion(view: DriveView, place: str | list[str]) -> list[Quantity]:
     local = load.x - np.array([piece.begin for piece in pieces])[numbers]
     sines = np.array([piece.sines for piece in pieces])[numbers[:, 0]]
     angles = [sines[:, k, 1, None] * local + sines[:, k, 2, None] for k in range(len(rows.marks))]
-    cell = CELLS["motion"].sharing(base=base)
+    cell = CELLS["motion"].sharing(base=base, not_zero=NOT_ZERO)
+    fastest, hardest = max(axis.max_velocity, 1e-9), max(axis.max_acceleration, 1e-9)
     return [
         cell("theta", of(shown(load.x, DEGREE)), formula=place, **PLACE),
         cell("q", of(numbers + 1.0)),
-        cell("u", of(local + LEAST), begins=rows.at.named("at"), not_zero=NOT_ZERO, source=FROM_START),
+        cell("u", of(local + LEAST), begins=rows.at.named("at"), source=FROM_START),
         *arguments(rows, "", "[q]", [of(angle) for angle in angles]),
-        cell("v", of(load.velocity), sampled=at_sample(rows, 1), scale=max(axis.max_velocity, 1e-9)),
-        cell("a", of(load.acceleration), sampled=at_sample(rows, 2), scale=max(axis.max_acceleration, 1e-9)),
+        cell("v", of(load.velocity), sampled=at_sample(rows, 1), scale=fastest),
+        cell("a", of(load.acceleration), sampled=at_sample(rows, 2), scale=hardest),
     ]
 
 
@@ -131,41 +136,33 @@ LENGTH = "[len]<eps"  # the condition of a spare row: an interval of no length
 
 def cuts_table(sheet: Sheet, view: DriveView) -> None:
     """Declare where an interval can begin: at the motion's pieces, at edges of process forces, and where it turns."""
-    table = f"axis{view.driven.number}_pieces"
+    cell, near, steps = CELLS["cuts"], view.tables.machine.near, range(1, view.steps)
     pieces = filled([shown(piece.begin, DEGREE) for piece in view.cycle.pieces], view.room, TURN)
-    steps = range(1, view.steps)
-    turning = range(1, view.turn_rows + 1)
-    bent = range(1, len(view.bends) // 2 + 1)
     turned = filled([shown(turn.at, DEGREE) for turn in view.turns[: view.turns_cut]], view.turn_rows, TURN)
-    edges = [*pieces, *view.edges, *(TURN * n / view.steps for n in steps), *turned, *view.bends]
-    windows = [0] * view.room + [n for n in range(1, WINDOWS + 1) for _ in (1, 2)] + [-n for n in steps]
-    sides = [0] * view.room + [side for _ in range(WINDOWS) for side in (1, 2)] + [0 for _ in (*steps, *turning)]
-    turns = [0] * len(windows) + list(turning)
-    edge = f"IF([window]=0,INDEX([{table}.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
-    near = view.tables.machine.near
+    ends_of_windows = product(range(1, WINDOWS + 1), (1, 2))
+    bends = product((1, 2), range(1, len(view.bends) // 2 + 1))
+    rows = [(0, 0, 0, 0, at) for at in pieces]
+    rows += [(n, side, 0, 0, at) for (n, side), at in zip(ends_of_windows, view.edges, strict=True)]
+    rows += [(-n, 0, 0, 0, TURN * n / view.steps) for n in steps]
+    rows += [(0, 0, n, 0, at) for n, at in enumerate(turned, 1)]
+    rows += [(0, side, 0, n, at) for (side, n), at in zip(bends, view.bends, strict=True)]
+    windows, sides, turns, phases, edges = map(list, zip(*rows, strict=True))
+    edge = f"IF([window]=0,INDEX([axis{view.driven.number}_pieces.begin],[k]),INDEX([@windows.b:e],[window],[side]))"
     kept = [
         TURN if at > TURN - near or any(abs(at - edge) < near for edge in edges[:k]) else at
         for k, at in enumerate(edges)
     ]
-    if view.steps > 1:
+    if steps:
         edge = f"IF([window]<0,0-[window]*360/{view.steps},{edge})"
     edge = f"IF([turn]>0,INDEX([@turns.at],MAX([turn],1)),{edge})"
-    bends = []
     if ends := view.tables.ends:
         edge = f"IF([bend]>0,INDEX([{bends_name(ends)}.at0:at1],MAX([bend],1),[side]),{edge})"
-        phases = [0] * len(turns) + [*bent, *bent]
-        bends = [CELLS["cuts"]("bend", phases)]
-    cell = CELLS["cuts"]
     cell.place(
         sheet,
-        cell(
-            "window",
-            filled(windows, len(edges), 0),
-            source="below 0: the number of an even step" if view.steps > 1 else "",
-        ),
-        cell("side", [*sides, *(1 for _ in bent), *(2 for _ in bent)]),
-        cell("turn", filled(turns, len(edges), 0)),
-        *bends,
+        cell("window", windows, source="below 0: the number of an even step" if steps else ""),
+        cell("side", sides),
+        cell("turn", turns),
+        *([cell("bend", phases)] if ends else []),
         cell("edge", edges, edge=edge, **PLACE),
         cell("at", kept, **PLACE),
     )
@@ -178,7 +175,7 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
     low, high, middles = (
         np.array([getattr(interval, name) for interval in found]) for name in ("begin", "end", "middle")
     )
-    unit = "N" if view.driven.travels else "Nm"
+    unit, middle = "N" if view.driven.travels else "Nm", shown(middles, DEGREE)
     steady, friction = cycle.levels
     at = f"([mid]+[axes_taken.late.{i}])"
     speed = f"INDEX([@pt.v],{POINTS}*[k]-{POINTS - MIDDLE})"
@@ -187,11 +184,11 @@ def intervals_table(sheet: Sheet, view: DriveView) -> None:
         cell("begin", filled(shown(low, DEGREE), rows, TURN), **PLACE),
         cell("end", filled(shown(high, DEGREE), rows, TURN), **PLACE),
         cell("len", filled(shown(high - low, DEGREE), rows), **PLACE),
-        cell("mid", view.by_interval(shown(middles, DEGREE)), length=LENGTH, **PLACE),
-        cell("at", view.by_interval((shown(middles, DEGREE) + view.driven.axis.given.shift) % TURN), at=at, **PLACE),
+        cell("mid", view.by_interval(middle), length=LENGTH, **PLACE),
+        cell("at", view.by_interval((middle + view.driven.axis.given.shift) % TURN), at=at, **PLACE),
         cell("q", filled([interval.piece + 1 for interval in found], rows, found[-1].piece + 1)),
         cell("dir", view.by_interval(cycle.direction), length=LENGTH, speed=speed),
-        *(brake.of_intervals(view, LENGTH) if view.brakes else ()),
+        *(torques.dwell_columns(view, LENGTH) if view.brakes else ()),
         cell("steady", view.by_interval(steady), unit=unit, acts=ACTS),
         cell("friction", view.by_interval(friction), unit=unit, acts=ACTS),
         blank=LENGTH,

@@ -11,7 +11,7 @@ from workbook.book.sentence import as_shown_formula as rounding
 from workbook.fields.types import DesignError
 from workbook.fields.units import MM, shown
 from workbook.law_sheets.library import laws
-from workbook.machines.machine.drive.driven import FALLS, by_angle_of, linkage_of
+from workbook.machines.machine.drive.driven import FALLS, changing_ratio
 from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
@@ -83,7 +83,7 @@ def size_fault(given: MechanismEntry, unit: str) -> str:
                 return FALLS.format(row, angle, position, unit, low, lowest, unit)
         return ""
     try:
-        _ = by_angle_of(given) if given.SLIDES else linkage_of(given, MM)
+        _ = changing_ratio(given, MM)
     except ValueError:
         return given.APART
     return ""
@@ -100,7 +100,8 @@ def require_mechanisms(machine: AnyMachine) -> None:
         where, large = f"axes.{axis.number - 1}.mechanism", given.model_dump() | given.LARGE
         if problem := size_fault(given, axis.given.unit):
             raise DesignError(where, problem, large)
-        if not given.SLIDES and (problem := beyond_reach(axis, linkage_of(given, axis.unit))):
+        linkage = changing_ratio(given, axis.unit)
+        if isinstance(linkage, Linkage) and (problem := beyond_reach(axis, linkage)):
             raise DesignError(where, problem, large)
 
 

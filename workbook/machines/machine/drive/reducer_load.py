@@ -8,7 +8,7 @@ Source: S5, 'Model of dynamic system', squared; its step 7 for η and J_T.
 from engine.selection.point_load import PointLoad
 from workbook.book.cell_tables import cell_tables, formulas_by_row
 from workbook.book.declare import Sheet
-from workbook.machines.machine.drive import stages
+from workbook.machines.machine.drive import torques
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.view import DriveView
 from workbook.selection.pair_selection import NO_LIMIT, Shaft, load_figures, shaft_figures
@@ -59,7 +59,7 @@ def means(sheet: Sheet, view: DriveView) -> None:
     sheet.rows(
         *(cell(f"@ask_{name}", figures[name][0], scale=figures[name][1], **of) for name, of in parts.items()),
         cell("@ask_turns", turns_of(view), turns=f"{turns}1" if view.varies or between else "@i2+0"),
-        cell("@ask_inertia", figures["inertia"][0], inertia=stages.inertia(view.driven)),
+        cell("@ask_inertia", figures["inertia"][0], inertia=torques.inertia(view.driven)),
         cell("@ask_beside", view.driven.beside_motor, on_shaft=on_shaft("motor")),
     )
 

@@ -8,31 +8,29 @@ import numpy as np
 from engine.drive.drive_points import stated_bounds
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Book, Quantity, Sheet
-from workbook.book.sentence import CheckSentence, Sentence, amount, as_shown
+from workbook.book.sentence import CheckSentence, Sentence, amount, as_shown, quoted
 from workbook.drive import motor
 from workbook.entries.facts import table_of
 from workbook.fields.texts import sheet_title
 from workbook.fields.units import KG_CM2, KW, PER_RPM, RPM, shown
 from workbook.machines.machine.drive import (
-    brake,
     by_angle,
     in_use,
     max_rate,
     points,
     rates_between,
     reducer_load,
-    stages,
+    torques,
 )
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.entered import listed, loads, parts_and_forces, windows_check
 from workbook.machines.machine.drive.front_page import NAMED, RIGHT, FrontPage
 from workbook.machines.machine.drive.mechanisms import LINKAGES, page
 from workbook.machines.machine.drive.reach import linkage_checks, reach_table
-from workbook.machines.machine.drive.turns import turns_check, turns_table
 from workbook.machines.machine.drive.view import DriveView
-from workbook.machines.machine.drive.workings import again_table, peaks_table, workings
+from workbook.machines.machine.drive.workings import again_table, peaks_table, turns_check, turns_table, workings
 from workbook.machines.machine.entries import Axis
-from workbook.machines.machine.mechanism import SCREWS
+from workbook.machines.machine.mechanism import ON_BED, SCREWS
 from workbook.selection.catalogue import FULL_CYCLES
 
 CELLS = cell_tables(__file__)
@@ -53,8 +51,8 @@ def drive_sheet(book: Book, view: DriveView) -> None:
     sheet.called = driven.called
     with sheet.scoped(f"drive{driven.number}_"):
         judged = checks(view)
-        quantities = [*entries(driven), *in_use.figures(driven), *at_rate(view), *outcome(view), *uses(view)]
-        quantities += listed(driven)
+        quantities = [*entries(driven), *in_use.figures(driven), *at_rate(view), *outcome(view)]
+        quantities += [*uses(view), *listed(driven)]
         front = FrontPage(sheet, [*quantities, *judged])
         front.place(points.charts(view))
         parts_and_forces(sheet, view)
@@ -125,7 +123,7 @@ def entries(driven: Driven) -> list[Quantity]:
         entry("@method"),
         *loads(driven, key),
         *in_use.entries(driven, key),
-        *stages.entries(driven, key),
+        *torques.stage_entries(driven, key),
     ]
 
 
@@ -141,25 +139,21 @@ def outcome(view: DriveView) -> list[Quantity]:
     """Return the results: torques, speeds, energies that the cycle asks of the motor, and the range of rates."""
     driven, at, rows = view.driven, view.points, view.peaks.rows
     reducer, own, bound = view.reducer_checks, driven.entered.rate, stated_bounds(driven.train)
-    inertias = np.array(
-        [driven.motor_used.inertia, driven.reducer.inertia, driven.beside_motor, reducer_load.behind_reducer(view)]
-    )
+    beside = driven.motor_used.inertia, driven.reducer.inertia, driven.beside_motor
+    inertias = np.array([*beside, reducer_load.behind_reducer(view)])
     fastest = (
         "=MAX([@tops.top.7],[@tops.top.9],0-[@tops.top.8],0-[@tops.top.10])"
         if view.varies
         else "=ABS(@i)*@vmax*@omega*60/(2*PI())"
     )
+    sum_of = "the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts"
     damped = "" if view.varies or driven.by_angle else UNDAMPED
     speed = f"i_1 φ' ẏ, {to(bound.speed)}" if view.varies else "C_v h/t, through the ratio"
-    cell = CELLS["outcome"].sharing(**view.parts, inertia=stages.inertia(driven))
+    cell = CELLS["outcome"].sharing(**view.parts, inertia=torques.inertia(driven))
     return [
         cell("@sized", OWN if own else MACHINES, machines=MACHINES, own=OWN),
         cell("@rate", view.rate),
-        cell(
-            "@jtot",
-            shown(view.inertia, KG_CM2),
-            source="the largest over the stroke" if view.varies or view.slides else "Σ J/i², load and parts",
-        ),
+        cell("@jtot", shown(view.inertia, KG_CM2), source=sum_of),
         cell("@inertias", view.inertia_ratio),
         cell("@j_all", shown(driven.motor_used.inertia + view.inertia, KG_CM2)),
         cell("@j_figures", Sentence(" + ".join(map(as_shown, shown(inertias, KG_CM2))))),
@@ -206,7 +200,7 @@ def energies(view: DriveView) -> list[Quantity]:
         cell("@power", mean, source=to(bound.mean_power, "the peak")),
         cell("@pmax", shown(max(0.0, view.peaks.top("P")), KW), source=to(bound.peak_power), row=rows["P", 1, 2]),
         cell("@pmin", lowest, bound=to(bound.peak_power, "the larger"), row=rows["P", -1, 2]),
-        *([brake.torque(view)] if view.brakes else []),
+        *([cell("@brake_load", view.points.brake_torque)] if view.brakes else []),
     ]
 
 
@@ -255,10 +249,10 @@ def checks(view: DriveView) -> list[Quantity]:
         motor.inertia_check(called, "@inertias", "@inertia_ratio", view.inertia_ratio, most, heavier),
         *motor.pair_checks(called, built.shaft, reducer.hub, mass, driven.limits.largest_mass),
         turns_check(view),
-        *([brake.holds(view)] if view.brakes else []),
+        *([cell.limit("@ok_brake", view.points.brake_torque, driven.brake.torque)] if view.brakes else []),
         *in_use.checks(called),
-        *stages.checks(driven),
-        *page.on_bed(driven),
+        *torques.stage_checks(driven),
+        *([cell("@ok_bed", True, says=quoted(ON_BED))] if driven.has_bed else []),
         motor.below_curve(called, driven.motor.falling.fall, view.spare, mends) if view.knows_falling else level,
         *([windows_check(view)] if view.tables.machine.over.measured else ()),
         *(linkage_checks(view) if view.varies else ()),

@@ -61,11 +61,6 @@ def count_steps(rate: float) -> float:
     return 10.0 ** (3 - math.floor(math.log(rate * (1.0 + ZERO)) / math.log(10.0)))
 
 
-def round_down(rate: float) -> float:
-    """Return a highest rate (cycles/min) as sheets state it: never above it but by a rounding."""
-    return math.floor(rate * count_steps(rate) * (1.0 + ZERO)) / count_steps(rate)
-
-
 class Scales(NamedTuple):
     """The largest sizes of quantities of a drive, by which deviations are measured, in the units of its sheet."""
 
@@ -84,8 +79,9 @@ class DriveView:
     Of the table of intervals it has the ``rows``: of pieces of the motion (their ``room``), cut at edges of process
     forces and at even ``steps`` of the cycle. The load of one that ``slides`` travels while its axis turns; the ratio
     of one that ``varies`` depends on the position; the figures of the brake are known of one that ``brakes``; the
-    points of one ``for_selection`` are on that sheet. ``rate`` is the one that it is sized at (cycles/min). A view
-    ``like`` another is of the same load behind another motor or reducer.
+    points of one ``for_selection`` are on that sheet; one that ``is_viscous`` has a cell for viscous friction. ``rate``
+    is the one that it is sized at (cycles/min), ``slow`` that at which it creeps, over it. A view ``like`` another is
+    of the same load behind another motor or reducer.
     """
 
     def __init__(self, tables: AxisTables, driven: Driven, like: "DriveView | None" = None) -> None:
@@ -95,13 +91,16 @@ class DriveView:
         self.rows = self.room + self.steps - 1
         self.slides, self.varies = driven.given.SLIDES, driven.linkage is not None
         self.brakes = driven.entered.motor is not None and driven.entered.motor.brake is not None
+        self.is_viscous = driven.entered.load.viscous is not None
+        self.slow = creep_factor(driven.drive_cycle.time)
+        self.creeps_loaded = machine.creep_forces == "on"  # by its process forces
         self.knows_falling = machine.selection.knows_falling
         self.for_selection = machine.selection.axis is not None
         self.rate = machine.per_minute if own is None else own
         self.time = driven.drive_cycle.time  # of a cycle (s)
         self.cycles = shown(1.0 / self.time, PER_HOUR)  # an hour
         pieces, near = list(tables.pieces.pieces), tables.axis.motion.tolerance
-        self.turn_rows, found = machine.sizes.turns, tables.turning.turns
+        self.turn_rows, found = machine.sizes.turns, tables.turns
         # where accelerations are cut (°); 360: nowhere
         self.bends = bend_angles(tables.ends) if tables.ends else []
         bent = sum(step.mode >= BENT_FROM for _, step in tables.ends.phases) if tables.ends else 0
@@ -122,16 +121,6 @@ class DriveView:
         """The search of the rates that hold all limits."""
         driven, peaks = self.driven, (self.peaks.size("T"), self.peaks.size("S"))
         return RateSearch(self.points, self.speed, driven.motor, driven.reducer.limits, 1.0 / self.time, peaks)
-
-    @property
-    def slow(self) -> float:
-        """The rate at which it creeps over the one that it is sized at."""
-        return creep_factor(self.time)
-
-    @property
-    def creeps_loaded(self) -> bool:
-        """Whether process forces act while it creeps."""
-        return self.tables.machine.given.creep_forces == "on"
 
     @cached_property
     def creeping(self) -> DrivePoints:
@@ -213,8 +202,8 @@ class DriveView:
     @property
     def reserve(self) -> Reserve:
         """The largest figures of a cycle, each with its limit."""
-        points = self.points
-        return reserve(self.driven.motor, points.rms_torque, self.peaks.size("T"), self.speed, points.mean_speed)
+        points, peak = self.points, self.peaks.size("T")
+        return reserve(self.driven.motor, points.rms_torque, peak, self.speed, points.mean_speed)
 
     @property
     def reducer_checks(self) -> tuple[LimitCheck, LimitCheck, LimitCheck]:
@@ -243,7 +232,9 @@ class DriveView:
         rates = Rates.of(self.search.range)
         if isinstance(rates.high, str):
             return rates
-        return rates._replace(high=max(self.rate * self.search.holds, round_down(rates.high)))
+        steps = count_steps(rates.high)
+        high = math.floor(rates.high * steps * (1.0 + ZERO)) / steps  # never above it but by a rounding
+        return rates._replace(high=max(self.rate * self.search.holds, high))
 
     @property
     def spare(self) -> float:

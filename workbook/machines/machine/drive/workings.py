@@ -1,8 +1,8 @@
-"""The workings of a drive's sheet: the chain in S1's terms, and peaks over the cycle.
+"""The workings of a drive's sheet: the chain in S1's terms, peaks over the cycle, and where it turns round.
 
 A peak is the largest at a point, or where the parabola through that and its neighbours has its top: there the drive is
 worked out once more. Where a piece's acceleration only rises or only falls, torques of a constant ratio are largest at
-a point itself.
+a point itself. Inside a piece of its motion the drive may turn round: friction and losses change sides there.
 """
 
 import numpy as np
@@ -11,19 +11,26 @@ from engine.drive.chain import held_factor
 from engine.drive.drive_points import Peak
 from engine.drive.mechanisms.by_angle import Arm
 from engine.drive.quadrature import STANDSTILL
+from engine.drive.turning import PARTS
 from engine.laws.base import Array
 from engine.laws.points import POINTS
 from workbook.book.cell_tables import CellTable, cell_tables
 from workbook.book.declare import Quantity, Sheet
+from workbook.book.rows import LEAST, NOT_ZERO, filled
+from workbook.book.sentence import CheckSentence, sentence_formula
+from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, shown
-from workbook.machines.machine.drive import brake, stages
+from workbook.machines.machine.boundary.curves import BENT_FROM, bends_name
+from workbook.machines.machine.drive import torques
 from workbook.machines.machine.drive.entered import on_shaft
 from workbook.machines.machine.drive.peaks import PEAK_UNITS, Key
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.mechanism import BELTED, SCREWS
+from workbook.motion.pieces import FROM_START, arguments, at_place, sine_arguments
 
 CELLS = cell_tables(__file__)
 PEAK_NAMES = {"T": "motor torque", "S": "output torque", "P": "motor power", "n": "motor speed"}
+FULL = "turns round {} times inside pieces and is cut at {}; build with larger sizes.turns and sizes.motion_pieces"
 PARABOLA = ("y0", "y", "y1", "a", "b", "s0", "s1")  # the columns of a parabola
 
 
@@ -54,7 +61,7 @@ def losses(view: DriveView) -> list[Quantity]:
         cell("@out1", 1.0 / reducer.efficiency / reducer.ratio),
         cell("@in1", (1.0 / reducer.efficiency if document else reducer.efficiency) / reducer.ratio),
         cell("@brake", int(driven.holding == "brake")),
-        *(brake.workings(view) if view.brakes else ()),
+        *(torques.brake_workings(view) if view.brakes else ()),
         cell("@back2", back, entered=entered, scale=1.0),
         cell("@hold2", held),
         *by_force,
@@ -86,7 +93,7 @@ def inertias(view: DriveView, sizes: list[Quantity]) -> list[Quantity]:
         *sizes,
         cell("@tau", 1.0 / m.stages[0].ratio),
         cell("@j0", driven.at_motor, on_shaft=on_shaft("motor")),
-        cell("@j1", own, on_shaft=on_shaft("mechanism"), own=stages.own(driven)),
+        cell("@j1", own, on_shaft=on_shaft("mechanism"), own=torques.own(driven)),
         cell("@j_shaft", on_it, by_travel=by, of_load=of_load, largest=largest),
     ]
 
@@ -96,8 +103,7 @@ def resisting(view: DriveView) -> list[Quantity]:
     load, size = view.driven.load, view.scales.force
     if view.driven.travels:
         cell = CELLS["load that travels"].sharing(size=size)
-        on_bed = getattr(view.driven.given, "belt_on_bed", None) is not None
-        pressing, symbol = ("(@mass+@belt_on_bed)", "(m + m_bed)") if on_bed else ("@mass", "m")
+        pressing, symbol = ("(@mass+@belt_on_bed)", "(m + m_bed)") if view.driven.has_bed else ("@mass", "m")
         friction = cell("@rub", load.friction, pressing=pressing, pressing_symbol=symbol)
     else:
         cell = CELLS["load that turns"]
@@ -117,7 +123,7 @@ def workings(sheet: Sheet, view: DriveView, sizes: list[Quantity]) -> None:
         cell("@omega", axis.speed, speed=tables.machine.over.speed),
         *inertias(view, sizes),
         *losses(view),
-        *(stages.workings(view) if driven.entered.stages else ()),
+        *(torques.stage_workings(view) if driven.entered.stages else ()),
         *resisting(view),
         cell("@vmax", driven.max_geometric_velocity),
         cell("@amax", axis.max_acceleration),
@@ -134,7 +140,8 @@ def peaks_table(sheet: Sheet, view: DriveView) -> None:
     at = np.array([peak.at for peak in found.values()])
     near = zip(found, (at[:, None] + (-1, 0, 1)).clip(0, view.load.x.size - 1), strict=True)
     values = [shown(view.peaks.upward(name, 1).flat[k], PEAK_UNITS[name]) for (name, *_), k in near]
-    size, columns = max(sizes_of(view)[name] for name, *_ in found), [f"[@pt.{name}]" for name, *_ in found]
+    size = max(sizes_of(view)[name] for name, *_ in found)
+    columns = [f"[@pt.{name}]" for name, *_ in found]
     cell = CELLS["peaks"].sharing(column=columns, elsewhere=elsewhere, size=size, last=last)
     cell.begin(sheet)
     cell.place(
@@ -187,3 +194,54 @@ def sizes_of(view: DriveView) -> dict[str, float]:
     """Return the scales of the quantities whose peaks are sought."""
     scales = view.scales
     return {"T": scales.torque, "S": scales.behind, "P": scales.power, "n": scales.rpm}
+
+
+def turns_table(sheet: Sheet, view: DriveView) -> None:
+    """Declare the places at which the motion turns round inside a piece."""
+    turns = len(view.tables.turns)
+    room, at, ends = view.turn_rows, view.tables.pieces.at, view.tables.ends
+    bends = f'-2*COUNTIF([{bends_name(ends)}.mode],">={BENT_FROM}")' if ends else ""
+    left = f"[{at.pieces}.r.last]-{at.count}-2*COUNT([@windows.start]){bends}"  # intervals, for turns
+    cell = CELLS["counts"]
+    cell.begin(sheet)
+    sheet.rows(
+        cell("@turned", turns, axis_turns=view.tables.moves),
+        cell("@cut", view.turns_cut, room=room, left=left),
+    )
+    sheet.row += 1
+    CELLS["turns"].place(sheet, *turn_columns(view), blank="[k]>@turned")
+
+
+def turn_columns(view: DriveView) -> list[Quantity]:
+    """Return the columns of the turns: the place beside each, the velocities there, and where the motion turns."""
+    cell = CELLS["turns"]
+    of, turns, rows, room = view.tables.moves, view.turns, view.tables.pieces, view.turn_rows
+    size, spare = view.driven.axis.motion.size, rows.pieces[0]
+    pieces = filled([rows.pieces[turn.piece] for turn in turns], room, spare)
+    u = np.array(filled([turn.u for turn in turns], room, 0.0))
+    v, a, j = (
+        filled([getattr(turn, name) for turn in turns], room, float(curve(0.0)))
+        for name, curve in zip(("velocity", "acceleration", "jerk"), spare.curves[1:], strict=True)
+    )
+    at = filled([shown(turn.at, DEGREE) for turn in turns[: view.turns_cut]], room, TURN)
+    return [
+        cell("q", filled([turn.piece + 1 for turn in turns], room, 1), axis_turns=of),
+        cell("again", filled([int(turn.again) for turn in turns], room)),
+        cell("after", filled([turn.after for turn in turns], room), axis_turns=of),
+        cell("s", filled([turn.share for turn in turns], room), axis_turns=of, half=0.5 / PARTS),
+        cell("u", u + LEAST, pieces=rows.at.pieces, not_zero=NOT_ZERO, source=FROM_START),
+        *arguments(rows, "", "[q]", sine_arguments(pieces, u)),
+        *(
+            cell(name, values, unit=rows.at.unit(order), there=at_place(rows, order, "", "[q]"), scale=size(order))
+            for order, (name, values) in enumerate((("v", v), ("a", a), ("j", j)), 1)
+        ),
+        cell("at", at, begin=rows.at.named("at")),
+    ]
+
+
+def turns_check(view: DriveView) -> Quantity:
+    """Return the check that the drive is cut wherever it turns round."""
+    cell = CELLS["turns_check"].sharing(**view.parts)
+    count, cut = len(view.tables.turns), view.turns_cut
+    says = CheckSentence(sentence_formula(FULL, "@turned", "@cut"), FULL.format(count, cut))
+    return cell("@ok_turned", count == cut, says=says)

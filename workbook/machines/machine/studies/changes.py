@@ -19,7 +19,7 @@ from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.entries_beside import Vibration
 from workbook.machines.machine.exact import axes_of, drives_of
-from workbook.machines.machine.rates_summary import RATE_CHECK
+from workbook.machines.machine.first_sheet import RATE_CHECK
 from workbook.machines.machine.studies import shaping, timing
 from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.vibration import Swing

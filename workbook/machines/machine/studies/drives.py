@@ -118,11 +118,9 @@ class DriveStudy:
                 point_load.MotorLimits(*(v[some] for v in limits)),
             )
             each.append((some, figures_of(self.bases[k].time, many)))
-        order = np.argsort(np.concatenate([some for some, _ in each]), kind="stable")
-        return [
-            np.concatenate(values)[order]
-            for values in zip(*(values_of_some for _, values_of_some in each), strict=True)
-        ]
+        places_of_all, values = zip(*each, strict=True)
+        order = np.argsort(np.concatenate(places_of_all), kind="stable")
+        return [np.concatenate(column)[order] for column in zip(*values, strict=True)]
 
     @cached_property
     def extremes(self) -> point_load.Extremes:
@@ -218,19 +216,10 @@ class DriveStudy:
         """The rates between which each design holds all limits (cycles/min), with the limiting factors."""
         return [self.views[design].rates for design in self.designs]
 
-    @property
-    def highest(self) -> tuple[Array, Any]:
-        """The highest rate of each design (cycles/min), 0 where it holds at no rate, and the limiting factor."""
-        return self._ends("high", "high_limit")
-
-    @property
-    def lowest(self) -> tuple[Array, Any]:
-        """The lowest rate likewise."""
-        return self._ends("low", "low_limit")
-
-    def _ends(self, end: str, limit: str) -> tuple[Array, Any]:
+    def ends(self, end: str) -> tuple[Array, Any]:
+        """Return the ``high`` or ``low`` end of each range, 0 where a design holds at no rate, and what limits it."""
         rates = [0.0 if getattr(each, end) == AT_NO_RATE else getattr(each, end) for each in self.ranges]
-        return np.array(rates), np.array([getattr(each, limit) for each in self.ranges], dtype=object)
+        return np.array(rates), np.array([getattr(each, f"{end}_limit") for each in self.ranges], dtype=object)
 
     @property
     def holding_torque(self) -> Array:
@@ -253,6 +242,5 @@ def figures(column: Column, used: Any, products: Any = ()) -> dict[str, Array]:
 
 def varied(columns: Mapping[str, Column], begin: str) -> tuple[str, Column]:
     """Return the entry of a motor or reducer that differs, and how; nothing where none does."""
-    return next(
-        ((key.removeprefix(begin), column) for key, column in columns.items() if key.startswith(begin)), ("", FIXED)
-    )
+    own = ((key.removeprefix(begin), column) for key, column in columns.items() if key.startswith(begin))
+    return next(own, ("", FIXED))

@@ -18,12 +18,12 @@ from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive_entries import Backlash
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.exact import axes_of, limit_of_gap, limit_of_stop
+from workbook.machines.machine.first_sheet import RATE_CHECK
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.power import KWH
-from workbook.machines.machine.rates_summary import RATE_CHECK
-from workbook.machines.machine.studies import drive_results, limits
+from workbook.machines.machine.studies import drive_results
+from workbook.machines.machine.studies.drive_results import ok_texts
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles
-from workbook.machines.machine.studies.limits import ok_texts
 from workbook.machines.machine.timing.stops import stops_of
 from workbook.machines.machine.vibration import MOST, Swing
 from workbook.machines.machine.view import MachineView, MovingAxis
@@ -58,7 +58,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
         if axis.given.mechanism and axis.given.motor:
             drives.append(DriveStudy(axis, machine, columns, partial(lambda i: rows()[i - 1], axis.number)))
             figures |= drive_results.results(drives[-1])
-            checks |= limits.checks(drives[-1])
+            checks |= drive_results.checks(drives[-1])
     add_clearances(machine, rows, figures, checks)
     add_vibration(machine, rows, faster, figures, checks)
     if not drives:
@@ -66,7 +66,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     add_backlash(drives, figures, checks)
     figures |= of_drives(machine, drives)
     slow = checks_of_drives(machine, drives)
-    held = [partial(limits.hold_machine_rate, drive, rate.each) for drive in drives]
+    held = [partial(drive_results.hold_machine_rate, drive, rate.each) for drive in drives]
     (slow if any(drive.axis.given.rate for drive in drives) else checks)[RATE_CHECK] = partial(all_hold, held)
     each = {f"drive{drive.axis.number}_{name}" for drive in drives for name in drive_results.SLOW}
     slow_names = {*slow, *each, "about_highest", "about_binds"}
@@ -75,9 +75,9 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
 
 def exact_judgements(drives: Sequence[DriveStudy], rate: Column) -> Computations:
     """Return the checks that the exact engine decides, at rates of the machine."""
-    judged = [limits.judged_exactly(drive) for drive in drives]
+    judged = [drive_results.judged_exactly(drive) for drive in drives]
     exactly = [
-        partial(limits.hold_machine_rate_exactly, drive, rate.each, by)
+        partial(drive_results.hold_machine_rate_exactly, drive, rate.each, by)
         for drive, by in zip(drives, judged, strict=True)
     ]
     exact = {name: judge for judgements in judged for name, judge in judgements.items()}
@@ -190,9 +190,9 @@ def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
     whole = cache(lambda: total_bus_power([drive.mains for drive in drives]))
 
     def binding() -> Any:
-        rates = np.array(np.broadcast_arrays(*(drive.highest[0] for drive in drives)))
+        rates = np.array(np.broadcast_arrays(*(drive.ends("high")[0] for drive in drives)))
         words = [
-            np.array([f"{drive.axis.given.name}: {limit}" for limit in drive.highest[1]], dtype=object)
+            np.array([f"{drive.axis.given.name}: {limit}" for limit in drive.ends("high")[1]], dtype=object)
             for drive in drives
         ]
         return np.choose(rates.argmin(axis=0), np.broadcast_arrays(*words))
@@ -201,7 +201,7 @@ def of_drives(machine: AnyMachine, drives: list[DriveStudy]) -> Computations:
         "power_mains": lambda: shown(whole().mains, KW),
         "power_resistors": lambda: shown(whole().resistor, KW),
         "power_year": lambda: shown(whole().energy_a_year(machine.power.hours), KWH),
-        "about_highest": lambda: np.min(np.broadcast_arrays(*(drive.highest[0] for drive in drives)), axis=0),
+        "about_highest": lambda: np.min(np.broadcast_arrays(*(drive.ends("high")[0] for drive in drives)), axis=0),
         "about_binds": binding,
     }
     for k, drive in enumerate(drives, 1):

@@ -56,7 +56,8 @@ def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[
         begin = f"{axis.name} phase {k + 1}: {words[phase.law]}"
         if driven:
             with suppress(ValueError, ArithmeticError):  # too few pieces, or what the engine refuses
-                yield shaped(machine, driven, rate, k, begin, free_name(machine, i, k), TORQUE_OR_RATE[aim.is_rate])
+                name = free_name(machine, i, k)
+                yield shaped(machine, driven, rate, k, begin, name, TORQUE_OR_RATE[aim.is_rate])
         if phase.law in known and not passes(axis, k):
             yield from shapers(machine, i, k, begin) if aim.name == "vibration" else ()
             yield from other_laws(machine, i, k, begin, known)
@@ -66,7 +67,8 @@ def other_laws(machine: AnyMachine, i: int, k: int, begin: str, known: Mapping[s
     """Yield the change of a phase to each of other laws, but those that are shaped for other phases."""
     path = ("axes", str(i), "phases", str(k), "law")
     for law in known.values():
-        if law.name != machine.axes[i].phases[k].law and not is_shaped(law.entered):
+        is_shaped = getattr(law.entered, "shaped", None) or getattr(law.entered, "shaper", None)
+        if law.name != machine.axes[i].phases[k].law and not is_shaped:
             new: dict[Place, Any] = {} if law.name in machine.laws.names else {("laws", law.name): {}}
             yield Change(f"{begin} → {law.words}", new | {path: law.name}, "law")
 
@@ -85,11 +87,6 @@ def from_rest_to_rest(machine: AnyMachine) -> Iterator[NamedLaw]:
             yield law
 
 
-def is_shaped(entered: Any) -> bool:
-    """Return whether a law is shaped for the drive or the load of a phase."""
-    return bool(getattr(entered, "shaped", None) or getattr(entered, "shaper", None))
-
-
 def free_name(machine: AnyMachine, i: int, k: int) -> str:
     """Return a name for a law that is shaped for a phase; that of the law that it has, if no other phase takes that."""
     begin, own = f"{SHAPED} {i + 1}-{k + 1}", machine.axes[i].phases[k].law
@@ -102,8 +99,10 @@ def free_name(machine: AnyMachine, i: int, k: int) -> str:
 def shaped(machine: AnyMachine, driven: Driven, rate: float, k: int, begin: str, name: str, aim: str) -> Change:
     """Return the change of a phase to a law that is shaped for its drive at a rate, frozen into its pieces."""
     axis, least_torque, most = driven.axis, aim == "torque", min(PIECES, machine.sizes.pieces)
-    rest, checks, number = RESTS[axis.given.smoothness], at_speed(driven.limit_checks, rate * math.tau), axis.entered[k]
-    jerk, ends = getattr(machine.laws[axis.given.phases[k].law], "max_jerk", None), axis.joined.ends_of(number)
+    rest = RESTS[axis.given.smoothness]
+    checks, number = at_speed(driven.limit_checks, rate * math.tau), axis.entered[k]
+    jerk = getattr(machine.laws[axis.given.phases[k].law], "max_jerk", None)
+    ends = axis.joined.ends_of(number)
     family = Splines(5, rest, most, jerk or math.inf, ends)
     law = family.shape_phase(checks, axis.motion, number, least_torque).law
     words = f"Shaped for its drive at {shown(1.0 / checks.drive_cycle.time, PER_MINUTE):.1f} cycles/min"
@@ -134,7 +133,8 @@ def given_out(machine: AnyMachine, i: int, k: int, begin: str, name: str, kind: 
     Raises ValueError for a load or a time that the shaper does not suit, InputError for a law that it cannot give out.
     """
     view = MachineView(machine, laws(machine.laws)).axes[i].sized
-    load, known = view.given.vibration or Vibration(), {law.name: law for law in from_rest_to_rest(machine)}
+    load = view.given.vibration or Vibration()
+    known = {law.name: law for law in from_rest_to_rest(machine)}
     base = known.get(listed(of, [*known]) or "")
     if base is None or getattr(base.entered, "shaper", None):
         raise InputError([f"laws.{key_of(name)}.of: found {of!r}; expected a law from rest to rest, without a shaper"])
@@ -184,7 +184,8 @@ def reshaped(machine: AnyMachine, name: str) -> tuple[str, Change]:
     """
     entered = machine.laws[name]
     needed, key = ("vibration", "shaper") if entered.shaper else ("drive", "shaped")
-    phases = [(i, k) for i, axis in enumerate(machine.axes) for k, phase in enumerate(axis.phases) if phase.law == name]
+    axes = enumerate(machine.axes)
+    phases = [(i, k) for i, axis in axes for k, phase in enumerate(axis.phases) if phase.law == name]
     fitting = [(i, k) for i, k in phases if is_fit(machine.axes[i], k, needed)]
     if len(phases) != 1 or not fitting:
         what = "moving, with a drive" if needed == "drive" else f"between two rests with a {needed}"
@@ -205,7 +206,8 @@ def is_fit(axis: Axis, k: int, needed: str) -> bool:
     """Return whether a phase of an axis moves, with a drive, or from rest to rest, with the vibration of its load."""
     if needed == "drive":
         return bool(axis.motor and axis.phases[k].lift)
-    return bool(axis.vibration and axis.vibration.natural(axis.unit) and axis.phases[k].lift and not passes(axis, k))
+    swings = axis.vibration and axis.vibration.natural(axis.unit)
+    return bool(swings and axis.phases[k].lift and not passes(axis, k))
 
 
 def passes(axis: Axis, k: int) -> bool:

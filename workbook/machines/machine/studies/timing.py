@@ -82,7 +82,7 @@ def rooms_of(base: AnyMachine, i: int, bounds: Bounds) -> Iterator[Room]:
     """Yield the edges of an axis that move together, within the bounds of those places that have some."""
     edges = edges_of(base.axes[i], i)
     for group in places_together(base, i, edges):
-        limits = [(bounds[place][0] - place, bounds[place][1] - place) for place in group if place in bounds]
+        limits = [(bounds[at][0] - at, bounds[at][1] - at) for at in group if at in bounds]
         low = max((low for low, _ in limits), default=0.0)
         high = min((high for _, high in limits), default=0.0)
         if high > low:
@@ -106,12 +106,12 @@ def free(base: AnyMachine, machine: AnyMachine, i: int) -> Bounds:
     """Return how far the inner edges of an axis may move where nothing is said of them: in the order of all edges."""
     over = base.over
     step, near, cycle = over.shown(EDGE), over.shown(ANGLE_TOLERANCE), over.shown(TURN)
-    others = [place % cycle for k, other in enumerate(machine.axes) if k != i for place in places_of(other)]
+    others = [at % cycle for k, axis in enumerate(machine.axes) if k != i for at in places_of(axis)]
     edges, bounds = edges_of(base.axes[i], i), Bounds()
     for place in (place for place in edges if near < place < cycle - near):
         ways = []
         for way in (-1.0, 1.0):
-            apart = [way * (other - place) for other in (0.0, cycle, *edges) if way * (other - place) > near]
+            apart = [way * (at - place) for at in (0.0, cycle, *edges) if way * (at - place) > near]
             passed = [(way * (other - place - base.axes[i].shift)) % cycle for other in others]
             passed = [0.0 if distance > cycle - near else distance for distance in passed]
             ways.append(place + way * min([HALF * min(apart, default=cycle), step, *passed]))
@@ -166,8 +166,8 @@ def margins(machine: AnyMachine) -> Array:
     over, shares = machine.over, [margin for margin, _ in order_margins(machine)]
     for axis in machine.axes:
         shares += [(over.degrees(phase.stop - phase.start) - SHORTEST) / TURN for phase in axis.phases]
-        places = [0.0, *(place for phase in axis.phases for place in (phase.start, phase.stop)), over.shown(TURN)]
-        shares += (np.diff(places)[::2] / over.shown(TURN)).tolist()
+        edges = (place for phase in axis.phases for place in (phase.start, phase.stop))
+        shares += (np.diff([0.0, *edges, over.shown(TURN)])[::2] / over.shown(TURN)).tolist()
     rows = axes_of(machine) if machine.clearances else []
     for number, clearance in enumerate(machine.clearances, 1):
         gap = ClearanceView(clearance, number, rows)

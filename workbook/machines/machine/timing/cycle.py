@@ -11,7 +11,7 @@ from workbook.motion.pieces import POSITION, at_sample, workings_at
 
 CELLS = cell_tables(__file__)
 
-LANE_SHARE, BELOW, NOTE = 0.54, 0.4, 0.17  # of a lane's height: of an axis, what is below it, where its texts stand
+LANE_SHARE, BELOW, NOTE = 0.54, 0.4, 0.17  # of a lane's height: an axis, what is below it, its texts
 CURVES = {"v": "velocity", "a": "acceleration", "j": "jerk"}
 """the rates of a sampled axis by their columns, and what they are called"""
 

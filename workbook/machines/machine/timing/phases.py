@@ -26,16 +26,13 @@ CELLS = cell_tables(__file__)
 def phase_workings(tables: AxisTables) -> list[Quantity]:
     """Return the columns of what the cells compute with for each phase."""
     cell = CELLS["geometric"].sharing(base=tables.axis.base)
-    geometric = [
+    return [
+        *faults(tables),  # texts first: a number would show as ### at the print's edge
+        *used_columns(tables),
         cell("y1", moving(tables, lambda phase: phase.y1_max), own=own(tables, "vmax", VELOCITY)),
         cell("y2", moving(tables, lambda phase: phase.y2_max), own=own(tables, "amax", ACCELERATION)),
         cell("y3", moving(tables, lambda phase: phase.y3_max), own=own(tables, "jmax", JERK)),
     ]
-    return [
-        *faults(tables),
-        *used_columns(tables),
-        *geometric,
-    ]  # texts first: a number would show as ### at the print's edge
 
 
 def moving(tables: AxisTables, figure: Callable[[Phase], float]) -> list[float | str]:
@@ -62,7 +59,7 @@ def phase_columns(tables: AxisTables) -> list[Quantity]:
     def entry(name: str) -> list[Any]:
         return filled([getattr(p, name) for p in axis.typed.phases], tables.rows, None)
 
-    passing: list[Quantity] = []
+    passing, kind = list[Quantity](), every_second_row(sampling.kind(tables.at.ends))
     cell = CELLS["entered"].sharing(unit=over.unit, key=key)
     if tables.ends:
         units, symbols = (tables.at.unit(1), tables.at.unit(2)), ("y'", "y''")
@@ -71,7 +68,7 @@ def phase_columns(tables: AxisTables) -> list[Quantity]:
         rates = zip(("velocity", "acceleration"), units, symbols, strict=True)
         passing = [cell(name, entry(name), unit=unit, symbol=symbol) for name, unit, symbol in rates]
     return [
-        cell("kind", sampling.kinds(axis.phases, tables.rows), formula=every_second_row(sampling.kind(tables.at.ends))),
+        cell("kind", sampling.kinds(axis.phases, tables.rows), formula=kind),
         cell("start", entry("start"), format=over.format, upper_limit=over.upper_limit),
         cell("stop", entry("stop"), format=over.format, upper_limit=over.upper_limit),
         cell("lift", entry("lift"), unit=axis.given.unit),
@@ -139,12 +136,16 @@ def faults(tables: AxisTables) -> list[Quantity]:
     axis, over = tables.axis, tables.machine.over
     lacks = filled([p.missing_lift for p in axis.phases], tables.rows)
     lack = own(tables, "", "=[h]*(1-INDEX(law_s1,[no]))")
-    cell = CELLS["faults"].sharing(after=over.after)
+    cell, phases, n = CELLS["faults"].sharing(after=over.after), axis.given.phases, tables.rows
+    # how long the axis rests before each phase; before the first spare row, behind the last
+    begins = filled([p.start for p in phases], n, 360.0)
+    ends = [0.0, *filled([p.stop for p in phases], n, 360.0)]
+    gaps = [begin - end for begin, end in zip(begins, ends, strict=False)]
     return [
         cell("backwards", ""),
         cell("early", "", too_soon=over.shown_formula("0-[gap]")),
         *([beyond(over)] if over.measured else []),
-        cell("gap", gaps(tables), scale=360.0),
+        cell("gap", gaps, scale=360.0),
         cell("lack", lacks, unit=axis.base, lack=lack, scale=axis.motion.size(0)),
     ]
 
@@ -160,14 +161,6 @@ def going_beyond(last: str, over: Abscissa) -> str:
     """Return the formula of how far something goes on beyond the cycle."""
     at, by = (f"ROUND({x},9)" for x in (last, f"{last}-{over.shown_formula('360')}"))
     return f'"goes to "&{at}&"{over.after}, "&{by}&"{over.after} beyond the cycle"'
-
-
-def gaps(tables: AxisTables) -> list[float]:
-    """Return how long the axis rests before each phase, in degrees; before the first spare row, behind the last."""
-    phases, n = tables.axis.given.phases, tables.rows
-    begins = filled([p.start for p in phases], n, 360.0)
-    ends = [0.0, *filled([p.stop for p in phases], n, 360.0)]
-    return [begin - end for begin, end in zip(begins, ends, strict=False)]
 
 
 def no_fault(name: str, label: str, texts: str, called: str) -> Quantity:
@@ -187,15 +180,17 @@ def axis_checks(sheet: Sheet, tables: AxisTables) -> None:
         called = f'[axes.name.{i}]&" row "'
         return no_fault(f"{t}_{name}", f"{label}: {condition}", f"[{tables.taken}.{column}]", called)
 
+    late = [("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []
+    cuts = f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""
     lacks = amount(lack, shown(axis.missing_lift, axis.unit), "a lift lacks ", f" {unit}")
     ends = amount(gap, shown(motion.gap, axis.unit), "it ends ", f" {unit} from where it begins")
     cell = CELLS["axis_checks"].sharing(t=t, label=label, lift=lift, i=i)
     sheet.checks(
         none_in("backwards", "forward", "every phase runs forward"),
         none_in("early", "follows", "phases follow without overlap"),
-        *([none_in("beyond", "within", "no phase goes on beyond the cycle")] if over.measured else []),
+        *(none_in(*each) for each in late),
         cell("{t}_position", motion.complete, lack=lack, says=lacks),
-        room_check(f"{t}_room", tables.at, label, f"2*COUNT([drive{i}_windows.start])" if axis.given.motor else ""),
+        room_check(f"{t}_room", tables.at, label, cuts),
         *(tables.ends.checks(t, f"{label}: ") if tables.ends else []),
         *map(stop_check, stops_of(axis)),
         tables.joints.check(f"{t}_smooth", f"{label}: as smooth as asked"),

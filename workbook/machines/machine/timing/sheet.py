@@ -52,9 +52,8 @@ def timing_sheet(book: Book, machine: MachineView, axes: list[AxisTables]) -> No
         sheet.checks(verdict)
         axis_checks(sheet, tables)
     sheet.heading("Workings")
-    cell = CELLS["timing_sheet"]
-    end = cell("timing_end", 360.0 - 2.0 * machine.near)
-    sheet.rows(cell("eps", machine.near), end, cell("timing_lane", LANE_SHARE))
+    cell, near = CELLS["timing_sheet"], machine.near
+    sheet.rows(cell("eps", near), cell("timing_end", 360.0 - 2.0 * near), cell("timing_lane", LANE_SHARE))
 
 
 def rarely_changed(machine: MachineView) -> list[Quantity]:
@@ -233,7 +232,8 @@ def compare_extremes(machine: MachineView) -> tuple[list[Quantity], list[Quantit
     rate = getattr(machine.given.master, "compare_rate", None)
     if rate is None:
         return [], []
-    faster, (_, v_unit, a_unit) = rate / machine.given.per_minute, (units(machine, k) for k in range(3))
+    faster = rate / machine.given.per_minute
+    (_, v_unit, a_unit) = (units(machine, k) for k in range(3))
     v, a = [axis.max_velocity for axis in axes], [axis.max_acceleration for axis in axes]
     return (
         [cell("timing_compared", rate), cell("omega_compared", math.tau * si(rate, PER_MINUTE))],

@@ -56,16 +56,6 @@ class HardStop(NamedTuple):
         travel = shown(self.axis.motion.lifts_sum, self.axis.unit)
         return self.axis.given.closes == "feed" and self.outwards * travel > ZERO * self.axis.greatest_lift
 
-    @property
-    def reached(self) -> float:
-        """The extreme position of the axis towards it, as the sheet has it."""
-        return self.reached_by(self.axis.motion)
-
-    @property
-    def reached_exactly(self) -> float:
-        """The same by the exact engine."""
-        return self.reached_by(self.axis.joined.motion)
-
     def reached_by(self, motion: Motion) -> float:
         """Return how far towards it a motion goes."""
         if self.feeds_on:
@@ -81,20 +71,23 @@ def stops_of(axis: MovingAxis) -> list[HardStop]:
 def stop_cell(stop: HardStop) -> Quantity:
     """Return the row in which a stop is entered."""
     i, called = stop.axis.number - 1, CALLED[stop.end].capitalize()
-    parts = {"name": stop.name, "called": called, "unit": stop.axis.given.unit, "i": i, "end": stop.end}
-    return CELLS["stop_cell"]("{name}", stop.entered, **parts)
+    parts = {"name": stop.name, "called": called, "i": i, "end": stop.end}
+    return CELLS["stop_cell"]("{name}", stop.entered, unit=stop.axis.given.unit, **parts)
 
 
 def stop_check(stop: HardStop) -> Quantity:
     """Return the check that an axis, its overshoot included, does not go beyond a stop."""
+    place = stop.reached_by(stop.axis.motion)
     i, unit, called, entered = stop.axis.number, stop.axis.given.unit, CALLED[stop.end], stop.name
     reached, travel, lift = f"[axes.{stop.end}.{i}]", f"[axes.travel.{i}]", f"[axes_taken.lift.{i}]"
-    beyond, onwards = (f"{entered}-{reached}", f"0-{travel}") if stop.end == "low" else (f"{reached}-{entered}", travel)
-    says = amount(reached, stop.reached, "it goes to ", f" {unit}, ")
-    says = says.then(amount(beyond, abs(stop.reached - stop.position), "", f" {unit} beyond its {called} stop"))
+    beyond, onwards = f"{reached}-{entered}", travel
+    if stop.end == "low":
+        beyond, onwards = f"{entered}-{reached}", f"0-{travel}"
+    says = amount(reached, place, "it goes to ", f" {unit}, ")
+    says = says.then(amount(beyond, abs(place - stop.position), "", f" {unit} beyond its {called} stop"))
     feeds_on = f'AND([axes.closes.{i}]="feed",{onwards}>check_zero*{lift})'
     says = CheckSentence(f'IF({feeds_on},"{FEEDS_ON}",{says.says})', FEEDS_ON if stop.feeds_on else says.text)
     stays = f'OR([axes.closes.{i}]<>"feed",{onwards}<=check_zero*{lift})'
-    parts = {"entered": entered, "i": i, "called": called, "stays": stays, "beyond": beyond, "lift": lift}
-    is_kept = stop.outwards * stop.reached <= stop.outwards * stop.position + stop.tolerance
-    return CELLS["stop_check"]("{entered}_kept", is_kept, says=says, **parts)
+    parts = {"entered": entered, "i": i, "called": called, "stays": stays}
+    is_kept = stop.outwards * place <= stop.outwards * stop.position + stop.tolerance
+    return CELLS["stop_check"]("{entered}_kept", is_kept, says=says, beyond=beyond, lift=lift, **parts)

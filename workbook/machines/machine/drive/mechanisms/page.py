@@ -6,10 +6,9 @@ from typing import Any, NamedTuple
 from engine.laws.base import Array
 from workbook.book.cell_tables import cell_tables
 from workbook.book.declare import Quantity, Sheet
-from workbook.book.sentence import quoted
 from workbook.entries.facts import entry_cells
 from workbook.machines.machine.drive.driven import Driven
-from workbook.machines.machine.mechanism import ON_BED, Belted, MechanismEntry
+from workbook.machines.machine.mechanism import MechanismEntry
 
 CELLS = cell_tables(__file__)
 
@@ -50,18 +49,9 @@ RATIOS = {
 
 def entered_sizes(driven: Driven, key: str) -> list[Quantity]:
     """Return the rows of what is entered of a mechanism's own sizes, that of a constant ratio first."""
-    m = driven.given
-    unasked = () if getattr(m, "belt_on_bed", None) is not None else ("belt_on_bed",)
+    m, unasked = driven.given, () if driven.has_bed else ("belt_on_bed",)
     rows = entry_cells(m, f"{key}.mechanism", {*MechanismEntry.model_fields, *unasked})
     return sorted(rows, key=lambda row: row.name != f"@{m.SIZE}")
-
-
-def on_bed(driven: Driven) -> list[Quantity]:
-    """Return the check that no more of a belt lies on its bed than there is of it."""
-    m = driven.given
-    if not isinstance(m, Belted) or m.belt_on_bed is None:
-        return []
-    return [CELLS["on_bed"]("@ok_bed", True, called=driven.called, says=quoted(ON_BED))]
 
 
 def constant_sizes(driven: Driven) -> list[Quantity]:

@@ -47,45 +47,34 @@ def sizes(driven: Driven) -> list[Quantity]:
 
 
 def table(sheet: Sheet, driven: Driven, rows: int) -> None:
-    """Declare the curve between the points."""
-    cell = CELLS["curve"]
-    cell.place(sheet, *points(driven, rows), *slopes(driven, rows), *powers(driven, rows))
+    """Declare the curve between the points: these in SI, the chords, φ' and φ'', and the powers of φ.
 
-
-def points(driven: Driven, rows: int) -> list[Quantity]:
-    """Return the columns of the points in rad and SI, and of the chords between them."""
-    cell = CELLS["points"]
-    linkage = of_kind(PositionTable, driven.linkage)
-    angle, y, *_ = linkage.columns
-    in_si, base = ("INDEX([@points.position],[k])/1000", "m")
-    if not driven.travels:
-        in_si, base = ("RADIANS(INDEX([@points.position],[k]))", "rad")
-    width = np.diff(y)
-    return [
-        cell("on", filled(np.ones(y.size), rows)),
-        cell("phi", filled(angle, rows)),
-        cell("y", filled(y, rows), base=base, in_si=in_si),
-        cell("w", filled(width, rows), base=base),
-        cell("chord", filled(np.diff(angle) / width, rows)),
-        cell("falls", 0),
-    ]
-
-
-def slopes(driven: Driven, rows: int) -> list[Quantity]:
-    """Return the columns of φ' and φ'' at the points: of the parabola, and as they are used."""
-    cell = CELLS["slopes"]
-    linkage = of_kind(PositionTable, driven.linkage)
-    parabolas, (angle, _, ratios, changes) = linkage.parabolas, linkage.columns
-    slope, count = parabolas.slope, len(parabolas.slope)
-    about = np.maximum(2, np.minimum(np.arange(1, count + 1), count - 1))
-    chords = np.diff(angle) / linkage.widths
+    Of φ' and φ'' there are those of the parabola, and as they are used. Over the share t of each part φ is
+    φ_k + d1 t + d2 t² + … + d5 t⁵.
+    """
+    cell, linkage = CELLS["curve"], of_kind(PositionTable, driven.linkage)
+    parabolas = linkage.parabolas
+    (angle, y, ratios, changes), width = linkage.columns, linkage.widths
+    in_si, base = ("{}/1000", "m") if driven.travels else ("RADIANS({})", "rad")
+    slope, chords = parabolas.slope, np.diff(angle) / width
+    about = np.maximum(2, np.minimum(np.arange(1, slope.size + 1), slope.size - 1))
     first = np.divide(1.0, slope, out=np.zeros_like(slope), where=slope > 0.0)
-    size = change(parabolas.second, first, linkage.widths)
+    size, largest = change(parabolas.second, first, width), float(np.abs(linkage.powers).max())
+    d1, d2 = ratios[:-1] * width, changes[:-1] * width**2 / 2.0
+    beyond = {"e0": np.diff(angle) - d1 - d2, "e1": ratios[1:] * width - d1 - 2.0 * d2}
+    beyond["e2"] = changes[1:] * width**2 - 2.0 * d2
 
     def of(values: Any) -> list[Any]:
         return filled(np.asarray(values) + 0.0, rows)
 
-    return [
+    cell.place(
+        sheet,
+        cell("on", of(np.ones(y.size))),
+        cell("phi", of(angle)),
+        cell("y", of(y), base=base, in_si=in_si.format("INDEX([@points.position],[k])")),
+        cell("w", of(width), base=base),
+        cell("chord", of(chords)),
+        cell("falls", 0),
         cell("m", of(about)),
         cell("bend", of(parabolas.bend), scale=change(parabolas.bend, slope, np.diff(angle))),
         cell("slope", of(slope)),
@@ -99,21 +88,9 @@ def slopes(driven: Driven, rows: int) -> list[Quantity]:
         cell("calm", of(parabolas.calm)),
         cell("g", of(ratios)),
         cell("h", of(changes), scale=size),
-    ]
-
-
-def powers(driven: Driven, rows: int) -> list[Quantity]:
-    """Return the coefficients of φ over the share t of each part: φ = φ_k + d1 t + d2 t² + … + d5 t⁵."""
-    cell = CELLS["powers"]
-    linkage = of_kind(PositionTable, driven.linkage)
-    angle, _, first, second = linkage.columns
-    w, size = linkage.widths, float(np.abs(linkage.powers).max())
-    d1, d2 = first[:-1] * w, second[:-1] * w**2 / 2.0
-    beyond = {"e0": np.diff(angle) - d1 - d2, "e1": first[1:] * w - d1 - 2.0 * d2, "e2": second[1:] * w**2 - 2.0 * d2}
-    return [
-        *(cell(f"d{n}", filled(linkage.powers[:, n], rows), scale=size) for n in range(1, 6)),
-        *(cell(name, filled(values, rows), scale=size) for name, values in beyond.items()),
-    ]
+        *(cell(f"d{n}", of(linkage.powers[:, n]), scale=largest) for n in range(1, 6)),
+        *(cell(name, of(values), scale=largest) for name, values in beyond.items()),
+    )
 
 
 def ratios(driven: Driven, position: Array, of: Column) -> list[Quantity]:
