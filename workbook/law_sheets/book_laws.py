@@ -130,7 +130,7 @@ def use_columns(laws: Sequence[NamedLaw], uses: Uses) -> list[Quantity]:
     firsts = [next((name for name, count in zip(uses, row, strict=True) if count), "") for row in counts]
     axis = (
         "[axes.name.1]" if len(uses) == 1 else "INDEX([axes.name],INDEX([law_uses.first],[no]))"
-    )  # pycel: no INDEX of one
+    )  # IronCalc has no INDEX of a cell
     return [cell("phases", [sum(row) for row in counts]), cell("first", firsts, axis=axis)]
 
 

@@ -159,18 +159,16 @@ class RangeStep(NamedTuple):
 def as_cell_value(result: Any) -> Any:
     """Return a result as a cell holds it: 0 for nothing, of an array its first element."""
     kind = type(result)
-    if kind is float:
-        if math.isfinite(result):
-            return result
+    if kind is float and not math.isfinite(result):
         raise OverflowError
+    if kind is float or kind is bool:
+        return result
     if kind is int:
         return result if abs(result) <= LARGEST_EXACT else float(result)
     if result is None or result == EMPTY:
         return 0
     if kind is str:
         return result if len(result) <= LONGEST_TEXT else "#VALUE!"
-    if kind is bool:
-        return result
     return as_cell_value(result[0]) if list_like(result) else as_cell_value(result.item())
 
 

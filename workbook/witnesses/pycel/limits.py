@@ -122,6 +122,8 @@ def substitute(text_: str, old_text: str, new_text: str, instance_num: Any = Non
     return text.substitute(text_, old_text, new_text, instance_num)
 
 
+# of a single cell too
+index = wraps(lookups.index)(lambda array, *at: lookups.index(array if is_array_arg(array) else ((array,),), *at))
 round_ = excel_math_func(lambda x, digits=0: _within(MOST_DIGITS, digits, excellib.round_, x, digits))
 trunc = excel_math_func(lambda x, digits=0: _within(MOST_DIGITS, digits, excellib.trunc, x, digits))
 fact = excel_math_func(lambda x: _within(170, max(x, 0), excellib.fact, x))
