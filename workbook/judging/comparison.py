@@ -8,7 +8,7 @@ from pydantic import ValidationError
 
 from workbook.book.address import Address
 from workbook.book.declare import Book
-from workbook.book.rows import as_rows, is_number
+from workbook.book.rows import is_number
 from workbook.book.sentence import Sentence
 from workbook.entries.machine import Machine
 from workbook.errors import WitnessError
@@ -46,11 +46,8 @@ class ExpectedValues:
         self.values: list[Any] = []
         # the greatest sizes of columns, or declared scales where these are greater
         self.peaks: list[float] = []
-        for pairs in match.columns:
-            block = declared.blocks[pairs[0].cell.block.name]
-            q = block.quantities[pairs[0].cell.column - pairs[0].cell.block.column]
-            column = as_rows(q.value, block.size, q.name)
-            self.values += column[: len(pairs)]
+        for pairs, _, q, column in match.by_quantity(declared):
+            self.values += column
             sizes = (abs(v) for v in column if isinstance(v, int | float) and abs(v) < math.inf)
             self.peaks += [max(q.floor, *sizes, 0.0)] * len(pairs)
 
@@ -111,9 +108,10 @@ class Comparison:
 
     def _require_most(self, witness: Witness, values: Cells) -> None:
         """Raise WitnessError where a witness itself failed in half of the cells: that is no fault of theirs."""
-        wanted = [a for a, pair in self.pairs.items() if pair.cell.expected is not None]
         raised = self.model.raised if witness is self.single else ()
-        without = [a for a in wanted if a in raised or values.get(a) is None]
+        lacking = [a for a in self.pairs if a in raised or values.get(a) is None]
+        wanted = {a for a, pair in self.pairs.items() if pair.cell.expected is not None} if lacking else set()
+        without = [a for a in lacking if a in wanted]
         if without and 2 * len(without) >= len(wanted):
             why = self.model.problems.get(without[0], "no value") if raised else "no value"
             most = f"in {len(without):,} of {len(wanted):,} formula cells, the first {without[0]}: {why}"
@@ -204,15 +202,17 @@ def by_variation(pairs: dict[Address, Pair], suspects: set[Address], variations:
 
 def count_cells(match: Match, report: Report) -> None:
     """Count each declared formula cell once for each witness that answered: compared, at fault, or unfinished."""
-    cells = {(p.address.sheet, p.address.a1): p for p in match.pairs if p.declared_formula}
+    formulas = [pair for pair in match.pairs if pair.declared_formula]
+    cells = {(p.address.sheet, p.address.a1) for p in formulas} if report.findings else set()
+    unfinished = {(p.address.sheet, p.address.a1) for p in formulas if p.cell.expected is None}
     blocks = match.declared.blocks.values()
     columns = ((block.size, q) for block in blocks for q in block.quantities)
     report.declared = sum(size for size, q in columns if q.formula is not None)
     for ran in (ran for ran in report.witnesses if ran.answered):
         others = {w.name for w in report.witnesses} - {ran.name}
         own = [f for f in report.findings if f.witness.partition(",")[0] not in others]
-        faulty = {(f.sheet, f.cell) for f in own} & cells.keys()
-        ran.at_fault = report.declared - len(cells) + len(faulty)
-        ran.unfinished = sum(p.cell.expected is None for at, p in cells.items() if at not in faulty)
+        faulty = {(f.sheet, f.cell) for f in own} & cells
+        ran.at_fault = report.declared - len(formulas) + len(faulty)
+        ran.unfinished = len(unfinished - faulty)
         ran.compared = report.declared - ran.at_fault - ran.unfinished
     report.compared = max((w.compared for w in report.witnesses), default=0)

@@ -4,10 +4,10 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import chain
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 from workbook.book.address import Address, Place
-from workbook.book.declare import Block, Book, Cell, Sheet
+from workbook.book.declare import Block, Book, Cell, Quantity, Sheet
 from workbook.book.formula import Area, FormulaError, read
 from workbook.book.rows import as_rows
 from workbook.reading.files import BookFile, is_formula
@@ -44,15 +44,41 @@ class Match:
     columns: list[list[Pair]] = field(default_factory=list)  # the same by columns of blocks
 
     def __post_init__(self) -> None:
+        self.columns = self.columns or list(self._placed_columns())
+        self.pairs += chain.from_iterable(self.columns)
+
+    def _placed_columns(self) -> Iterator[list[Pair]]:
+        """Yield the cells of each column of a block that the file has."""
         for block in self.declared.blocks.values():
             place = self.file.places.get(block.name)
             if place is None or block.name in self.file.torn:
                 continue
             for j, column in enumerate(block.by_column()):
                 cells = zip(column, place.down(j), strict=True)
-                pairs = [Pair(c, at, self.file.value(at), is_formula(c.content)) for c, at in cells]
-                self.columns.append(pairs)
-        self.pairs += chain.from_iterable(self.columns)
+                yield [Pair(c, at, self.file.value(at), is_formula(c.content)) for c, at in cells]
+
+    def again(self, declared: Book, entered: Iterable[Address]) -> Self:
+        """Return the match of the file with another declaration, after nothing but these cells was entered anew."""
+        if layout_of(declared) != layout_of(self.declared):
+            return type(self)(self.file, declared)
+        touched, columns = {at[::2] for at in entered}, []
+        for pairs, block, q, values in self.by_quantity(declared):
+            if pairs[0].address[::2] in touched:
+                pairs = [pair._replace(held=self.file.value(pair.address)) for pair in pairs]
+            contents = values if q.formula is None else [pair.cell.content for pair in pairs]
+            each = zip(pairs, contents, values, strict=True)
+            columns.append([Pair(Cell(block, q, *old.cell[2:5], *both), *old[1:]) for old, *both in each])
+        match = type(self)(self.file, declared, columns=columns)
+        match.numbers = self.numbers
+        return match
+
+    def by_quantity(self, declared: Book) -> Iterator[tuple[list[Pair], Block, Quantity, list[Any]]]:
+        """Yield the columns, each with its block, quantity and values in a declaration of the same layout."""
+        for pairs in self.columns:
+            cell = pairs[0].cell
+            block = declared.blocks[cell.block.name]
+            q = block.quantities[cell.column - cell.block.column]
+            yield pairs, block, q, as_rows(q.value, block.size, q.name)
 
     def placed(self, sheet: Sheet) -> list[tuple[Block, Place]]:
         """Return the blocks of a declared sheet that the file has, with their places."""
@@ -171,6 +197,22 @@ class Match:
             return areas[name.lower()]
 
         return area
+
+
+def layout_of(book: Book) -> list[tuple[Any, ...]]:
+    """Return all on which the formulas of a book hang: the places of its blocks, and formulas as they are declared."""
+    return [
+        (
+            name,
+            block.sheet.title,
+            block.row,
+            block.column,
+            block.size,
+            block.seen,
+            [q.formula for q in block.quantities],
+        )
+        for name, block in book.blocks.items()
+    ]
 
 
 def corners(area: Area) -> tuple[Address, Address]:

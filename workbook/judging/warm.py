@@ -54,19 +54,20 @@ class WarmBook:
 
     def __init__(self) -> None:
         self._scans = Scans()
-        self._file: BookFile | None = None
+        self._match: Match | None = None
         self._model: Model | None = None
         self._cells: list[Address] = []  # for which the model takes values
 
     def judge_values(self, path: Path) -> Judged:
         """Return what comes of the values of a save; raise MotionbookError where only ``verify`` can judge it."""
         # a save that raises an error leaves nothing to the next
-        file, self._file = self._file, None
+        match, self._match = self._match, None
+        file = match.file if match else None
         inspected = guard(path, self._scans)
         was = file.inspected if file else None
         cells = changed_cells(was, inspected) if was else None
         if file is None or cells is None:
-            file, entered, self._model = book_of(path, inspected), Cells(), None
+            match, file, entered, self._model = None, book_of(path, inspected), Cells(), None
         else:
             entered = enter_cells(file, inspected, cells)
         # of unchanged formulas no cell was cut
@@ -74,12 +75,13 @@ class WarmBook:
         if file.torn or file.inserted:
             raise OtherBookError(f"{path}: rows were put into its tables")
         machine = entries.machine()
-        match = Match(file, entries.template.declare(machine))
+        declared = entries.template.declare(machine)
+        match = match.again(declared, entered) if match else Match(file, declared)
         report = Report(path, entries.template.name)
         self._compare(match, report, entered)
         exact = entries.template.judge(machine)
         report.checks = [check.judged(exact) for check in report.checks]
-        self._file = file
+        self._match = match
         return Judged(machine, match.declared, report)
 
     def _compare(self, match: Match, report: Report, entered: Cells) -> None:

@@ -14,7 +14,7 @@ from workbook.controllers.target import CamExport
 from workbook.errors import TargetError
 from workbook.fields.units import DEGREE, shown, si
 from workbook.law_sheets.library import laws
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.view import moving_axes
 from workbook.templates import TEMPLATES
 
 TEMPLATE = TEMPLATES["machine"]
@@ -38,7 +38,7 @@ def random_machine(seed):
 
 
 def whole(machine):
-    return MachineView(machine, laws(machine.laws)).axes
+    return moving_axes(machine, laws(machine.laws))
 
 
 def closed(one, x):

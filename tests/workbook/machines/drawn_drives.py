@@ -15,7 +15,7 @@ from workbook.errors import InputError
 from workbook.law_sheets.library import laws
 from workbook.laws.registry import FAMILY
 from workbook.machines.machine.mechanism import MECHANISMS
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.view import moving_axes
 from workbook.reading.descriptions import make_machine
 from workbook.templates import TEMPLATES
 
@@ -307,7 +307,7 @@ def handed_over(dice, low, high):
 
 def reached(made):
     """Whether every mechanism of a changing ratio reaches the positions of its axis, and every motion comes back."""
-    for view in MachineView(made, laws(made.laws)).axes:
+    for view in moving_axes(made, laws(made.laws)):
         one = Simulated(view, made)
         with_ratio = one.ratio(view.motion.at(one.nodes[0]).y) if view.given.mechanism else None
         if with_ratio is not None and not all(abs(part).max() < 1e9 for part in with_ratio):
@@ -318,7 +318,7 @@ def reached(made):
 def limited(made, dice):
     """The same machine with limits near to what each drive asks for by its equation of motion."""
     data, motors = made.model_dump(), []
-    for view, entered in zip(MachineView(made, laws(made.laws)).axes, data["axes"], strict=True):
+    for view, entered in zip(moving_axes(made, laws(made.laws)), data["axes"], strict=True):
         asked = Simulated(view, made).results
         rpm = asked["speed"] * 30 / pi
 

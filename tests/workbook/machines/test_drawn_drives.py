@@ -35,7 +35,7 @@ SAME = 1e-3
 
 def exact_results(view):
     """What the exact engine finds of a drive, by the names of :class:`Simulated`."""
-    found = view.driven.results
+    found = view.driven.limit_checks.results
     power, energy = found.power, found.energy
     return {
         "rms": found.rms_torque,

@@ -12,6 +12,7 @@ from tests.workbook.cells import computed, disagreeing
 from tests.workbook.machines.test_machine import TEMPLATE, axis, described
 from workbook.fields.units import shown
 from workbook.machines.machine import exact
+from workbook.machines.machine.axes import axes_of
 from workbook.machines.machine.gap import ClearanceView
 
 PUNCH = axis(1, (30, 90, 20.0, "CIC"), (150, 210, -20.0, "CIC"))
@@ -28,7 +29,7 @@ def machine(*clearances, axes=(PUNCH, FEED, ARM), **sizes):
 
 def views(given):
     """The engine's view of the clearances."""
-    rows = exact.axes_of(given)
+    rows = axes_of(given)
     return [ClearanceView(one, k, rows) for k, one in enumerate(given.clearances, 1)]
 
 

@@ -8,6 +8,7 @@ from tests.workbook.machines.test_machine import RISE, TEMPLATE, driven, small
 from tests.workbook.machines.test_machine_rates import FREE, machine
 from workbook.build import build
 from workbook.judging.verify import verify
+from workbook.machines.machine.axes import tables_of
 from workbook.machines.machine.drive.view import AT_NO_RATE, NONE_BINDS, Rates
 from workbook.machines.machine.exact import drives_of, limit_of_rate
 from workbook.machines.machine.first_sheet import RATE_CHECK, hold_at, rate_check
@@ -64,6 +65,7 @@ def test_a_rate_that_the_exact_engine_alone_finds_too_high_fails_everywhere(tmp_
     from workbook.machines.machine import exact
 
     made = sized_at(100.0, 160.0, max_speed=4000.0)
+    tables_of.cache_clear()
     at_speed = exact.at_speed
     monkeypatch.setattr(exact, "at_speed", lambda checks, speed: at_speed(checks, 1.1 * speed))
     verdicts, _, says = verdicts_on(made, tmp_path)

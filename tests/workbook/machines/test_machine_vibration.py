@@ -17,8 +17,9 @@ from workbook.controllers.registry import target
 from workbook.controllers.tabulation import automatic
 from workbook.errors import AGREES, FAILS, InputError
 from workbook.improving import AIMS
+from workbook.machines.machine.axes import axes_of
 from workbook.machines.machine.entries_beside import UNTUNED, Vibration
-from workbook.machines.machine.exact import axes_of, judgement
+from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.vibration import MOST, swings_of
 from workbook.pool import THIS_PROCESS

@@ -13,7 +13,7 @@ from workbook.errors import InputError
 from workbook.law_sheets.book_laws import BookLaws
 from workbook.machines.machine import view
 from workbook.machines.machine.exact import MOTION, extremes_of
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.view import moving_axes
 
 SMALL = {"cycle": 36, "law": 4}
 FAMILIES = ("LIN", "MSN", "MTS", "SCC", "SCV", "SHM", "SRT", "SGS", "HAC", "PO5", "PO7", "DHM")
@@ -166,7 +166,7 @@ def test_a_jump_between_straight_lines_names_both_slopes():
 @pytest.mark.parametrize("seed", [*range(30), *nights(40)])
 def test_extremes_at_points_are_as_exact_as_their_sheet_states(seed):
     machine = drawn(seed)
-    (axis,) = MachineView(machine, BookLaws(machine.laws, machine.sizes, True).laws).axes
+    (axis,) = moving_axes(machine, BookLaws(machine.laws, machine.sizes, True).laws)
     assert list(extremes_of(axis)) == []
     for exact, found in zip(axis.joined.motion.reaches, axis.motion.reaches, strict=True):
         assert found == pytest.approx(exact, abs=MOTION * (exact[1] - exact[0]) + 1e-12)
@@ -174,7 +174,7 @@ def test_extremes_at_points_are_as_exact_as_their_sheet_states(seed):
 
 def test_an_extreme_that_points_miss_is_told(monkeypatch):
     machine = composed([("PO5", 10.0, 100.0), ("LIN", 40.0, 100.0), ("PO5", -50.0, 160.0)])
-    (axis,) = MachineView(machine, BookLaws(machine.laws, machine.sizes, True).laws).axes
+    (axis,) = moving_axes(machine, BookLaws(machine.laws, machine.sizes, True).laws)
     monkeypatch.setattr(view, "POINTS", view.POINTS[::50])
     assert any("row 3: the greatest velocity is " in line for line in extremes_of(axis))
 

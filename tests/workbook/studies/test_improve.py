@@ -23,7 +23,8 @@ from workbook.fields.paths import table
 from workbook.fields.units import PER_MINUTE, si
 from workbook.judging.verify import verify
 from workbook.laws.entries import references
-from workbook.machines.machine.exact import axes_of, drives_of, limits_of
+from workbook.machines.machine.axes import axes_of
+from workbook.machines.machine.exact import drives_of, limits_of
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.studies import changes, shaping, timing
 from workbook.pool import THIS_PROCESS

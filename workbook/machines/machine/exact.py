@@ -2,7 +2,9 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from itertools import chain
+from typing import NamedTuple
 
 from engine.drive.limits import BELOW, REDUCER_TORQUE, at_speed, creeping
 from engine.drive.motor import LimitCheck
@@ -10,17 +12,16 @@ from engine.drive.rate_range import EXACT_NAMES, rate_range
 from workbook.book.checks import ZERO
 from workbook.book.sentence import as_shown
 from workbook.fields.units import PER_MINUTE, PERCENT, shown, si
-from workbook.law_sheets.book_laws import BookLaws
+from workbook.machines.machine.axes import REMEMBERED, axes_of, drive_of
 from workbook.machines.machine.backlash import sides_of
 from workbook.machines.machine.drive.max_rate import range_in_words
-from workbook.machines.machine.drive.view import DriveView, Rates, drive_of
+from workbook.machines.machine.drive.view import DriveView, Rates
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.first_sheet import RATE_CHECK
 from workbook.machines.machine.gap import ClearanceView
-from workbook.machines.machine.motion_tables import AxisTables
 from workbook.machines.machine.timing.stops import HardStop, stops_of
 from workbook.machines.machine.vibration import swings_of
-from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.machines.machine.view import MovingAxis
 from workbook.template_outputs import ExactJudgement, JudgedLimit, deviations, judged_limits
 
 RATE, GAP, MOTION = 0.01, 1e-3, 5e-4
@@ -29,13 +30,6 @@ be off; :mod:`engine.drive.drive_points` has those of a drive's results"""
 PAIRS_GAP = 0.25  # the same of a least gap by pairs, whose lines may turn between the points
 ROUNDING, NEARLY = 1e-9, 0.9  # of exact uses; of a use by points that may be 1 exactly
 CREEP_LIMITS = "RMS torque", REDUCER_TORQUE, "reducer mean torque"  # beside the peak torque
-
-
-def axes_of(machine: AnyMachine) -> list[AxisTables]:
-    """Return the axes of a machine as its book has them."""
-    book_laws = BookLaws(machine.laws, machine.sizes, bool(machine.laws.of("LIN")))
-    whole = MachineView(machine, book_laws.laws)
-    return [AxisTables(whole, axis, book_laws.stack) for axis in whole.axes]
 
 
 def drives_of(machine: AnyMachine) -> Iterator[DriveView]:
@@ -88,7 +82,8 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     """Return the limits of all drives as sheets and the exact engine have them, and lines on results and on rates."""
     rows = axes_of(machine)
     views = list(filter(None, map(drive_of, rows)))
-    lines = [line for view in views for line in (*results_of(view), *rate_of(view))]
+    drives = list(map(judge_drive, views))
+    lines = list(chain.from_iterable(drive.lines for drive in drives))
     gaps = [ClearanceView(clearance, k, rows) for k, clearance in enumerate(machine.clearances, 1)]
     lines += filter(None, map(gap_of, gaps))
     lines += (line for row in rows for line in extremes_of(row.axis))
@@ -97,11 +92,25 @@ def judgement(machine: AnyMachine) -> ExactJudgement:
     stops = [swing.limit for swing in swings if swing.entered.settled is not None]
     stops += [side.limit for side in sides_of(views)]
     stops += [limit_of_stop(stop) for row in rows for stop in stops_of(row.axis)]
-    limits = [list(limits_of(view)) for view in views]
-    rates = [limit_of_rate(*both, machine.per_minute) for both in zip(views, limits, strict=True)]
-    rates = sorted(rates, key=lambda limit: -limit.exact.use)[:1]
-    creeps = chain(*map(limit_of_creeping, views))
-    return ExactJudgement([*chain(*limits), *rates, *creeps, *map(limit_of_gap, gaps), *stops], lines)
+    limits = chain.from_iterable(drive.limits for drive in drives)
+    rates = sorted((drive.at_rate for drive in drives), key=lambda limit: -limit.exact.use)[:1]
+    return ExactJudgement([*limits, *rates, *map(limit_of_gap, gaps), *stops], lines)
+
+
+class JudgedDrive(NamedTuple):
+    """The limits of a drive, at its own rate and creeping, and at the machine's; lines on its results and its rates."""
+
+    limits: list[JudgedLimit]
+    at_rate: JudgedLimit
+    lines: list[str]
+
+
+@lru_cache(REMEMBERED)
+def judge_drive(view: DriveView) -> JudgedDrive:
+    """Return the judgement of the exact engine on a drive."""
+    limits, rate = limits_of(view), view.tables.machine.given.per_minute
+    at_rate = limit_of_rate(view, limits, rate)
+    return JudgedDrive([*limits, *limit_of_creeping(view)], at_rate, [*results_of(view), *rate_of(view)])
 
 
 def limit_of_rate(view: DriveView, limits: Sequence[JudgedLimit], rate: float) -> JudgedLimit:

@@ -13,11 +13,11 @@ from engine.motion.profile import CamProfile, profile_of_motion
 from engine.selection.pair_matrix import PairMatrix
 from workbook.entries.phase import TURN
 from workbook.fields.units import DEGREE, KW, PER_HOUR, RPM, shown, si
+from workbook.machines.machine.axes import axes_of, drive_of
 from workbook.machines.machine.drive.reducer_load import shaft_of
-from workbook.machines.machine.drive.view import DriveView, drive_of
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.drive_entries import NEEDED
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.view import MovingAxis
 from workbook.selection.catalogue import MotorRow

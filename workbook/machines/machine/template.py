@@ -17,21 +17,21 @@ from workbook.book.summary import summary_sheet
 from workbook.entries.rules import limits
 from workbook.fields.texts import place_of
 from workbook.fields.units import DEGREE, shown
-from workbook.law_sheets.book_laws import BookLaws
 from workbook.law_sheets.library import laws
 from workbook.machines.machine import first_sheet, live
+from workbook.machines.machine.axes import axes_of, drive_of, laws_of
 from workbook.machines.machine.backlash import backlash_sheet, sides_of
 from workbook.machines.machine.clearances import clearances_sheet
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.drive.reach import require_mechanisms
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive.sheet import drive_sheet
-from workbook.machines.machine.drive.view import DriveView, drive_of
+from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.entries_beside import ClearanceEntry
 from workbook.machines.machine.exact import judgement
 from workbook.machines.machine.gap import ClearanceView
-from workbook.machines.machine.motion_tables import AxisTables, pieces_sheet
+from workbook.machines.machine.motion_tables import pieces_sheet
 from workbook.machines.machine.power import Mains, power_sheet, supply
 from workbook.machines.machine.studies import changes
 from workbook.machines.machine.studies.results import SCALING
@@ -40,7 +40,7 @@ from workbook.machines.machine.timing.cycle import cycle_sheet, exportable
 from workbook.machines.machine.timing.sheet import timing_sheet
 from workbook.machines.machine.variations import variants
 from workbook.machines.machine.vibration import swings_of, vibration_sheet
-from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.machines.machine.view import MachineView, MovingAxis, moving_axes
 from workbook.motion.exported import export_sheet
 from workbook.selection.page import catalogue_sheet, selection_sheet
 from workbook.selection.pair_selection import PairSelection
@@ -53,10 +53,10 @@ CELLS = cell_tables(__file__)
 def declare(given: AnyMachine) -> Book:
     """Declare the book."""
     # a table of contents: a line or two for each sheet, some of them only where there are drives
-    book_laws = BookLaws(given.laws, given.sizes, bool(given.laws.of("LIN")))
-    machine = MachineView(given, book_laws.laws)
+    book_laws = laws_of(given)
+    rows = axes_of(given, book_laws)
+    machine = MachineView(given, [row.axis for row in rows])
     book = Book(given.template, given.title, limit=limits(type(given)), print_also=given.print_also)
-    rows = [AxisTables(machine, axis, book_laws.stack) for axis in machine.axes]
     drives = {row.axis.number: view for row in rows if (view := drive_of(row))}
     bus = Mains(list(drives.values()), given.power) if drives else None
     abscissa = machine.over
@@ -200,7 +200,7 @@ def phases_verdict(book: Book, axis: MovingAxis, places: Sequence[int]) -> tuple
 def axes(machine: AnyMachine) -> list[CamAxis]:
     """Return the axes of a machine as a controller can take them."""
     cam_axes = []
-    for axis in MachineView(machine, laws(machine.laws)).axes:
+    for axis in moving_axes(machine, laws(machine.laws)):
         given, repeats = axis.given, axis.given.repeats and axis.closes
         cam = CamAxis(given.name, profile(axis, shown(1.0, axis.unit)), machine.over.unit, given.unit, repeats)
         cam_axes.append(replace(cam, shaft=partial(shaft, axis, machine, cam)) if given.motor else cam)

@@ -157,6 +157,15 @@ class MovingAxis:
         return max(abs(phase.missing_lift) for phase in self.motion.phases)
 
 
+def moving_axes(machine: entered.AnyMachine, library: dict[str, Law], first: int = 1) -> list[MovingAxis]:
+    """Return the motions of a machine's axes, by laws of a ``library``, numbered from ``first``."""
+    over, speed = machine.over, shaft_speed(si(machine.per_minute, PER_MINUTE))
+    return [
+        MovingAxis(axis_in_degrees(axis, over), i, library, speed, axis, over)
+        for i, axis in enumerate(machine.axes, first)
+    ]
+
+
 class MachineView:
     """The engine's view of a machine.
 
@@ -165,17 +174,14 @@ class MachineView:
     straight line in its book. ``angles`` are the samples of the master shaft in degrees, ``samples`` in rad.
     """
 
-    def __init__(self, machine: entered.AnyMachine, library: dict[str, Law]) -> None:
-        self.given, self.over, rate = machine, machine.over, si(machine.per_minute, PER_MINUTE)
+    def __init__(self, machine: entered.AnyMachine, axes: list[MovingAxis]) -> None:
+        self.given, self.axes, self.over = machine, axes, machine.over
+        rate = si(machine.per_minute, PER_MINUTE)
         self.time = turn_time(rate)
         self.speed = shaft_speed(rate)
         self.hands_over = bool(machine.laws.of("LIN"))
         self.angles = np.linspace(0.0, TURN, machine.sizes.cycle + 1)
         self.samples: Array = si(self.angles, DEGREE)
-        self.axes = [
-            MovingAxis(axis_in_degrees(axis, self.over), i, library, self.speed, axis, self.over)
-            for i, axis in enumerate(machine.axes, 1)
-        ]
 
     @property
     def near(self) -> float:

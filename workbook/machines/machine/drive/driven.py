@@ -14,7 +14,6 @@ from engine.drive.mechanisms.by_angle import Arm, ByAngle
 from engine.drive.mechanisms.slides import crank_slider, rocker
 from engine.drive.mechanisms.variable_ratio import Linkage, PositionTable
 from engine.drive.motor import LEVEL
-from engine.drive.results import DriveResults
 from engine.motion.pieces import MotionPieces
 from workbook.fields.units import DEGREE, KG_CM2, MM, MS, shown, si
 from workbook.machines.machine import mechanism as kinds
@@ -152,11 +151,6 @@ class Driven:
         return DriveCycle(self.train, motion, self.axis.speed, self.axis.shifted.shift)
 
     @cached_property
-    def results(self) -> DriveResults:
-        """The exact results of a cycle."""
-        return DriveResults(self.drive_cycle)
-
-    @property
     def limit_checks(self) -> LimitChecks:
         """The drive and its limits, exact."""
         return LimitChecks(self.drive_cycle, self.motor, self.reducer.limits)

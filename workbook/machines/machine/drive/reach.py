@@ -16,7 +16,7 @@ from workbook.machines.machine.drive.mechanisms import LINKAGES
 from workbook.machines.machine.drive.view import DriveView
 from workbook.machines.machine.entries import AnyMachine
 from workbook.machines.machine.mechanism import UNSIZED, MechanismEntry, Table
-from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.machines.machine.view import MovingAxis, moving_axes
 
 CELLS = cell_tables(__file__)
 
@@ -93,7 +93,7 @@ def require_mechanisms(machine: AnyMachine) -> None:
     """Raise DesignError for a mechanism that cannot be, or for the first phase that leaves its reach."""
     if not any(axis.mechanism and axis.mechanism.LARGE for axis in machine.axes):
         return
-    for axis in MachineView(machine, laws(machine.laws)).axes:
+    for axis in moving_axes(machine, laws(machine.laws)):
         given = axis.given.mechanism
         if given is None or not given.LARGE:
             continue

@@ -265,11 +265,3 @@ class DriveView:
         power, time = self.points.power, self.time
         driving, returned = (self.points.mean(np.maximum(way * power, 0.0)) * time for way in (1.0, -1.0))
         return Energy(driving, returned)
-
-
-def drive_of(tables: AxisTables) -> DriveView | None:
-    """Return the drive of an axis, if it has one."""
-    given = tables.axis.given
-    if given.mechanism and given.motor:
-        return DriveView(tables, Driven(tables.axis, tables.machine.given))
-    return None

@@ -15,15 +15,16 @@ from workbook.fields.paths import Place
 from workbook.fields.units import DEGREE, KW, MS, shown, si
 from workbook.improving import Aim, Change, Figure
 from workbook.law_sheets.library import laws
+from workbook.machines.machine.axes import axes_of
 from workbook.machines.machine.drive.in_use import motor_in_use, reducer_in_use
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.entries_beside import Vibration
-from workbook.machines.machine.exact import axes_of, drives_of
+from workbook.machines.machine.exact import drives_of
 from workbook.machines.machine.first_sheet import RATE_CHECK
 from workbook.machines.machine.studies import shaping, timing
 from workbook.machines.machine.studies.results import results
 from workbook.machines.machine.vibration import Swing
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.view import moving_axes
 from workbook.template_outputs import LIMITS
 
 LIGHTER = 0.9  # of the inertias of load and parts
@@ -166,7 +167,7 @@ def breaks(machine: AnyMachine) -> set[str]:
 
 def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
     """Return the figure of an axis that is to be less, at the rate of the machine."""
-    axis = MachineView(machine, laws(machine.laws)).axes[timing.axis_of(machine, name, "edges")].sized
+    axis = moving_axes(machine, laws(machine.laws))[timing.axis_of(machine, name, "edges")].sized
     if aim.name == "acceleration":
         return Figure(axis.max_acceleration, axis.over.rates(axis.given.unit)[1])
     if aim.name == "vibration":
@@ -176,7 +177,7 @@ def figure_of(machine: AnyMachine, name: str, aim: Aim) -> Figure:
         swing = Swing(row, load)  # in RMS, so that of moves that leave alike each counts
         left = swing.exact[swing.lift > 0.0]
         return Figure(float(np.sqrt(np.mean(left**2))) if left.size else 0.0, axis.given.unit)
-    results = shaping.drives(machine)[name]().results
+    results = shaping.drives(machine)[name]().limit_checks.results
     if aim.name == "power":
         return Figure(shown(results.power.peak, KW), aim.unit)
     return Figure(results.energy.driving if aim.name == "energy" else results.rms_torque, aim.unit)

@@ -13,11 +13,12 @@ from workbook.fields.texts import place_of
 from workbook.fields.units import KW, shown
 from workbook.law_sheets.library import laws, named_laws
 from workbook.laws.family import COEFFICIENTS
+from workbook.machines.machine.axes import axes_of
 from workbook.machines.machine.backlash import Sides
 from workbook.machines.machine.drive.reducer_load import shaft_of
 from workbook.machines.machine.drive_entries import Backlash
 from workbook.machines.machine.entries import AnyMachine
-from workbook.machines.machine.exact import axes_of, limit_of_gap, limit_of_stop
+from workbook.machines.machine.exact import limit_of_gap, limit_of_stop
 from workbook.machines.machine.first_sheet import RATE_CHECK
 from workbook.machines.machine.gap import ClearanceView
 from workbook.machines.machine.power import KWH
@@ -26,7 +27,7 @@ from workbook.machines.machine.studies.drive_results import ok_texts
 from workbook.machines.machine.studies.drives import FIXED, DriveStudy, cycles
 from workbook.machines.machine.timing.stops import stops_of
 from workbook.machines.machine.vibration import MOST, Swing
-from workbook.machines.machine.view import MachineView, MovingAxis
+from workbook.machines.machine.view import MovingAxis, moving_axes
 from workbook.selection.pair_selection import PairSelection
 from workbook.template_outputs import Column, Computations, Results, Scaling
 
@@ -43,7 +44,7 @@ def part(key: str) -> str:
 
 def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     """Return the results of designs that differ in motors, reducers and rates, by the keys of these entries."""
-    whole, rows = MachineView(machine, laws(machine.laws)), cache(partial(axes_of, machine))
+    rows = cache(partial(axes_of, machine))
     rate = columns.get("master.rate", Column([machine.per_minute], FIXED.places))
     faster = np.asarray(rate.each) / machine.per_minute
     figures: Computations = {f"{name}_rate": lambda: rate.each for name in ("about", "timing")}
@@ -51,7 +52,7 @@ def results(machine: AnyMachine, columns: Mapping[str, Column]) -> Results:
     checks: Computations = {}
     add_laws(machine, figures, checks)
     drives = []
-    for axis in whole.axes:
+    for axis in moving_axes(machine, laws(machine.laws)):
         axis_results, axis_checks = of_axis(axis, faster)
         figures, checks = figures | axis_results, checks | axis_checks
         checks |= end_checks(machine, axis, rows)

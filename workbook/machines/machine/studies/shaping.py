@@ -25,7 +25,7 @@ from workbook.laws.entries import ENTRIES, Laws, listed, references
 from workbook.machines.machine.drive.driven import Driven
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.entries_beside import Vibration
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.view import moving_axes
 
 FREE = ("LIN", "OWN", "SPL")  # families without a law of their own from rest to rest
 # by what must not jump: the highest derivative that is 0 at ends
@@ -41,8 +41,8 @@ NEAR = 1e-9  # of the rise: ends of laws that differ by less are the same
 
 def drives(machine: AnyMachine) -> dict[str, Any]:
     """Return functions that make the drives of a machine with their limits, by the names of their axes."""
-    view = MachineView(machine, laws(machine.laws))
-    return {axis.given.name: partial(Driven, axis, machine) for axis in view.axes if axis.given.motor}
+    axes = moving_axes(machine, laws(machine.laws))
+    return {axis.given.name: partial(Driven, axis, machine) for axis in axes if axis.given.motor}
 
 
 def law_changes(machine: AnyMachine, i: int, rate: float, aim: Aim) -> Iterator[Change]:
@@ -132,7 +132,7 @@ def given_out(machine: AnyMachine, i: int, k: int, begin: str, name: str, kind: 
 
     Raises ValueError for a load or a time that the shaper does not suit, InputError for a law that it cannot give out.
     """
-    view = MachineView(machine, laws(machine.laws)).axes[i].sized
+    view = moving_axes(machine, laws(machine.laws))[i].sized
     load = view.given.vibration or Vibration()
     known = {law.name: law for law in from_rest_to_rest(machine)}
     base = known.get(listed(of, [*known]) or "")
@@ -153,7 +153,7 @@ def given_out(machine: AnyMachine, i: int, k: int, begin: str, name: str, kind: 
 
 def misfits(machine: AnyMachine) -> Iterator[tuple[str, BoundaryValues]]:
     """Yield the laws shaped for their drives with other rates than their phases have to meet, and these, by ξ."""
-    for axis in MachineView(machine, laws(machine.laws)).axes:
+    for axis in moving_axes(machine, laws(machine.laws)):
         for k, phase in zip(axis.entered, axis.given.phases, strict=True):
             law = axis.library[phase.law]
             if phase.lift and getattr(machine.laws[phase.law], "shaped", None):

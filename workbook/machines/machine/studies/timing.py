@@ -16,11 +16,11 @@ from workbook.fields.types import ANGLE_TOLERANCE
 from workbook.fields.units import DEGREE, shown, si
 from workbook.improving import Room
 from workbook.law_sheets.library import laws
+from workbook.machines.machine.axes import axes_of
 from workbook.machines.machine.entries import AnyMachine, Axis
 from workbook.machines.machine.entries_beside import EdgeOfPhase, Lasting
-from workbook.machines.machine.exact import axes_of
 from workbook.machines.machine.gap import ClearanceView
-from workbook.machines.machine.view import MachineView
+from workbook.machines.machine.view import moving_axes
 
 EDGE = 10.0  # degrees of a turn by which an edge may move where nothing is said of it
 STEP = 0.01  # degrees of a turn, by multiples of which edges move
@@ -129,11 +129,11 @@ def places_of(axis: Axis) -> Iterator[float]:
 
 def order_margins(machine: AnyMachine) -> list[tuple[float, str]]:
     """Return by how much each order holds, as a share of the other axis' travel, and its sentence."""
-    view, margins = MachineView(machine, laws(machine.laws)), []
+    axes, margins = moving_axes(machine, laws(machine.laws)), []
     for k, order in enumerate(machine.timing.orders):
         where = f"orders[{k + 1}]"
         i, phase = phase_of(machine, order, where)
-        other = view.axes[axis_of(machine, order.other, f"{where}.other")]
+        other = axes[axis_of(machine, order.other, f"{where}.other")]
         angle = (machine.over.degrees(getattr(phase, order.edge) + machine.axes[i].shift)) % TURN
         at = float(shown(other.at(si(np.array([angle]), DEGREE)).y[0], other.unit))
         bounds = [(1.0, order.above, "above"), (-1.0, order.below, "below")]
