@@ -11,13 +11,12 @@ import pytest
 from tests.test_structure import ROOT, sources
 
 BUDGET = {
-    # goes down: who takes lines away lowers it; the sheets Vibration, Improve and Oracle raised it by 900, and laws
-    # shaped between velocities, dead times of switches and the use of laws by 260
-    "lines of engine and workbook, formatted": 64_720,
-    "lines of tests": 36_430,  # likewise, from the day on whose new features bring their tests; 33,000 is the aim
-    "fmt: skip": 60,
+    # goes down: who takes lines away lowers it; a feature raises it by its own lines, and says so here
+    "lines of engine and workbook, formatted": 62_830,
+    "lines of tests": 36_400,  # likewise, from the day on whose new features bring their tests; 33,000 is the aim
+    "fmt: skip": 40,
     "functions of more than 12 branches": 20,
-    "functions of more than 60 lines, formatted": 20,
+    "functions of more than 60 lines, formatted": 5,
     "the word one": 300,
     "the words found, said, told, kept, made": 300,
     "docstrings that begin with a question": 10,
