@@ -21,6 +21,7 @@ from workbook.templates import TEMPLATES, Template
 COUNTS = (1, 4, 16, 64)
 JOBS = (1, 2)
 SMALL = {"cycle": 4, "law": 4}
+PHASES = 8  # rows of each axis: figures of one year and the next are of the same machine
 
 
 def of_axes(count: int) -> Machine:
@@ -30,7 +31,8 @@ def of_axes(count: int) -> Machine:
     driven = [axis for axis in data["axes"] if axis["motor"]]
     axes = [driven[k % len(driven)] | {"name": f"Axis {k + 1}", "shift": 13.0 * k} for k in range(count)]
     selection = data["selection"] | {"axis": axes[0]["name"]}
-    others = {"switches": [], "clearances": [], "selection": selection}
+    sizes = given.sizes.model_dump(exclude_unset=True) | {"phases": PHASES}
+    others = {"switches": [], "clearances": [], "selection": selection, "sizes": sizes}
     return type(given).model_validate(data | {"axes": axes} | others)
 
 

@@ -232,7 +232,7 @@ def test_a_drawn_machine_comes_back_from_its_description(numbered, tmp_path):
 
 def is_cut_everywhere(view):
     """Whether a drive is cut wherever it turns round: a check of its sheet says where it is not."""
-    return view.turns_cut == len(view.tables.turning.turns)
+    return view.turns_cut == len(view.tables.turns)
 
 
 def examined(number, text):

@@ -39,6 +39,7 @@ def swinging(load, *phases, laws=(), **entries):
         told["law"] = phase[3]
     data["laws"] |= {name: {"family": name} for name in laws}
     data["axes"][0]["vibration"] = load
+    del data["sizes"]["motion_pieces"]  # what these moves need
     return TEMPLATE.model.model_validate(data)
 
 
