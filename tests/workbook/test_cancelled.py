@@ -7,7 +7,7 @@ import pytest
 
 from tests.tiers import by_day
 from tests.workbook.composed import DESCRIBED, committed_as
-from workbook.judging.comparison import as_rows
+from workbook.book.rows import as_rows
 
 NAME = re.compile(r"[a-z][a-z_0-9]*_\w+")
 SUM = re.compile(rf"=-?{NAME.pattern}(?:[+-]{NAME.pattern})*-{NAME.pattern}(?:[+-]{NAME.pattern})*")

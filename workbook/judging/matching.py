@@ -34,7 +34,7 @@ class Pair(NamedTuple):
         return f"{q.label} ({block.name}, row {self.cell.i + 1})" if block.is_table else q.label
 
 
-@dataclass
+@dataclass(repr=False)  # of a book with all its cells it would take gigabytes
 class Match:
     """A file matched with a declaration, cell by cell."""
 

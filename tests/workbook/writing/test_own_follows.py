@@ -44,7 +44,7 @@ def old(tmp_path_factory):
     for cell, at in CELLS.items():
         mine[cell] = f"={address(places, *at)}"
     mine["B1"], mine["B2"] = "=MC01_T_max*2", '=MC02_h&IF(MC01_ok="OK","",MC01_motor)'
-    mine["B3"], mine["B4"] = f"=SUM({address(places, 'axis1', 0, 2)}:{places['axis1'].cell(7, 2).a1})", "=drive1_pmax"
+    mine["B3"], mine["B4"] = f"=SUM({address(places, 'axis1', 0, 2)}:{places['axis1'].cell(6, 2).a1})", "=drive1_pmax"
     at = places[REMARKED].cell(0, 0)
     drive = book[at.sheet]
     drive.cell(at.row, 30).value, drive.cell(at.row, 31).value = "as measured", f"={at.a1}*Costs!B1"
