@@ -103,7 +103,7 @@ class CutCycle(QuadratureCycle):
 
     @cached_property
     def stretches(self) -> tuple[Stretch, Stretch]:
-        """Of the last piece that begins before each turn, the part on the same side of the slowest instant."""
+        """The part, on the turn's side of the slowest instant, of the last piece that begins before each turn."""
         v = np.array([piece.curves[1](piece.begin - piece.origin) for piece in self.pieces])
         begin, duration = np.array([(piece.begin, piece.duration) for piece in self.pieces]).T
         before, end = begin < self.slowest, begin + duration

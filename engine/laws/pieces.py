@@ -56,7 +56,7 @@ class PieceLaw(Law):
 
     @property
     def adjacent_accelerations(self) -> tuple[float, float]:
-        """Its own at an end with a slope, else 0."""
+        """The law's acceleration at an end with a slope, else 0."""
         first, last = self.slopes
         return 0.0 if first is None else self.start.a, 0.0 if last is None else self.end.a
 

@@ -46,7 +46,7 @@ class Pair(NamedTuple):
 
     @property
     def arrays(self) -> PairArrays:
-        """It as the only pair of several."""
+        """The pair as arrays of a single pair."""
         return PairArrays(*np.array(self)[:, None])
 
 

@@ -147,7 +147,7 @@ class View:
 
     @cached_property
     def headings(self) -> dict[Address, tuple[Address | None, Address | None]]:
-        """For each figure the nearest text left of it in its row, and the text over the figures of its column."""
+        """The nearest text left of each figure in its row, and the text over the figures of its column."""
         everything = sorted((*self.numbers, *self.forms, *self.texts))
         left, above = dict[Address, Address | None](), dict[Address, Address | None]()
         last: Address | None = None

@@ -24,7 +24,7 @@ class SwitchFile(NamedTuple):
 
     @property
     def beyond(self) -> list[str]:
-        """In a line each, what is farther off than numbers of 32 bits hold."""
+        """Lines on the switches with an edge farther off than numbers of 32 bits hold."""
         far = ((switch, off.largest) for switch, off in self.pairs if off.largest > MOST_OFF)
         return [f"{switch.name}: an edge is off by {off:.3g} {switch.x_unit}" for switch, off in far]
 

@@ -90,7 +90,7 @@ class Machine(Model):
 
     @property
     def heading(self) -> str:
-        """Its title, with its number and revision where it has them."""
+        """The machine's title, with its number and revision where it has them."""
         return ", ".join([self.title, *(f"{k} {v}" for k in ("number", "revision") if (v := getattr(self, k)))])
 
     def layout_entries(self) -> dict[str, Any]:

@@ -32,7 +32,7 @@ class NamedLaw:
 
     @property
     def words(self) -> str:
-        """Its name in words."""
+        """The law's name in words."""
         return str(getattr(self.entered, "name", self.page.law.name))
 
     @property

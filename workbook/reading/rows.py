@@ -187,7 +187,7 @@ class Rows:
             self.looks[self.row] = looks
 
     def cell(self, cell: Element) -> None:
-        """Take a cell, whole."""
+        """Take a whole cell into its row."""
         self._place(cell.get("r"))
         kind, style = cell.get("t", "n"), cell.get("s", "0")
         if kind not in KINDS or not style.isdecimal():

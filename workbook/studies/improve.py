@@ -69,7 +69,7 @@ class Gain(NamedTuple):
     changes: Mapping[Place, Any]
 
     def sentence(self, design: Design) -> str:
-        """Return it in words."""
+        """Return the change in words."""
         return f"{self.words}, {gain_in_words(design, self.before, self.after)}"
 
 

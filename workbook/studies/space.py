@@ -80,7 +80,7 @@ class Bound(Model):
 
     @property
     def words(self) -> str:
-        """It in words."""
+        """The bounds in words."""
         ends = [("at least", self.min), ("at most", self.max)]
         return ", ".join(f"{word} {end:g}" for word, end in ends if end is not None)
 

@@ -141,7 +141,7 @@ class AtLeast(LimitCheck):
 
     @property
     def use(self) -> float:
-        """No share: it may be 0, or its limit."""
+        """Infinity, since a gap of 0 or a limit of 0 has no share."""
         return math.inf
 
 

@@ -66,7 +66,7 @@ class MovingAxis:
 
     @cached_property
     def entered(self) -> list[int]:
-        """For each phase as entered, its number in the motion, from 0."""
+        """The numbers in the motion, from 0, of the phases as entered."""
         return [k for k, place in enumerate(self.places) if place % 2]
 
     @cached_property

@@ -55,7 +55,7 @@ class Window(unohelper.Base, XItemListener, XTopWindowListener):
         self.closed()
 
     def ignored(self, event: object) -> None:
-        """Take no notice."""
+        """Do nothing about an event of the window."""
 
     disposing = windowOpened = windowClosed = windowMinimized = windowNormalized = ignored
     windowActivated = windowDeactivated = ignored

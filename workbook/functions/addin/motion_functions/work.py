@@ -22,7 +22,7 @@ class Call(unohelper.Base, XCallback):
         self.act = act
 
     def notify(self, data: object) -> None:
-        """Carry it out."""
+        """Carry the call out."""
         self.act()
 
 
@@ -62,7 +62,7 @@ class Work:
         self.later.addCallback(Call(lambda: act(*arguments) if self.folder else None), None)
 
     def finish(self, *how: object) -> None:
-        """Tell how it ended."""
+        """Tell how the command ended."""
         try:
             self.ended(*how, self.folder)
         finally:

@@ -83,7 +83,7 @@ class ReducerInUse(NamedTuple):
 
     @property
     def limits(self) -> ReducerLimits:
-        """Its limits."""
+        """The limits of the reducer, infinite where none is entered."""
         peak, mean, fastest = (limit or math.inf for limit in (self.peak_torque, self.mean_torque, self.max_speed))
         full = si(self.full_cycles or FULL_CYCLES, PER_HOUR)
         return ReducerLimits(peak, mean, si(fastest, RPM), full, self.cycle_factor)

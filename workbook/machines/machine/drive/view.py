@@ -129,7 +129,7 @@ class DriveView:
 
     @property
     def creep_checks(self) -> tuple[LimitCheck, ...]:
-        """Its torques against their limits, creeping."""
+        """The drive's torques against their limits while it creeps."""
         return creep_checks(self.creeping, self.driven.motor, self.driven.reducer.limits, self.slow / self.time)
 
     @cached_property

@@ -26,12 +26,12 @@ class HardStop(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The name of its cell."""
+        """The name of the stop's cell."""
         return f"axis{self.axis.number}_stop_{self.end}"
 
     @property
     def entered(self) -> float | None:
-        """Its position, None where it is empty."""
+        """The position that is entered, None where the cell is empty."""
         position: float | None = getattr(self.axis.given.stops, self.end)
         return position
 
@@ -42,7 +42,7 @@ class HardStop(NamedTuple):
 
     @property
     def position(self) -> float:
-        """Its position, infinitely far where none is entered."""
+        """The stop's position, infinitely far where none is entered."""
         return self.outwards * math.inf if self.entered is None else self.entered
 
     @property
