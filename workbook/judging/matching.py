@@ -58,7 +58,7 @@ class Match:
                 yield [Pair(c, at, self.file.value(at), is_formula(c.content)) for c, at in cells]
 
     def again(self, declared: Book, entered: Iterable[Address]) -> Self:
-        """Return the match of the file with another declaration, after nothing but these cells was entered anew."""
+        """Return the match of the file with another declaration, after the cells ``entered`` got other values."""
         if layout_of(declared) != layout_of(self.declared):
             return type(self)(self.file, declared)
         touched, columns = {at[::2] for at in entered}, []

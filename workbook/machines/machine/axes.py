@@ -42,7 +42,7 @@ def laws_of(machine: AnyMachine) -> BookLaws:
 
 
 def axes_of(machine: AnyMachine, laws: BookLaws | None = None) -> list[AxisTables]:
-    """Return the axes of a machine as its book has them; those of which nothing that was entered is new, as before."""
+    """Return the axes of a machine as its book has them; an axis whose entries stay the same is remembered."""
     laws, tables = laws or laws_of(machine), []
     whole: dict[str, Any] = {"title": "", "number": None, "revision": None, "author": None, "date": None}
     whole |= {"switches": [], "clearances": []}
